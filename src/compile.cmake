@@ -13,6 +13,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   endif()
 endif()
 
+# Where sources are compiled together (CMAKE_UNITY_BUILD), unnamed namespaces of several meet: g++ takes that for a header's mistake.
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  add_compile_options(-Wno-subobject-linkage)
+endif()
+
 # A second build takes seconds where ccache is installed.
 find_program(TACTILE_NET_CCACHE ccache DOC "Launcher of the compiler; not required")
 if(PROJECT_IS_TOP_LEVEL AND TACTILE_NET_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
@@ -44,6 +49,7 @@ endfunction()
 # tactile_net_caller(target): for code that calls the numerics. With sanitizers it is not optimised, which takes longer than
 # its tests.
 function(tactile_net_caller target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
   if(TACTILE_NET_SANITIZE)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
   endif()
@@ -51,29 +57,61 @@ endfunction()
 
 # tactile_net_light(target): for code that takes longer to compile than it ever runs.
 function(tactile_net_light target)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   tactile_net_caller(${target})
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# tactile_net_precompile(target header... [SANITIZED header...]) or (target AS other): shares one precompiled header between
-# targets that are compiled alike. Never needed: every file includes what it uses.
-# SANITIZED: these too in a build with sanitizers, which is made from nothing as a rule: our own, which take longer to read
-# than most files to compile. In other builds a change of one of them would compile the whole target again.
+# tactile_net_precompile(target header...) or (target AS other): shares one precompiled header between targets that are compiled
+# alike. Never needed: every file includes what it uses.
 function(tactile_net_precompile target)
   if(NOT TACTILE_NET_PRECOMPILE)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 precompile "" "AS" "SANITIZED")
+  cmake_parse_arguments(PARSE_ARGV 1 precompile "" "AS" "")
   if(precompile_AS)
     target_precompile_headers(${target} REUSE_FROM ${precompile_AS})
   else()
     target_precompile_headers(${target} PRIVATE ${precompile_UNPARSED_ARGUMENTS})
-    if(TACTILE_NET_SANITIZE)
-      target_precompile_headers(${target} PRIVATE ${precompile_SANITIZED})
-    endif()
   endif()
   # Lets ccache keep what was compiled with it.
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     target_compile_options(${target} PRIVATE -fpch-preprocess)
   endif()
+endfunction()
+
+# tactile_net_unity(target): in a unity build, translation units of at most 48 sources, all of one room, which is the first folder
+# of their path. Called where the target is made, after its sources are told. What stays by itself has SKIP_UNITY_BUILD_INCLUSION,
+# what goes together otherwise a UNITY_GROUP.
+function(tactile_net_unity target)
+  set(most 48)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  set(rooms)
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    get_source_file_property(apart ${source} SKIP_UNITY_BUILD_INCLUSION)
+    get_source_file_property(group ${source} UNITY_GROUP)
+    if(apart OR group)
+      continue()
+    endif()
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE path)
+    set(room top)
+    if(path MATCHES "^([a-z_]+)/")
+      set(room ${CMAKE_MATCH_1})
+    endif()
+    list(APPEND rooms ${room})
+    list(APPEND of_${room} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES rooms)
+  foreach(room IN LISTS rooms)
+    list(LENGTH of_${room} count)
+    math(EXPR parts "(${count} + ${most} - 1) / ${most}")
+    set(number 0)
+    foreach(source IN LISTS of_${room})
+      math(EXPR part "${number} * ${parts} / ${count} + 1")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${part})
+      math(EXPR number "${number} + 1")
+    endforeach()
+  endforeach()
 endfunction()

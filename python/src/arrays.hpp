@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,6 +24,9 @@ using Array = nb::ndarray<nb::numpy, double>;
 using View = nb::ndarray<nb::numpy, const double>;
 /// What the Python layer hands over, checked and converted: one frame a row.
 using Rows = nb::ndarray<const double, nb::numpy, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+/// What stands where there is no value.
+inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// An array that owns its values.
 [[nodiscard]] inline Array owned(std::vector<double> values,

@@ -69,7 +69,8 @@ std::string html(const ScenesCalibration& self) {
   return pages::calibration_html(self.found, self.log, {}).html;
 }
 
-std::string report_of(const ScenesCalibration& self, const std::string& folder, bool force) {
+std::string write_calibration_report(const ScenesCalibration& self, const std::string& folder,
+                                     bool force) {
   const nb::gil_scoped_release released;
   return write_page({.path = folder, .force = force},
                     pages::calibration_html(self.found, self.log, {.files = {"result.json"}}),
@@ -97,7 +98,7 @@ void bind_calibration(nb::module_& module) {
            })
       .def("html", &html)
       .def("calibrated", &calibrated, nb::arg("forced"))
-      .def("report", &report_of, nb::arg("folder"), nb::arg("force"));
+      .def("report", &write_calibration_report, nb::arg("folder"), nb::arg("force"));
   const auto define = [&](auto function) {
     module.def("calibrate", function, nb::arg("scene"), nb::arg("log"), nb::arg("robust"),
                nb::arg("next"), nb::arg("target").none(), nb::arg("fixed"),

@@ -46,14 +46,14 @@ std::vector<std::pair<std::string, std::string>> findings_of(const lab::Readings
   return all;
 }
 
-std::string text_of(const lab::ReadingsCheck& self) {
+std::string check_text(const lab::ReadingsCheck& self) {
   std::ostringstream out;
   report::print_check(out, self);
   return out.str();
 }
 
 template <class Any>
-void bind_kind(nb::module_& module) {
+void bind_check_of(nb::module_& module) {
   module.def("check", &check<Any>, nb::arg("scene"), nb::arg("times"),
              nb::arg("readings").noconvert(), nb::arg("progress").none());
 }
@@ -64,10 +64,10 @@ void bind_check(nb::module_& module) {
   nb::class_<lab::ReadingsCheck>(module, "ReadingsCheck")
       .def("findings", &findings_of)
       .def("understood", &report::understood_in_words)
-      .def("text", &text_of)
+      .def("text", &check_text)
       .def("json", &report::check_json, nb::arg("name"));
-  bind_kind<SharedScene>(module);
-  bind_kind<SharedSkin>(module);
+  bind_check_of<SharedScene>(module);
+  bind_check_of<SharedSkin>(module);
 }
 
 }  // namespace tactile_net::python

@@ -25,9 +25,7 @@
 namespace tactile_net::python {
 namespace {
 
-namespace nb = nanobind;
-
-std::string text(const lab::Certification& self) {
+std::string certificate_text(const lab::Certification& self) {
   std::ostringstream out;
   report::print_certificate(out, self);
   return out.str();
@@ -76,13 +74,14 @@ std::pair<Array, Array> places_of(const ScenesRelaxation& self) {
   return {owned(std::move(y)), owned(std::move(z))};
 }
 
-std::string words(const ScenesRelaxation& self) {
+std::string relaxation_text(const ScenesRelaxation& self) {
   std::ostringstream out;
   report::print_relaxation(out, self.relaxation);
   return out.str();
 }
 
-std::string report_of(const lab::Certification& self, const std::string& folder, bool force) {
+std::string write_certificate_report(const lab::Certification& self, const std::string& folder,
+                                     bool force) {
   const nb::gil_scoped_release released;
   return write_page({.path = folder, .force = force},
                     pages::certificate_html(self, {.files = {"certificate.json"}}),
@@ -115,9 +114,9 @@ void bind_circuit(nb::module_& module) {
                      const auto& dynamics = self.certificate().dynamics;
                      return dynamics ? dynamics->settling_seconds : std::nullopt;
                    })
-      .def("text", &text)
+      .def("text", &certificate_text)
       .def("json", &report::certificate_json)
-      .def("report", &report_of, nb::arg("folder"), nb::arg("force"));
+      .def("report", &write_certificate_report, nb::arg("folder"), nb::arg("force"));
   nb::class_<ScenesRelaxation>(module, "Relaxation")
       .def_prop_ro("realization",
                    [](const ScenesRelaxation& self) { return name(self.relaxation.realization); })
@@ -128,7 +127,7 @@ void bind_circuit(nb::module_& module) {
       .def("tractions",
            [](const ScenesRelaxation& self) { return owned(self.relaxation.tractions); })
       .def("places", &places_of)
-      .def("text", &words)
+      .def("text", &relaxation_text)
       .def("json", [](const ScenesRelaxation& self) {
         return report::relaxation_json(self.scene, self.relaxation);
       });

@@ -25,8 +25,6 @@
 namespace tactile_net::python {
 namespace {
 
-using PlanPointer = std::shared_ptr<const Plan>;
-
 class Estimator {
  public:
   explicit Estimator(PlanPointer plan)
@@ -205,7 +203,7 @@ class Estimator {
 };
 
 /// The estimator's own memory, which lives as long as the array does.
-nb::object readings_of(const nb::object& self) {
+nb::object own_readings(const nb::object& self) {
   auto& estimator = nb::cast<Estimator&>(self);
   const EstimatorPlan& plan = estimator.plan()->plan;
   double* const values = estimator.readings().data();
@@ -221,7 +219,7 @@ nb::object readings_of(const nb::object& self) {
   return nb::cast(Array(values, {plan.channels, plan.count}, self));
 }
 
-nb::object tractions_of(const nb::object& self) {
+nb::object own_tractions(const nb::object& self) {
   auto& estimator = nb::cast<Estimator&>(self);
   const EstimatorPlan& plan = estimator.plan()->plan;
   double* const values = estimator.tractions().data();
@@ -301,10 +299,10 @@ void bind_estimator(nb::module_& module) {
       .def_prop_ro(
           "contact", [](const Estimator& self) { return self.contact(); },
           "Force, place and doubts of the last frame.")
-      .def_prop_ro("readings", &readings_of,
+      .def_prop_ro("readings", &own_readings,
                    nb::sig("def readings(self) -> numpy.typing.NDArray[numpy.float64]"),
                    "The estimator's own memory, for `step`.")
-      .def_prop_ro("tractions", &tractions_of,
+      .def_prop_ro("tractions", &own_tractions,
                    nb::sig("def tractions(self) -> numpy.typing.NDArray[numpy.float64]"),
                    "The estimator's own memory, which `step` fills.")
       .def_prop_ro("baseline", &baseline_of,

@@ -25,8 +25,6 @@
 namespace tactile_net::python {
 namespace {
 
-using PlanPointer = std::shared_ptr<const Plan>;
-
 constexpr std::array structures = {Structure::dense,       Structure::low_rank,
                                    Structure::parity,      Structure::parity_low_rank,
                                    Structure::reflections, Structure::reflections_low_rank,

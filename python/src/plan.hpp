@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -23,5 +24,7 @@ struct Plan {
 
   [[nodiscard]] bool is_lattice() const noexcept { return rows > 0; }
 };
+
+using PlanPointer = std::shared_ptr<const Plan>;
 
 }  // namespace tactile_net::python

@@ -5,7 +5,6 @@
 #include <nanobind/nanobind.h>
 
 #include <istream>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -42,7 +41,7 @@ ReadFrames read_all(const Any& shared, const std::string& path, std::istream* st
     while (source.next(frame)) {
       watcher.frame();
       readings.insert(readings.end(), frame.begin(), frame.end());
-      double seconds = std::numeric_limits<double>::quiet_NaN();
+      double seconds = unknown;
       if (source.has_time() && (read_number(source.time(), seconds) || true)) t.push_back(seconds);
       ++frames;
     }

@@ -7,15 +7,11 @@
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
-#include <sstream>
-
 #include "arrays.hpp"
-#include "page_folder.hpp"
+#include "bound_experiment.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/lab/simulator_choice.hpp"
-#include "tactile_net/pages/run_page.hpp"
-#include "tactile_net/report/json/run_json.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -24,7 +20,7 @@
 namespace tactile_net::python {
 namespace {
 
-using Answer = nb::typed<nb::dict, nb::str, nb::any>;
+using MethodAnswer = nb::typed<nb::dict, nb::str, nb::any>;
 
 /// Normal, then tangential where there is any: a row each.
 std::optional<Array> stacked(const std::vector<double>& normal,
@@ -40,8 +36,8 @@ nb::object pair_of(const std::optional<Uncertain>& number) {
 }
 
 /// One method's answer by the names of Python's MethodResult.
-Answer answer(const lab::Experiment& experiment, const lab::MethodResult& result) {
-  Answer found;
+MethodAnswer answer(const lab::Experiment& experiment, const lab::MethodResult& result) {
+  MethodAnswer found;
   found["method"] = name(result.method);
   found["verdict"] = lab::name(result.verdict);
   found["tractions"] = stacked(result.normal.traction, result.tangential.traction);
@@ -61,16 +57,10 @@ Answer answer(const lab::Experiment& experiment, const lab::MethodResult& result
   return found;
 }
 
-std::vector<Answer> answers(const lab::Experiment& self) {
-  std::vector<Answer> all;
+std::vector<MethodAnswer> answers(const lab::Experiment& self) {
+  std::vector<MethodAnswer> all;
   for (const lab::MethodResult& result : self.results) all.push_back(answer(self, result));
   return all;
-}
-
-std::string text(const lab::Experiment& self) {
-  std::ostringstream out;
-  report::print_experiment(out, self);
-  return out.str();
 }
 
 lab::Experiment run(const SharedScene& shared, std::optional<std::size_t> frame, bool compare_rules,
@@ -82,29 +72,20 @@ lab::Experiment run(const SharedScene& shared, std::optional<std::size_t> frame,
                   {.compare_rules = compare_rules, .report = report}, watcher);
 }
 
-std::string report_of(const lab::Experiment& self, const std::string& folder, bool force) {
-  const nb::gil_scoped_release released;
-  return write_page({.path = folder, .force = force}, pages::run_page(self, ""), "result.json",
-                    report::experiment_json(self));
-}
-
 }  // namespace
 
 void bind_run(nb::module_& module) {
-  nb::class_<lab::Experiment>(module, "Experiment")
-      .def_prop_ro("succeeded", &lab::Experiment::succeeded)
+  nb::class_<lab::Experiment> experiment(module, "Experiment");
+  bind_what_experiments_share(experiment);
+  experiment
       .def("truth",
            [](const lab::Experiment& self) {
              return stacked(self.frame.truth.normal, self.frame.truth.tangential);
            })
-      .def("readings", [](const lab::Experiment& self) { return owned(self.frame.readings); })
       .def_prop_ro("force", [](const lab::Experiment& self) { return self.frame.force; })
       .def("notes", [](const lab::Experiment& self) { return report::in_words(self.frame); })
       .def("answers", &answers)
-      .def("cells", [](const lab::Experiment& self) { return report::comparison_cells(self); })
-      .def("text", &text)
-      .def("json", &report::experiment_json)
-      .def("report", &report_of, nb::arg("folder"), nb::arg("force"));
+      .def("cells", [](const lab::Experiment& self) { return report::comparison_cells(self); });
   module.def("run", &run, nb::arg("scene"), nb::arg("frame").none(), nb::arg("compare_rules"),
              nb::arg("report"), nb::arg("progress").none());
 }

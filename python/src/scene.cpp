@@ -54,7 +54,7 @@ sites_of(const SharedScene& self) {
   return {owned(std::move(y)), owned(std::move(depth)), quantity, taxel, channel};
 }
 
-std::vector<std::string> words(const SharedScene& self) {
+std::vector<std::string> scene_words(const SharedScene& self) {
   const Scene& scene = self.scene();
   std::vector<std::string> all{report::sensor_in_words(scene), report::material_in_words(scene)};
   if (std::string surface = report::surface_in_words(scene); !surface.empty())
@@ -106,7 +106,7 @@ void bind_scene(nb::module_& module) {
       .def("y", [](const SharedScene& self) { return owned(positions(surface(self.scene()))); })
       .def("taxels", [](const SharedScene& self) { return owned(positions(self.scene().sensor)); })
       .def("sites", &sites_of)
-      .def("words", &words)
+      .def("words", &scene_words)
       .def("effects", &effects_of)
       .def("explain", &explain)
       .def("workload_json", [](const SharedScene& self) {

@@ -120,17 +120,17 @@ class RigidSkinPad {
 };
 
 template <class Pad>
-unsigned read(Pad& self, std::uintptr_t state, double time, const Table<std::int32_t>& geoms,
-              const Table<double>& positions, const Table<double>& frames,
-              const Table<double>& forces, const Values& origin, const Values& axes,
-              const Room& readings, std::size_t offset) {
+unsigned read_taxels(Pad& self, std::uintptr_t state, double time, const Table<std::int32_t>& geoms,
+                     const Table<double>& positions, const Table<double>& frames,
+                     const Table<double>& forces, const Values& origin, const Values& axes,
+                     const Room& readings, std::size_t offset) {
   return self.read(state, time, {geoms, positions, frames, forces, origin, axes}, readings, offset);
 }
 
 template <class Pad>
 void bind_reading(nb::class_<Pad>& pad) {
   pad.def_prop_ro("edge", &Pad::edge)
-      .def("read", &read<Pad>, nb::arg("state"), nb::arg("time"), nb::arg("geoms"),
+      .def("read", &read_taxels<Pad>, nb::arg("state"), nb::arg("time"), nb::arg("geoms"),
            nb::arg("positions"), nb::arg("frames"), nb::arg("forces"), nb::arg("origin"),
            nb::arg("axes"), nb::arg("readings"), nb::arg("offset"))
       .def("forget", &Pad::forget, nb::arg("state"));

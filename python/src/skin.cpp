@@ -19,7 +19,7 @@ namespace {
 /// y, z, depth, quantity, taxel and channel of every reading, in their order.
 std::tuple<Array, Array, Array, std::vector<std::string>, std::vector<std::size_t>,
            std::vector<std::size_t>>
-sites_of(const SharedSkin& self) {
+skin_sites_of(const SharedSkin& self) {
   std::vector<double> y;
   std::vector<double> z;
   std::vector<double> depth;
@@ -46,7 +46,7 @@ std::vector<std::string> taxel_names(const SharedSkin& self) {
 }
 
 /// y of the cells' rows, z of their columns, and how far apart these are.
-std::tuple<Array, Array, std::pair<double, double>> cells_of(const SharedSkin& self) {
+std::tuple<Array, Array, std::pair<double, double>> cell_places(const SharedSkin& self) {
   const SkinGrid cells = grid(self.scene());
   std::vector<double> y;
   std::vector<double> z;
@@ -55,7 +55,7 @@ std::tuple<Array, Array, std::pair<double, double>> cells_of(const SharedSkin& s
   return {owned(std::move(y)), owned(std::move(z)), {cells.spacing_y, cells.spacing_z}};
 }
 
-std::vector<std::string> words(const SharedSkin& self) {
+std::vector<std::string> skin_words(const SharedSkin& self) {
   const SkinScene& scene = self.scene();
   std::vector<std::string> all{report::sensor_in_words(scene), report::material_in_words(scene)};
   for (std::string& contact : report::contacts_in_words(scene)) all.push_back(std::move(contact));
@@ -72,9 +72,9 @@ void bind_skin(nb::module_& module) {
       .def_prop_ro("columns", [](const SharedSkin& self) { return self.scene().sensor.columns; })
       .def_prop_ro("unknowns", [](const SharedSkin& self) { return components(self.scene()); })
       .def_prop_ro("taxel_names", &taxel_names)
-      .def("cells", &cells_of)
-      .def("sites", &sites_of)
-      .def("words", &words);
+      .def("cells", &cell_places)
+      .def("sites", &skin_sites_of)
+      .def("words", &skin_words);
 }
 
 }  // namespace tactile_net::python

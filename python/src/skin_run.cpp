@@ -6,17 +6,15 @@
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
-#include <sstream>
 #include <string>
 
 #include "arrays.hpp"
-#include "page_folder.hpp"
+#include "bound_experiment.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "skin_fields.hpp"
 #include "tactile_net/lab/simulator_choice.hpp"
 #include "tactile_net/pages/skin_page.hpp"
-#include "tactile_net/report/json/skin_json.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "watcher.hpp"
@@ -24,8 +22,8 @@
 namespace tactile_net::python {
 namespace {
 
-lab::SkinExperiment run(const SharedSkin& shared, std::optional<std::size_t> frame,
-                        bool with_circuit, const nb::object& progress) {
+lab::SkinExperiment run_skin(const SharedSkin& shared, std::optional<std::size_t> frame,
+                             bool with_circuit, const nb::object& progress) {
   Watcher watcher(progress);
   const nb::gil_scoped_release released;
   lab::SkinExperiment experiment =
@@ -64,26 +62,13 @@ std::optional<nb::typed<nb::dict, nb::str, nb::any>> network_of(const lab::SkinE
   return found;
 }
 
-std::string text(const lab::SkinExperiment& self) {
-  std::ostringstream out;
-  report::print_experiment(out, self);
-  return out.str();
-}
-
-std::string report_of(const lab::SkinExperiment& self, const std::string& folder, bool force) {
-  const nb::gil_scoped_release released;
-  return write_page({.path = folder, .force = force}, pages::run_page(self, ""), "result.json",
-                    report::experiment_json(self));
-}
-
 }  // namespace
 
 void bind_skin_run(nb::module_& module) {
-  nb::class_<lab::SkinExperiment>(module, "SkinExperiment")
-      .def_prop_ro("succeeded", &lab::SkinExperiment::succeeded)
-      .def_prop_ro("refusal", [](const lab::SkinExperiment& self) { return self.refusal; })
+  nb::class_<lab::SkinExperiment> experiment(module, "SkinExperiment");
+  bind_what_experiments_share(experiment);
+  experiment.def_prop_ro("refusal", [](const lab::SkinExperiment& self) { return self.refusal; })
       .def("truth", [](const lab::SkinExperiment& self) { return owned(self.frame.truth); })
-      .def("readings", [](const lab::SkinExperiment& self) { return owned(self.frame.readings); })
       .def("relative", [](const lab::SkinExperiment& self) { return owned(listed(self.relative)); })
       .def("fields",
            [](const lab::SkinExperiment& self) {
@@ -92,12 +77,9 @@ void bind_skin_run(nb::module_& module) {
            })
       .def("network", &network_of)
       .def("remarks", &report::warnings)
-      .def("text", &text)
-      .def("json", [](const lab::SkinExperiment& self) { return report::experiment_json(self); })
-      .def("html", [](const lab::SkinExperiment& self) { return pages::run_page(self, "").html; })
-      .def("report", &report_of, nb::arg("folder"), nb::arg("force"));
-  module.def("run_skin", &run, nb::arg("scene"), nb::arg("frame").none(), nb::arg("with_circuit"),
-             nb::arg("progress").none());
+      .def("html", [](const lab::SkinExperiment& self) { return pages::run_page(self, "").html; });
+  module.def("run_skin", &run_skin, nb::arg("scene"), nb::arg("frame").none(),
+             nb::arg("with_circuit"), nb::arg("progress").none());
 }
 
 }  // namespace tactile_net::python

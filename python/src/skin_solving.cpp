@@ -81,10 +81,10 @@ class SkinSolver {
   std::optional<Reconstruction> product_{};
 };
 
-std::shared_ptr<SolvedSkin> solve(const SkinPointer& shared, const std::string& missing,
-                                  std::optional<std::size_t> share_alpha,
-                                  const std::vector<double>& times, const Rows& readings,
-                                  const nb::object& progress) {
+std::shared_ptr<SolvedSkin> solve_skin(const SkinPointer& shared, const std::string& missing,
+                                       std::optional<std::size_t> share_alpha,
+                                       const std::vector<double>& times, const Rows& readings,
+                                       const nb::object& progress) {
   Watcher watcher(progress);
   const lab::RecordingSolverOptions options{.missing = missing_of(missing),
                                             .share_alpha = share_alpha};
@@ -129,7 +129,7 @@ void bind_skin_solving(nb::module_& module) {
           },
           nb::arg("folder"), nb::arg("force"), nb::arg("name"),
           nb::call_guard<nb::gil_scoped_release>());
-  module.def("solve_skin", &solve, nb::arg("scene"), nb::arg("missing"),
+  module.def("solve_skin", &solve_skin, nb::arg("scene"), nb::arg("missing"),
              nb::arg("share_alpha").none(), nb::arg("times"), nb::arg("readings").noconvert(),
              nb::arg("progress").none());
   module.def("wrench_columns", &report::wrench_columns);

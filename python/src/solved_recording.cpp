@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -19,8 +18,6 @@
 
 namespace tactile_net::python {
 namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 void add(std::vector<double>& numbers, const std::optional<Uncertain>& number) {
   numbers.push_back(number ? number->value : unknown);

@@ -1,7 +1,6 @@
 #include "solved_skin.hpp"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -100,7 +99,7 @@ std::string SolvedSkin::tractions_csv() const {
   std::ostringstream out;
   frames::CsvSink sink(out, report::traction_columns(grid_, width_ / grid_.count()),
                        !times_.empty());
-  const std::vector<double> none(width_, std::numeric_limits<double>::quiet_NaN());
+  const std::vector<double> none(width_, unknown);
   for (std::size_t i = 0; i < answers_.size(); ++i)
     sink.add(time(i), answers_[i] ? answers_[i]->tractions : none);
   sink.finish();

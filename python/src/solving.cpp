@@ -6,7 +6,6 @@
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
-#include <limits>
 #include <stdexcept>
 
 #include "bad_frame.hpp"
@@ -75,8 +74,6 @@ std::vector<Value> of_frames(const SolvedRecording& self, Value none, Of of) {
   return all;
 }
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 Array alphas(const SolvedRecording& self) {
   return owned(of_frames(self, unknown, [](const lab::FrameResult& result) {
     return result.alpha ? result.alpha->value : unknown;
@@ -117,8 +114,8 @@ std::string json_of(SolvedRecording& self, const std::string& name) {
   return self.json(name, watcher);
 }
 
-std::string report_of(SolvedRecording& self, const std::string& folder, bool force,
-                      const std::string& name) {
+std::string write_recording_report(SolvedRecording& self, const std::string& folder, bool force,
+                                   const std::string& name) {
   Watcher watcher;
   const nb::gil_scoped_release released;
   return self.report({.path = folder, .force = force}, name, watcher);
@@ -152,7 +149,7 @@ void bind_solving(nb::module_& module) {
       .def("notes", &SolvedRecording::notes)
       .def("bands", &bands_of)
       .def("json", &json_of, nb::arg("name"))
-      .def("report", &report_of, nb::arg("folder"), nb::arg("force"), nb::arg("name"));
+      .def("report", &write_recording_report, nb::arg("folder"), nb::arg("force"), nb::arg("name"));
   module.def("solve", &solve, nb::arg("scene"), nb::arg("method"), nb::arg("missing"),
              nb::arg("share_alpha").none(), nb::arg("times"), nb::arg("readings").noconvert(),
              nb::arg("progress").none());

@@ -88,7 +88,7 @@ std::map<std::string, std::optional<double>> wavelengths_of(const SkinSurvey& se
 }
 
 template <class Kind>
-std::string report_of(const Kind& self, const std::string& folder, bool force) {
+std::string write_survey_report(const Kind& self, const std::string& folder, bool force) {
   const nb::gil_scoped_release released;
   return write_page({.path = folder, .force = force},
                     pages::survey_html(self.scene(), self.survey, {.files = {"result.json"}}),
@@ -96,14 +96,14 @@ std::string report_of(const Kind& self, const std::string& folder, bool force) {
 }
 
 template <class Kind>
-void bind_kind(nb::class_<Kind>& survey) {
+void bind_what_surveys_share(nb::class_<Kind>& survey) {
   survey.def_prop_ro("normal", [](const Kind& self) { return normal_of(self); })
       .def_prop_ro("tangential", [](const Kind& self) { return tangential_of(self); })
       .def_prop_ro("hides", [](const Kind& self) { return hides(self); })
       .def("words", [](const Kind& self) { return words_of(self); })
       .def("cells", [](const Kind& self) { return cells_of(self); })
       .def("json", [](const Kind& self) { return report::survey_json(self.scene(), self.survey); })
-      .def("report", &report_of<Kind>, nb::arg("folder"), nb::arg("force"));
+      .def("report", &write_survey_report<Kind>, nb::arg("folder"), nb::arg("force"));
 }
 
 template <class Kind, class Any>
@@ -116,9 +116,9 @@ void bind_identify(nb::module_& module) {
 
 void bind_survey(nb::module_& module) {
   nb::class_<LineSurvey> line(module, "Survey");
-  bind_kind(line);
+  bind_what_surveys_share(line);
   nb::class_<SkinSurvey> skin(module, "SkinSurvey");
-  bind_kind(skin);
+  bind_what_surveys_share(skin);
   skin.def("wavelengths", &wavelengths_of).def("shares", [](const SkinSurvey& self) {
     return report::share_cells(self.scene(), self.survey);
   });

@@ -28,8 +28,6 @@
 namespace tactile_net::python {
 namespace {
 
-namespace nb = nanobind;
-
 /// Ctrl-C ends a sweep within a fifth of a second: what is done is kept.
 class SweepWatcher final : public sweep::Observer {
  public:
@@ -107,8 +105,8 @@ class StudyPoints {
   sweep::Study study_;
 };
 
-std::string report_of(const sweep::Table& table, const std::string& json, const std::string& folder,
-                      bool force) {
+std::string write_sweep_report(const sweep::Table& table, const std::string& json,
+                               const std::string& folder, bool force) {
   const nb::gil_scoped_release released;
   drawing::Page page = pages::sweep_page(table, {.files = {"results.csv", "result.json"}});
   page.files.emplace_back("results.csv", table.csv);
@@ -132,7 +130,7 @@ void bind_sweep(nb::module_& module) {
       .def_ro("csv", &sweep::Table::csv)
       .def_ro("sha256", &sweep::Table::sha256)
       .def("cells", &report::method_cells)
-      .def("report", &report_of);
+      .def("report", &write_sweep_report);
   nb::class_<StudyPoints>(module, "StudyPoints")
       .def(nb::init<const std::string&, bool>(), nb::arg("path"), nb::arg("allow_outside"))
       .def_prop_ro("points", [](const StudyPoints& self) { return self.study().points(); })

@@ -1,7 +1,5 @@
 #include "tactile_net/calibration/ball_contact.hpp"
 
-#include <Eigen/Core>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -10,24 +8,25 @@
 #include "calibration/surface_compliance.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/dual.hpp"
+#include "numeric/eigen.hpp"
+#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
 
-using Rule = boost::math::quadrature::gauss<double, 20>;
-
 /// phi at Gauss' points and, last, at the edge.
-LayerFactor layer_factor(Base base, double nu, double ratio) {
+LayerFactor ball_layer_factor(Base base, double nu, double ratio) {
+  const GaussRule rule = gauss_rule(20);
   constexpr int panels = 5;
   constexpr Eigen::Index size = 21;
   constexpr Eigen::Index edge = size - 1;
   Eigen::VectorXd t(size);
   Eigen::VectorXd weight(size);
   Eigen::Index point = 0;
-  for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+  for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
     for (const double sign : {-1.0, 1.0}) {
-      t(point) = 0.5 + 0.5 * sign * Rule::abscissa()[i];
-      weight(point++) = 0.5 * Rule::weights()[i];
+      t(point) = 0.5 + 0.5 * sign * rule.abscissa[i];
+      weight(point++) = 0.5 * rule.weights[i];
     }
   t(edge) = 1.0;
   weight(edge) = 0.0;
@@ -37,10 +36,10 @@ LayerFactor layer_factor(Base base, double nu, double ratio) {
   Eigen::MatrixXd by_nu = kernel;
   const double width = largest_compliance_wave / panels;
   for (int panel = 0; panel < panels; ++panel)
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+    for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
       for (const double sign : {-1.0, 1.0}) {
-        const double H = (panel + 0.5 + 0.5 * sign * Rule::abscissa()[i]) * width;
-        const double step = width * Rule::weights()[i] / std::numbers::pi;  // 2/pi, half a panel
+        const double H = (panel + 0.5 + 0.5 * sign * rule.abscissa[i]) * width;
+        const double step = width * rule.weights[i] / std::numbers::pi;  // 2/pi, half a panel
         const Dual<1> change = compliance_change(base, Dual<1>::seed(nu, 0), H);
         const Eigen::VectorXd cosine = (H * ratio * t).array().cos();
         const Eigen::VectorXd slope = -(H * t).array() * (H * ratio * t).array().sin();
@@ -76,7 +75,7 @@ ContactForce ball_force(const Material& material, double contact_radius, double 
   force.by_log_half_width = 3.0;
   force.by_poisson_ratio = 2.0 * nu / (1.0 - nu * nu);
   if (!material.layer) return force;
-  add_layer(force, *material.layer, nu, contact_radius, layer_factor);
+  add_layer(force, *material.layer, nu, contact_radius, ball_layer_factor);
   return force;
 }
 

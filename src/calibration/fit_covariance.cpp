@@ -4,14 +4,13 @@
 
 #include "calibration/reading_system.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
 
 constexpr double singular_limit = 1e-10;
-constexpr double share_limit = 1e-4;  // of a direction that is not known, for an unknown to be so
-
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+constexpr double unknown_share = 1e-4;  // of a direction that is not known, for an unknown to be so
 
 /// R^-1 but for its null space, as a root of (R'R)^-1.
 struct Root {
@@ -46,10 +45,10 @@ FitCovariance presses_first(const FitSystem& system, const FitProblem& problem,
                        std::vector<bool>(static_cast<std::size_t>(t)), root.rank};
   for (Eigen::Index k = 0; k < root.nulls.cols(); ++k)
     for (Eigen::Index i = 0; i < t; ++i)
-      if (std::abs(root.nulls(i, k)) > share_limit)
+      if (std::abs(root.nulls(i, k)) > unknown_share)
         result.unknown[static_cast<std::size_t>(i)] = true;
   for (std::size_t p = 0; p < system.presses.size(); ++p) {
-    const auto m = index(problem.press_rows[p].columns);
+    const auto m = eigen_index(problem.press_rows[p].columns);
     const auto& [own, share, rhs] = system.presses[p];
     FitCovariance::Press& press = result.presses.emplace_back();
     press.regular = m == 0 || own.diagonal().cwiseAbs().minCoeff() > 0.0;
@@ -64,7 +63,7 @@ FitCovariance presses_first(const FitSystem& system, const FitProblem& problem,
 
 FitCovariance readings_first(const ReadingSystem& system, const FitProblem& problem,
                              const Eigen::VectorXd& norm) {
-  const Eigen::Index t = index(problem.columns());
+  const Eigen::Index t = eigen_index(problem.columns());
   Eigen::VectorXd length = system.triangle.colwise().norm().transpose();
   for (double& one : length)
     if (one == 0.0) one = 1.0;
@@ -75,7 +74,7 @@ FitCovariance readings_first(const ReadingSystem& system, const FitProblem& prob
   Eigen::MatrixXd through = Eigen::MatrixXd::Zero(t, system.triangle.cols());
   for (std::size_t i = 0; i < system.common.size(); ++i)
     if (system.common[i] != no_column)
-      through(index(system.common[i]), index(system.first_common + i)) = 1.0;
+      through(eigen_index(system.common[i]), eigen_index(system.first_common + i)) = 1.0;
     else
       ++means;
   for (const ReadingSystem::Group& group : system.groups) {
@@ -87,7 +86,7 @@ FitCovariance readings_first(const ReadingSystem& system, const FitProblem& prob
     const Eigen::MatrixXd inverse = solve_upper(group.own, Eigen::MatrixXd::Identity(l, l));
     const Eigen::MatrixXd moves = -inverse * group.share;
     for (Eigen::Index i = 0; i < l; ++i)
-      through.row(index(group.columns[static_cast<std::size_t>(i)])) = moves.row(i);
+      through.row(eigen_index(group.columns[static_cast<std::size_t>(i)])) = moves.row(i);
     result.blocks.push_back({group.columns, inverse});
     result.rank += static_cast<double>(l);
   }
@@ -96,7 +95,7 @@ FitCovariance readings_first(const ReadingSystem& system, const FitProblem& prob
     const Eigen::VectorXd moved =
         through * (length.cwiseInverse().asDiagonal() * kept.nulls.col(k));
     for (Eigen::Index i = 0; i < t; ++i)
-      if (std::abs(moved(i)) * norm(i) > share_limit)
+      if (std::abs(moved(i)) * norm(i) > unknown_share)
         result.unknown[static_cast<std::size_t>(i)] = true;
   }
   result.root = through * kept.root;
@@ -105,11 +104,12 @@ FitCovariance readings_first(const ReadingSystem& system, const FitProblem& prob
     const Eigen::MatrixXd own = block.root * block.root.transpose();
     for (std::size_t a = 0; a < block.columns.size(); ++a)
       for (std::size_t b = 0; b < block.columns.size(); ++b)
-        result.matrix(index(block.columns[a]), index(block.columns[b])) += own(index(a), index(b));
+        result.matrix(eigen_index(block.columns[a]), eigen_index(block.columns[b])) +=
+            own(eigen_index(a), eigen_index(b));
   }
   for (std::size_t p = 0; p < problem.press_rows.size(); ++p) {
-    const auto m = index(problem.press_rows[p].columns);
-    const Eigen::MatrixXd own = kept.root.middleRows(index(system.first_of_press[p]), m);
+    const auto m = eigen_index(problem.press_rows[p].columns);
+    const Eigen::MatrixXd own = kept.root.middleRows(eigen_index(system.first_of_press[p]), m);
     result.presses.push_back({own * own.transpose(), own * result.root.transpose()});
   }
   return result;
@@ -121,9 +121,9 @@ double FitCovariance::leverage(const Eigen::MatrixXd& rows) const {
   if (root.size() == 0) return (rows * matrix).cwiseProduct(rows).sum();
   double sum = (rows * root).squaredNorm();
   for (const Block& block : blocks) {
-    Eigen::MatrixXd own(rows.rows(), index(block.columns.size()));
+    Eigen::MatrixXd own(rows.rows(), eigen_index(block.columns.size()));
     for (std::size_t i = 0; i < block.columns.size(); ++i)
-      own.col(index(i)) = rows.col(index(block.columns[i]));
+      own.col(eigen_index(i)) = rows.col(eigen_index(block.columns[i]));
     sum += (own * block.root).squaredNorm();
   }
   return sum;

@@ -2,10 +2,10 @@
 /// What is known of everything that was fitted, at a minimum. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "calibration/fit_system.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

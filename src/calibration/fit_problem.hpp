@@ -2,7 +2,6 @@
 /// The rows of the fit: readings and priors, with their derivatives. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/calibration/calibration_options.hpp"
 #include "tactile_net/calibration/press_fit.hpp"
 #include "tactile_net/calibration/press_log.hpp"

@@ -10,6 +10,7 @@
 #include "calibration/fit_doubts.hpp"
 #include "calibration/fit_system.hpp"
 #include "calibration/null_space.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double poor_rms = 1.1;  // with thousands of readings p alone condemns every real pad
 constexpr double poor_p = 1e-3;
-
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 ValueVerdict verdict_of(double sd, double prior_sd) {
   if (std::isinf(sd)) return ValueVerdict::not_identifiable;
@@ -81,7 +80,7 @@ class Summary {
       const PressState& at = state_.presses[p];
       const Press& log = problem_.log().presses[p];
       const PressRows& rows = problem_.press_rows[p];
-      const auto m = index(rows.columns);
+      const auto m = eigen_index(rows.columns);
       FittedPress press{.number = log.number,
                         .force = {std::exp(at.log_force)},
                         .center = {at.center},
@@ -97,7 +96,8 @@ class Summary {
                                        &press.friction, &press.center_z, &press.friction_z};
         for (std::size_t i = 0; i < press_unknowns; ++i)
           if (rows.column[i] != no_column)
-            values[i]->sd = scale[i] * std::sqrt(all(index(rows.column[i]), index(rows.column[i])));
+            values[i]->sd =
+                scale[i] * std::sqrt(all(eigen_index(rows.column[i]), eigen_index(rows.column[i])));
         unknowns += static_cast<double>(m);
         for (const PressPrior& prior : problem_.press_priors(state_, p))
           leverage += leverage_of(prior, rows, all, cross);
@@ -127,13 +127,13 @@ class Summary {
   /// l' C l of one prior row.
   [[nodiscard]] double leverage_of(const PressPrior& prior, const PressRows& rows,
                                    const Eigen::MatrixXd& own, const Eigen::MatrixXd& cross) const {
-    Eigen::VectorXd press = Eigen::VectorXd::Zero(index(rows.columns));
+    Eigen::VectorXd press = Eigen::VectorXd::Zero(eigen_index(rows.columns));
     for (std::size_t i = 0; i < press_unknowns; ++i)
-      if (rows.column[i] != no_column) press(index(rows.column[i])) = prior.by_press[i];
+      if (rows.column[i] != no_column) press(eigen_index(rows.column[i])) = prior.by_press[i];
     Eigen::VectorXd common = Eigen::VectorXd::Zero(covariance_.matrix.cols());
     for (std::size_t i = 0; i < pad_parameter_count; ++i)
       if (const std::size_t c = problem_.pad_column(static_cast<PadParameter>(i)); c != no_column)
-        common(index(c)) = prior.by_pad[i];
+        common(eigen_index(c)) = prior.by_pad[i];
     return press.dot(own * press) + 2.0 * press.dot(cross * common) +
            common.dot(covariance_.matrix * common);
   }
@@ -154,7 +154,7 @@ class Summary {
 
   [[nodiscard]] double log_sd(std::size_t column) const {
     if (covariance_.unknown[column]) return infinity;
-    return scale_ * std::sqrt(covariance_.matrix(index(column), index(column)));
+    return scale_ * std::sqrt(covariance_.matrix(eigen_index(column), eigen_index(column)));
   }
 
   void pad() {
@@ -244,7 +244,7 @@ class Summary {
     mean = {.nominal = 1.0, .value = 1.0, .prior_sd = stated_.mean_gain_sd};
     if (members.empty()) return;
     const auto size = static_cast<double>(members.size());
-    const auto column = [&](std::size_t j) { return index(problem_.gain_column(j)); };
+    const auto column = [&](std::size_t j) { return eigen_index(problem_.gain_column(j)); };
     double log_mean = 0.0;
     Eigen::VectorXd by_mean = Eigen::VectorXd::Zero(covariance_.matrix.cols());
     for (const std::size_t j : members) {
@@ -255,15 +255,16 @@ class Summary {
     const double variance = by_mean.dot(along);
     mean.value = std::exp(log_mean);
     // A change of all of the channel's gains alike, as null directions have it, columns scaled.
-    Eigen::VectorXd alike(index(members.size()));
+    Eigen::VectorXd alike(eigen_index(members.size()));
     for (std::size_t i = 0; i < members.size(); ++i)
-      alike(index(i)) = columns_.seen(column(members[i]));
+      alike(eigen_index(i)) = columns_.seen(column(members[i]));
     if (alike.norm() > 0.0) alike.normalize();
     double common = 0.0;
     Eigen::VectorXd apart = Eigen::VectorXd::Zero(alike.size());
     for (const NullDirection& direction : fit_.null_directions) {
       Eigen::VectorXd own(alike.size());
-      for (std::size_t i = 0; i < members.size(); ++i) own(index(i)) = direction.gains[members[i]];
+      for (std::size_t i = 0; i < members.size(); ++i)
+        own(eigen_index(i)) = direction.gains[members[i]];
       const double share = own.dot(alike);
       common = std::hypot(common, share);
       apart = apart.cwiseMax((own - share * alike).cwiseAbs());
@@ -277,9 +278,9 @@ class Summary {
       const Eigen::Index at = column(members[i]);
       const double about = covariance_.matrix(at, at) - 2.0 * along(at) + variance;
       const double sd = scale_ * std::sqrt(std::max(0.0, about));
-      relative_[members[i]] = alone                    ? verdict_of(log_mean_sd, prior)
-                              : apart(index(i)) > 0.01 ? ValueVerdict::not_identifiable
-                                                       : verdict_of(sd, stated_.gain_sd);
+      relative_[members[i]] = alone                          ? verdict_of(log_mean_sd, prior)
+                              : apart(eigen_index(i)) > 0.01 ? ValueVerdict::not_identifiable
+                                                             : verdict_of(sd, stated_.gain_sd);
     }
   }
 
@@ -290,7 +291,9 @@ class Summary {
         fit_.free.push_back(parameter);
     const std::size_t n = fit_.free.size();
     fit_.covariance = fit_.correlation = {n, n, std::vector<double>(n * n)};
-    const auto column = [&](std::size_t i) { return index(problem_.pad_column(fit_.free[i])); };
+    const auto column = [&](std::size_t i) {
+      return eigen_index(problem_.pad_column(fit_.free[i]));
+    };
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b < n; ++b) {
         const double c = covariance_.matrix(column(a), column(b));

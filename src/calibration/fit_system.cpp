@@ -7,11 +7,10 @@
 #include "calibration/reading_system.hpp"
 #include "calibration/triangle.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
-
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 /// The rows of one press: its own columns, the common ones, the negative residual.
 class PressBlock {
@@ -22,8 +21,8 @@ class PressBlock {
     const std::size_t n = problem.model().sites().size();
     const std::vector<PressPrior> priors = problem.press_priors(state, p);
     const std::size_t own = rows_.columns;
-    matrix.setZero(index(problem.readings_used() + priors.size() + own),
-                   index(own + problem.columns() + 1));
+    matrix.setZero(eigen_index(problem.readings_used() + priors.size() + own),
+                   eigen_index(own + problem.columns() + 1));
     Eigen::Index row = 0;
     const Matrix* const own_parts[] = {&readings.by_log_force,      &readings.by_center,
                                        &readings.by_log_half_width, &readings.by_friction,
@@ -34,19 +33,20 @@ class PressBlock {
       const double scale = root * problem.gain(state, j) / problem.noise(j);
       for (std::size_t i = 0; i < press_unknowns; ++i)
         if (rows_.column[i] != no_column)
-          matrix(row, index(rows_.column[i])) = scale * (*own_parts[i])(p, j);
+          matrix(row, eigen_index(rows_.column[i])) = scale * (*own_parts[i])(p, j);
       for (std::size_t i = 0; i < pad_parameter_count; ++i)
         add_pad(problem, row, i, scale * readings.by_pad[i](p, j), parts);
       if (const std::size_t gain = problem.gain_column(j); gain != no_column)
-        matrix(row, index(own + gain)) = scale * readings.value(p, j);
-      matrix(row, index(own + problem.offset_column(j))) = root;
+        matrix(row, eigen_index(own + gain)) = scale * readings.value(p, j);
+      matrix(row, eigen_index(own + problem.offset_column(j))) = root;
       matrix(row, matrix.cols() - 1) = -root * problem.residual(state, readings, p, j);
       ++row;
     }
     for (const PressPrior& prior : priors) {
       if (prior.is_weak && !parts.weak_priors) continue;
       for (std::size_t i = 0; i < press_unknowns; ++i)
-        if (rows_.column[i] != no_column) matrix(row, index(rows_.column[i])) = prior.by_press[i];
+        if (rows_.column[i] != no_column)
+          matrix(row, eigen_index(rows_.column[i])) = prior.by_press[i];
       for (std::size_t i = 0; i < pad_parameter_count; ++i)
         add_pad(problem, row, i, prior.by_pad[i], parts);
       matrix(row++, matrix.cols() - 1) = -prior.residual;
@@ -54,7 +54,7 @@ class PressBlock {
     filled = row;
   }
 
-  void eliminate() { eliminate_columns(matrix, index(rows_.columns)); }
+  void eliminate() { eliminate_columns(matrix, eigen_index(rows_.columns)); }
 
   Eigen::MatrixXd matrix{};
   Eigen::Index filled = 0;  ///< rows; those below are for damping
@@ -63,7 +63,7 @@ class PressBlock {
   void add_pad(const FitProblem& problem, Eigen::Index row, std::size_t parameter, double value,
                const SystemParts& parts) {
     if (const std::size_t column = moved_column(problem, parameter, parts); column != no_column)
-      matrix(row, index(rows_.columns + column)) += value;
+      matrix(row, eigen_index(rows_.columns + column)) += value;
   }
 
   const PressRows& rows_;
@@ -80,18 +80,18 @@ std::size_t moved_column(const FitProblem& problem, std::size_t parameter,
 
 SystemColumns system_columns(const FitProblem& problem, const FitState& state,
                              const PressReadings& readings) {
-  const Eigen::Index t = index(problem.columns());
+  const Eigen::Index t = eigen_index(problem.columns());
   SystemColumns result{Eigen::VectorXd::Zero(t), Eigen::VectorXd::Zero(t), {}};
   for (std::size_t p = 0; p < state.presses.size(); ++p) {
     const PressBlock block(problem, state, readings, p, {});
-    const auto own = index(problem.press_rows[p].columns);
+    const auto own = eigen_index(problem.press_rows[p].columns);
     const auto common = block.matrix.middleCols(own, t);
     result.norm += common.colwise().squaredNorm().transpose();
     result.gradient -= common.transpose() * block.matrix.rightCols(1);
     std::array<double, press_unknowns> norms{};
     for (std::size_t i = 0; i < press_unknowns; ++i) {
       const std::size_t column = problem.press_rows[p].column[i];
-      norms[i] = column == no_column ? 0.0 : block.matrix.col(index(column)).norm();
+      norms[i] = column == no_column ? 0.0 : block.matrix.col(eigen_index(column)).norm();
     }
     result.press_norm.push_back(norms);
   }
@@ -108,17 +108,17 @@ SystemColumns system_columns(const FitProblem& problem, const FitState& state,
 FitSystem fit_system(const FitProblem& problem, const FitState& state,
                      const PressReadings& readings, const SystemColumns& columns,
                      const SystemParts& parts) {
-  const Eigen::Index t = index(problem.columns());
+  const Eigen::Index t = eigen_index(problem.columns());
   const double root = std::sqrt(parts.damping);
   FitSystem system;
   Triangle triangle(t + 1);
   for (std::size_t p = 0; p < state.presses.size(); ++p) {
     PressBlock block(problem, state, readings, p, parts);
     const PressRows& rows = problem.press_rows[p];
-    const auto own = index(rows.columns);
+    const auto own = eigen_index(rows.columns);
     for (std::size_t i = 0; i < press_unknowns; ++i)
       if (rows.column[i] != no_column)
-        block.matrix(block.filled + index(rows.column[i]), index(rows.column[i])) =
+        block.matrix(block.filled + eigen_index(rows.column[i]), eigen_index(rows.column[i])) =
             root * columns.press_norm[p][i];
     block.eliminate();
     system.presses.push_back({block.matrix.topLeftCorner(own, own).triangularView<Eigen::Upper>(),
@@ -127,18 +127,19 @@ FitSystem fit_system(const FitProblem& problem, const FitState& state,
     triangle.add(block.matrix.bottomRightCorner(block.matrix.rows() - own, t + 1));
   }
   if (!parts.common_priors) {
-    triangle.add(problem.common_priors(state).bottomRows(index(problem.model().sites().size())));
+    triangle.add(
+        problem.common_priors(state).bottomRows(eigen_index(problem.model().sites().size())));
   } else {
     Eigen::MatrixXd priors = problem.common_priors(state);
     for (std::size_t i = 0; i < pad_parameter_count; ++i)
       if (parts.frozen[i])
-        priors.col(index(problem.pad_column(static_cast<PadParameter>(i)))).setZero();
+        priors.col(eigen_index(problem.pad_column(static_cast<PadParameter>(i)))).setZero();
     if (parts.thickness_follows) {
       const std::size_t from = problem.pad_column(PadParameter::thickness);
       const std::size_t to = problem.pad_column(PadParameter::depth);
       if (to != no_column && !parts.frozen[static_cast<std::size_t>(PadParameter::depth)])
-        priors.col(index(to)) += priors.col(index(from));
-      priors.col(index(from)).setZero();
+        priors.col(eigen_index(to)) += priors.col(eigen_index(from));
+      priors.col(eigen_index(from)).setZero();
     }
     priors.col(t) = -priors.col(t);
     triangle.add(priors);
@@ -157,9 +158,9 @@ FitSystem fit_system(const FitProblem& problem, const FitState& state,
 PressPart press_part(const FitProblem& problem, const FitState& state,
                      const PressReadings& readings, std::size_t press) {
   const PressBlock block(problem, state, readings, press, {});
-  const Eigen::Index own = index(problem.press_rows[press].columns);
+  const Eigen::Index own = eigen_index(problem.press_rows[press].columns);
   return {block.matrix.topLeftCorner(block.filled, own),
-          block.matrix.block(0, own, block.filled, index(problem.columns()))};
+          block.matrix.block(0, own, block.filled, eigen_index(problem.columns()))};
 }
 
 FitStep fit_step(const FitProblem& problem, const FitState& state, const PressReadings& readings,
@@ -169,7 +170,8 @@ FitStep fit_step(const FitProblem& problem, const FitState& state, const PressRe
   const FitSystem system = fit_system(problem, state, readings, columns, parts);
   FitStep step{solve_upper(system.triangle, system.rhs), {}};
   for (std::size_t i = 0; i < pad_parameter_count; ++i)
-    if (parts.frozen[i]) step.common(index(problem.pad_column(static_cast<PadParameter>(i)))) = 0.0;
+    if (parts.frozen[i])
+      step.common(eigen_index(problem.pad_column(static_cast<PadParameter>(i)))) = 0.0;
   for (std::size_t p = 0; p < state.presses.size(); ++p) {
     step.presses.emplace_back();
     const auto& [own, share, rhs] = system.presses[p];
@@ -177,7 +179,7 @@ FitStep fit_step(const FitProblem& problem, const FitState& state, const PressRe
     const Eigen::VectorXd x = solve_upper(own, rhs - share * step.common);
     for (std::size_t i = 0; i < press_unknowns; ++i)
       if (const std::size_t column = problem.press_rows[p].column[i]; column != no_column)
-        step.presses.back()[i] = x(index(column));
+        step.presses.back()[i] = x(eigen_index(column));
   }
   return step;
 }

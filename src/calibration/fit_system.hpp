@@ -2,12 +2,12 @@
 /// The linear system of one step: presses eliminated one by one, the rest a triangle. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <vector>
 
 #include "calibration/fit_problem.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

@@ -1,6 +1,4 @@
-#include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -11,37 +9,35 @@
 #include "elasticity/stress_amplitudes.hpp"
 #include "numeric/dual.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
 
 using Amplitude = Dual<3>;  // by depth, thickness and nu
 
-/// exp(-k depth) is some 1e-15 there, times the k depth of the amplitudes.
-constexpr double largest_decay = 36.0;
 /// Presses that are gone through at once: what is kept of them stays in the cache.
-constexpr std::size_t block = 32;
+constexpr std::size_t presses_at_once = 32;
 
 /// Enough for presses and arrays that reach 2900 depths. A fit that has gone astray may ask for
 /// more; it is not to take the memory.
-constexpr std::size_t most_panels = 4000;
+constexpr std::size_t most_line_panels = 4000;
 
-/// Nodes in k for one channel: Gauss-Legendre panels of 20 points, each some 26 radians of the
+/// LineNodes in k for one channel: Gauss-Legendre panels of 20 points, each some 26 radians of the
 /// fastest wave.
-struct Nodes {
-  Nodes(double depth, double farthest) {
-    using Rule = boost::math::quadrature::gauss<double, 20>;
+struct LineNodes {
+  LineNodes(double depth, double farthest) {
+    const GaussRule rule = gauss_rule(20);
     const double end = largest_decay / depth;
     const double needed = std::ceil(end * farthest / 26.0);
     const auto panels =
-        static_cast<std::size_t>(std::clamp(needed, 5.0, static_cast<double>(most_panels)));
+        static_cast<std::size_t>(std::clamp(needed, 5.0, static_cast<double>(most_line_panels)));
     const double width = end / static_cast<double>(panels);
     for (std::size_t panel = 0; panel < panels; ++panel)
-      for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+      for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
         for (const double sign : {-1.0, 1.0}) {
-          k.push_back((static_cast<double>(panel) + 0.5 + 0.5 * sign * Rule::abscissa()[i]) *
-                      width);
-          weight.push_back(0.5 * width * Rule::weights()[i] / std::numbers::pi);
+          k.push_back((static_cast<double>(panel) + 0.5 + 0.5 * sign * rule.abscissa[i]) * width);
+          weight.push_back(0.5 * width * rule.weights[i] / std::numbers::pi);
         }
   }
   std::vector<double> k, weight;
@@ -79,7 +75,7 @@ std::vector<Group> groups_of(std::span<const PressSite> sites) {
 }
 
 /// The factors of cos(k y) and sin(k y), presses x nodes.
-struct Waves {
+struct PressWaves {
   RowMajor cosine, sine;
   void resize(std::size_t presses, std::size_t nodes) {
     cosine.resize(static_cast<Eigen::Index>(presses), static_cast<Eigen::Index>(nodes));
@@ -87,7 +83,7 @@ struct Waves {
   }
 };
 
-/// What one group adds to the readings of a block of presses.
+/// What one group adds to the readings of a presses_at_once of presses.
 class GroupReadings {
  public:
   GroupReadings(const Group& group, const Material& material, double depth, double farthest,
@@ -116,7 +112,7 @@ class GroupReadings {
     const std::size_t n = nodes_.k.size();
     std::vector<double> phi(presses.size() * n);
     std::vector<double> slope(with_derivatives ? phi.size() : 0);
-    Waves turn;  // cos(k c), sin(k c)
+    PressWaves turn;  // cos(k c), sin(k c)
     turn.resize(presses.size(), n);
     for (std::size_t p = 0; p < presses.size(); ++p) {
       const double a = std::exp(presses[p].log_half_width);
@@ -186,11 +182,11 @@ class GroupReadings {
 
  private:
   const Group& group_;
-  Nodes nodes_;
+  LineNodes nodes_;
   std::span<const double> places_;
   std::vector<Amplitude> normal_{}, tangential_{};
   RowMajor cosine_{}, sine_{};
-  Waves waves_{};
+  PressWaves waves_{};
 };
 
 }  // namespace
@@ -202,8 +198,8 @@ void add_line_readings(const PadTaxels& taxels, std::span<const PressState> pres
   for (const Group& group : groups_of(taxels.sites)) {
     const double depth = group.depth * taxels.depth_factor;
     if (material.layer && taxels.tied_to_base) material.layer->thickness = depth;
-    for (std::size_t start = 0; start < presses.size(); start += block) {
-      const auto part = presses.subspan(start, std::min(block, presses.size() - start));
+    for (std::size_t start = 0; start < presses.size(); start += presses_at_once) {
+      const auto part = presses.subspan(start, std::min(presses_at_once, presses.size() - start));
       double farthest = depth;
       for (const PressState& press : part)
         farthest = std::max(

@@ -12,7 +12,7 @@ namespace tactile_net {
 namespace {
 
 constexpr double null_limit = 1e-8;  // the weakest real direction is at 2e-3, rounding at 1e-10
-constexpr double share_limit = 1e-3;
+constexpr double named_share = 1e-3;
 constexpr double nothing = 1e-12;  // of the longest column: rounding of what is zero
 
 double dot(const NullDirection& a, const NullDirection& b) {
@@ -45,7 +45,7 @@ void separate(std::vector<NullDirection>& directions) {
                          [&](const NullDirection& a, const NullDirection& b) {
                            return std::abs(a.pad[i]) < std::abs(b.pad[i]);
                          });
-    if (pivot == directions.end() || std::abs(pivot->pad[i]) < share_limit) continue;
+    if (pivot == directions.end() || std::abs(pivot->pad[i]) < named_share) continue;
     std::iter_swap(directions.begin() + static_cast<std::ptrdiff_t>(done), pivot);
     for (std::size_t k = 0; k < directions.size(); ++k)
       if (k != done)
@@ -148,7 +148,7 @@ std::vector<NullDirection> readings_first(const FitProblem& problem, const Readi
     }
     NullDirection direction = direction_of(problem, change);
     // One of presses alone is not asked for.
-    if (dot(direction, direction) < share_limit * share_limit) continue;
+    if (dot(direction, direction) < named_share * named_share) continue;
     normalise(direction);
     directions.push_back(std::move(direction));
   }
@@ -183,7 +183,7 @@ bool takes_part(const std::vector<NullDirection>& directions, PadParameter param
   double sum = 0.0;
   for (const NullDirection& direction : directions)
     sum = std::hypot(sum, direction.pad[static_cast<std::size_t>(parameter)]);
-  return sum > share_limit;
+  return sum > named_share;
 }
 
 }  // namespace tactile_net

@@ -6,11 +6,10 @@
 
 #include "calibration/triangle.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
-
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 class Assembly {
  public:
@@ -26,14 +25,14 @@ class Assembly {
   }
 
   ReadingSystem system() {
-    Triangle triangle(index(kept_) + 1);
+    Triangle triangle(eigen_index(kept_) + 1);
     for (const auto& [gain, members] : groups()) triangle.add(eliminated(gain, members));
     add_presses(triangle);
     if (parts_.common_priors) add_priors(triangle);
     if (parts_.damping > 0.0) add_damping(triangle);
     const Eigen::MatrixXd all = triangle.take();
-    result_.triangle = all.topLeftCorner(index(kept_), index(kept_));
-    result_.rhs = all.topRightCorner(index(kept_), 1);
+    result_.triangle = all.topLeftCorner(eigen_index(kept_), eigen_index(kept_));
+    result_.rhs = all.topRightCorner(eigen_index(kept_), 1);
     return std::move(result_);
   }
 
@@ -98,8 +97,9 @@ class Assembly {
     for (const std::size_t j : members)
       group.columns.push_back(problem_.columns() - problem_.model().sites().size() + j);
     const std::size_t own = group.columns.size();
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(
-        index(presses * members.size() + 1 + members.size() + own), index(own + kept_ + 1));
+    Eigen::MatrixXd rows =
+        Eigen::MatrixXd::Zero(eigen_index(presses * members.size() + 1 + members.size() + own),
+                              eigen_index(own + kept_ + 1));
     const Eigen::Index last = rows.cols() - 1;
     Eigen::Index row = 0;
     for (std::size_t m = 0; m < members.size(); ++m) {
@@ -107,7 +107,7 @@ class Assembly {
       for (std::size_t p = 0; problem_.used(j) && p < presses; ++p, ++row)
         put_reading(p, j, own, first_offset + m, rows, row);
       const double frames = std::sqrt(static_cast<double>(problem_.log().unloaded.frames));
-      rows(row, index(first_offset + m)) = frames;
+      rows(row, eigen_index(first_offset + m)) = frames;
       rows(row++, last) = -frames * state_.offset[j];
     }
     if (gain != no_column && has_prior_) {
@@ -115,17 +115,19 @@ class Assembly {
       const double sd = problem_.gain_prior().sd;
       const std::size_t mean = mean_of_[which];
       rows(row, 0) = 1.0 / sd;
-      if (mean != no_column) rows(row, index(own + first_mean_ + mean)) = -1.0 / sd;
+      if (mean != no_column) rows(row, eigen_index(own + first_mean_ + mean)) = -1.0 / sd;
       rows(row++, last) = -(state_.log_gain[which] - (mean == no_column ? 0.0 : means_[mean])) / sd;
     }
     for (std::size_t i = 0; i < own && parts_.damping > 0.0; ++i)
-      rows(row++, index(i)) = damping_ * columns_.norm(index(group.columns[i]));
-    eliminate_columns(rows, index(own));
-    group.own = rows.topLeftCorner(index(own), index(own)).triangularView<Eigen::Upper>();
-    group.share = rows.block(0, index(own), index(own), index(kept_));
-    group.rhs = rows.topRightCorner(index(own), 1);
+      rows(row++, eigen_index(i)) = damping_ * columns_.norm(eigen_index(group.columns[i]));
+    eliminate_columns(rows, eigen_index(own));
+    group.own =
+        rows.topLeftCorner(eigen_index(own), eigen_index(own)).triangularView<Eigen::Upper>();
+    group.share = rows.block(0, eigen_index(own), eigen_index(own), eigen_index(kept_));
+    group.rhs = rows.topRightCorner(eigen_index(own), 1);
     result_.groups.push_back(std::move(group));
-    return rows.block(index(own), index(own), row - index(own), index(kept_) + 1);
+    return rows.block(eigen_index(own), eigen_index(own), row - eigen_index(own),
+                      eigen_index(kept_) + 1);
   }
 
   void put_reading(std::size_t p, std::size_t j, std::size_t own, std::size_t offset,
@@ -138,13 +140,16 @@ class Assembly {
                                       &readings_.by_center_z,       &readings_.by_friction_z};
     for (std::size_t i = 0; i < press_unknowns; ++i)
       if (const std::size_t column = problem_.press_rows[p].column[i]; column != no_column)
-        rows(row, index(own + result_.first_of_press[p] + column)) = scale * (*by_press[i])(p, j);
+        rows(row, eigen_index(own + result_.first_of_press[p] + column)) =
+            scale * (*by_press[i])(p, j);
     for (std::size_t i = 0; i < pad_parameter_count; ++i)
       if (const std::size_t column = moved_column(problem_, i, parts_); column != no_column)
-        rows(row, index(own + result_.first_common + column)) += scale * readings_.by_pad[i](p, j);
+        rows(row, eigen_index(own + result_.first_common + column)) +=
+            scale * readings_.by_pad[i](p, j);
     if (const std::size_t gain = problem_.gain_column(j); gain != no_column)
-      rows(row, gains_are_local_ ? 0 : index(own + kept_of(gain))) = scale * readings_.value(p, j);
-    rows(row, index(offset)) = root;
+      rows(row, gains_are_local_ ? 0 : eigen_index(own + kept_of(gain))) =
+          scale * readings_.value(p, j);
+    rows(row, eigen_index(offset)) = root;
     rows(row, rows.cols() - 1) = -root * problem_.residual(state_, readings_, p, j);
   }
 
@@ -153,33 +158,33 @@ class Assembly {
     for (std::size_t p = 0; p < state_.presses.size(); ++p)
       for (const PressPrior& prior : problem_.press_priors(state_, p)) {
         if (prior.is_weak && !parts_.weak_priors) continue;
-        Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, index(kept_) + 1);
+        Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, eigen_index(kept_) + 1);
         for (std::size_t i = 0; i < press_unknowns; ++i)
           if (const std::size_t column = problem_.press_rows[p].column[i]; column != no_column)
-            row(0, index(result_.first_of_press[p] + column)) = prior.by_press[i];
+            row(0, eigen_index(result_.first_of_press[p] + column)) = prior.by_press[i];
         for (std::size_t i = 0; i < pad_parameter_count; ++i)
           if (const std::size_t column = moved_column(problem_, i, parts_); column != no_column)
-            row(0, index(result_.first_common + column)) += prior.by_pad[i];
-        row(0, index(kept_)) = -prior.residual;
+            row(0, eigen_index(result_.first_common + column)) += prior.by_pad[i];
+        row(0, eigen_index(kept_)) = -prior.residual;
         triangle.add(row);
       }
   }
 
   void add_priors(Triangle& triangle) const {
     const Eigen::MatrixXd pad = problem_.pad_priors(state_);
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(pad.rows(), index(kept_) + 1);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(pad.rows(), eigen_index(kept_) + 1);
     for (std::size_t i = 0; i < pad_parameter_count; ++i) {
       const std::size_t from = problem_.pad_column(static_cast<PadParameter>(i));
       const std::size_t to = moved_column(problem_, i, parts_);
       if (from != no_column && to != no_column)
-        rows.col(index(result_.first_common + to)) += pad.col(index(from));
+        rows.col(eigen_index(result_.first_common + to)) += pad.col(eigen_index(from));
     }
     rows.rightCols(1) = -pad.rightCols(1);
     triangle.add(rows);
     const auto add = [&](std::size_t column, double sd, double value) {
-      Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, index(kept_) + 1);
-      row(0, index(column)) = 1.0 / sd;
-      row(0, index(kept_)) = -value / sd;
+      Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, eigen_index(kept_) + 1);
+      row(0, eigen_index(column)) = 1.0 / sd;
+      row(0, eigen_index(kept_)) = -value / sd;
       triangle.add(row);
     };
     const FitProblem::GainPrior prior = problem_.gain_prior();
@@ -190,17 +195,17 @@ class Assembly {
   }
 
   void add_damping(Triangle& triangle) const {
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(index(kept_), index(kept_) + 1);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(eigen_index(kept_), eigen_index(kept_) + 1);
     for (std::size_t p = 0; p < state_.presses.size(); ++p)
       for (std::size_t i = 0; i < press_unknowns; ++i)
         if (const std::size_t column = problem_.press_rows[p].column[i]; column != no_column) {
-          const Eigen::Index at = index(result_.first_of_press[p] + column);
+          const Eigen::Index at = eigen_index(result_.first_of_press[p] + column);
           rows(at, at) = damping_ * columns_.press_norm[p][i];
         }
     for (std::size_t i = 0; i < result_.common.size(); ++i)
       if (result_.common[i] != no_column) {
-        const Eigen::Index at = index(result_.first_common + i);
-        rows(at, at) = damping_ * columns_.norm(index(result_.common[i]));
+        const Eigen::Index at = eigen_index(result_.first_common + i);
+        rows(at, at) = damping_ * columns_.norm(eigen_index(result_.common[i]));
       }
     triangle.add(rows);
   }
@@ -231,21 +236,21 @@ FitStep step_of(const ReadingSystem& system, const FitProblem& problem, const Sy
   for (std::size_t i = 0; i < pad_parameter_count; ++i)
     if (const std::size_t column = problem.pad_column(static_cast<PadParameter>(i));
         parts.frozen[i] && column != no_column)
-      kept(index(system.first_common + column)) = 0.0;
-  FitStep step{Eigen::VectorXd::Zero(index(problem.columns())), {}};
+      kept(eigen_index(system.first_common + column)) = 0.0;
+  FitStep step{Eigen::VectorXd::Zero(eigen_index(problem.columns())), {}};
   for (std::size_t i = 0; i < system.common.size(); ++i)
     if (system.common[i] != no_column)
-      step.common(index(system.common[i])) = kept(index(system.first_common + i));
+      step.common(eigen_index(system.common[i])) = kept(eigen_index(system.first_common + i));
   for (const ReadingSystem::Group& group : system.groups) {
     const Eigen::VectorXd x = solve_upper(group.own, group.rhs - group.share * kept);
     for (std::size_t i = 0; i < group.columns.size(); ++i)
-      step.common(index(group.columns[i])) = x(index(i));
+      step.common(eigen_index(group.columns[i])) = x(eigen_index(i));
   }
   for (std::size_t p = 0; p < problem.press_rows.size(); ++p) {
     step.presses.emplace_back();
     for (std::size_t i = 0; i < press_unknowns; ++i)
       if (const std::size_t column = problem.press_rows[p].column[i]; column != no_column)
-        step.presses.back()[i] = kept(index(system.first_of_press[p] + column));
+        step.presses.back()[i] = kept(eigen_index(system.first_of_press[p] + column));
   }
   return step;
 }

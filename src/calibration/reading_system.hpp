@@ -3,12 +3,12 @@
 /// eliminated taxel by taxel, the rest is a triangle. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
 #include "calibration/fit_problem.hpp"
 #include "calibration/fit_system.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

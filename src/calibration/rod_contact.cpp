@@ -1,9 +1,7 @@
 #include "tactile_net/calibration/rod_contact.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -13,11 +11,13 @@
 #include "calibration/surface_compliance.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/dual.hpp"
+#include "numeric/eigen.hpp"
+#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr std::size_t terms = 8;
+constexpr std::size_t series_terms = 8;
 
 /// J_0 ... J_last at z by the recurrence downwards.
 std::vector<double> bessel(std::size_t last, double z) {
@@ -49,21 +49,21 @@ std::vector<double> bessel(std::size_t last, double z) {
 }
 
 /// b_0 and its derivatives by a/h and by nu.
-LayerFactor layer_factor(Base base, double nu, double ratio) {
-  using Rule = boost::math::quadrature::gauss<double, 20>;
+LayerFactor rod_layer_factor(Base base, double nu, double ratio) {
+  const GaussRule rule = gauss_rule(20);
   constexpr int panels = 5;
-  constexpr auto size = static_cast<Eigen::Index>(terms);
-  std::array<double, terms> t{};
+  constexpr auto size = static_cast<Eigen::Index>(series_terms);
+  std::array<double, series_terms> t{};
   Eigen::MatrixXd system(size, size);
   Eigen::MatrixXd by_ratio(size, size);
   Eigen::MatrixXd by_nu(size, size);
   Eigen::VectorXd right(size);
-  for (std::size_t i = 0; i < terms; ++i) {
+  for (std::size_t i = 0; i < series_terms; ++i) {
     const double angle = std::numbers::pi * (2.0 * static_cast<double>(i) + 1.0) /
-                         (4.0 * static_cast<double>(terms));
+                         (4.0 * static_cast<double>(series_terms));
     t[i] = std::cos(angle);
     right(static_cast<Eigen::Index>(i)) = t[i];
-    for (std::size_t m = 0; m < terms; ++m)
+    for (std::size_t m = 0; m < series_terms; ++m)
       system(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(m)) =
           std::cos((2.0 * static_cast<double>(m) + 1.0) * angle);
   }
@@ -71,13 +71,13 @@ LayerFactor layer_factor(Base base, double nu, double ratio) {
   by_nu.setZero();
   const auto add = [&](double H, double weight) {
     const auto change = compliance_change(base, Dual<1>::seed(nu, 0), H);
-    const std::vector<double> j = bessel(2 * terms, H * ratio);
-    for (std::size_t m = 0; m < terms; ++m) {
+    const std::vector<double> j = bessel(2 * series_terms, H * ratio);
+    for (std::size_t m = 0; m < series_terms; ++m) {
       const double order = 2.0 * static_cast<double>(m) + 1.0;
       const double share = (m % 2 == 0 ? order : -order) * weight / H;
       const double load = share * j[2 * m + 1];
       const double slope = share * 0.5 * (j[2 * m] - j[2 * m + 2]) * H;  // by the ratio
-      for (std::size_t i = 0; i < terms; ++i) {
+      for (std::size_t i = 0; i < series_terms; ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         const auto column = static_cast<Eigen::Index>(m);
         const double sine = std::sin(H * ratio * t[i]);
@@ -90,10 +90,9 @@ LayerFactor layer_factor(Base base, double nu, double ratio) {
   };
   const double width = largest_compliance_wave / panels;
   for (int panel = 0; panel < panels; ++panel)
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+    for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
       for (const double sign : {-1.0, 1.0})
-        add((panel + 0.5 + 0.5 * sign * Rule::abscissa()[i]) * width,
-            0.5 * width * Rule::weights()[i]);
+        add((panel + 0.5 + 0.5 * sign * rule.abscissa[i]) * width, 0.5 * width * rule.weights[i]);
   const Lu lu(system);
   const Eigen::VectorXd b = lu.solve(right);
   const auto slope = [&](const Eigen::MatrixXd& by) {
@@ -111,7 +110,7 @@ ContactForce rod_force(const Material& material, double half_width, double radiu
                              material.youngs_modulus / (4.0 * (1.0 - nu * nu)));
   force.by_poisson_ratio = 2.0 * nu / (1.0 - nu * nu);
   if (!material.layer) return force;
-  add_layer(force, *material.layer, nu, half_width, layer_factor);
+  add_layer(force, *material.layer, nu, half_width, rod_layer_factor);
   return force;
 }
 

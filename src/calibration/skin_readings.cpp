@@ -1,7 +1,5 @@
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -13,32 +11,31 @@
 #include "calibration/skin_waves.hpp"
 #include "elasticity/space/reduced_bessel.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
 
-/// exp(-k depth) is some 1e-15 there, times the k depth of the amplitudes.
-constexpr double largest_decay = 36.0;
 /// A fit that has gone astray may ask for more; it is not to take the memory.
 constexpr std::size_t most_panels = 400;
 constexpr std::size_t points = 20;  // of a panel of radii
 /// A press whose derivatives are asked for turns a wave of order 3 into one of order 4.
 constexpr std::size_t orders = most_skin_wave_order + 2;
 
-/// Nodes in k, those near 0 as dense as a layer asks for: its poles are 0.7 / h away.
-struct Nodes {
-  Nodes(double depth, double farthest, const Material& material) {
-    using Rule = boost::math::quadrature::gauss<double, points>;
+/// SkinNodes in k, those near 0 as dense as a layer asks for: its poles are 0.7 / h away.
+struct SkinNodes {
+  SkinNodes(double depth, double farthest, const Material& material) {
+    const GaussRule rule = gauss_rule(points);
     const double end = largest_decay / depth;
     const double count = std::clamp(std::ceil(end * farthest / 26.0), 5.0, double{most_panels});
     const double wide = end / count;
     const double h = material.layer ? material.layer->thickness : 0.0;
     for (double from = 0.0; from < end * (1.0 - 1e-9);) {
       const double width = from * h < 15.0 && h > 0.0 ? std::min(wide, 2.5 / h) : wide;
-      for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+      for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
         for (const double sign : {-1.0, 1.0}) {
-          k.push_back(from + 0.5 * width * (1.0 + sign * Rule::abscissa()[i]));
-          weight.push_back(0.25 * width * Rule::weights()[i] / std::numbers::pi);
+          k.push_back(from + 0.5 * width * (1.0 + sign * rule.abscissa[i]));
+          weight.push_back(0.25 * width * rule.weights[i] / std::numbers::pi);
         }
       from += width;
     }
@@ -123,7 +120,7 @@ class DepthReadings {
         drags_(needed.drags),
         columns_(with_derivatives ? columns : 1),
         radii_(depth, widest(presses), farthest) {
-    const Nodes nodes(depth, farthest + widest(presses), material);
+    const SkinNodes nodes(depth, farthest + widest(presses), material);
     const auto count = static_cast<Eigen::Index>(nodes.k.size());
     const auto rows = static_cast<Eigen::Index>(presses.size());
     const auto radii = static_cast<Eigen::Index>(radii_.r.size());

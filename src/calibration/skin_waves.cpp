@@ -61,14 +61,14 @@ struct Across {
   Amplitude displacement{};
 };
 
-struct Waves {
+struct PadWaves {
   Sagittal normal{}, drag{};
   Across across{};
 };
 
-Waves half_space_waves(const Amplitude& nu, const Amplitude& a, bool drags) {
+PadWaves half_space_waves(const Amplitude& nu, const Amplitude& a, bool drags) {
   const Amplitude decay = exp(-a);
-  Waves waves;
+  PadWaves waves;
   waves.normal = {half_plane_amplitudes(Traction::normal, a), (2.0 - 2.0 * nu + a) * decay,
                   (a - 1.0 + 2.0 * nu) * decay};
   if (!drags) return waves;
@@ -78,14 +78,14 @@ Waves half_space_waves(const Amplitude& nu, const Amplitude& a, bool drags) {
   return waves;
 }
 
-Waves layer_waves(const Amplitude& nu, const LayerFunctionsOf<Amplitude>& f, bool bonded,
-                  bool drags) {
+PadWaves layer_waves(const Amplitude& nu, const LayerFunctionsOf<Amplitude>& f, bool bonded,
+                     bool drags) {
   const auto stress = [&](Traction load) {
     return bonded ? bonded_amplitudes(load, nu, f) : frictionless_amplitudes(load, f);
   };
   const auto u = bonded ? bonded_displacements(nu, f) : frictionless_displacements(nu, f);
   const Amplitude over = bonded ? f.bonded_determinant(nu) : f.frictionless_determinant();
-  Waves waves;
+  PadWaves waves;
   waves.normal = {stress(Traction::normal), u.normal_x / over, u.normal_along / over};
   if (!drags) return waves;
   waves.drag = {stress(Traction::tangential), u.tangential_x / over, u.tangential_along / over};
@@ -124,7 +124,7 @@ std::array<SkinAmplitude, skin_wave_count> skin_amplitudes(const Material& mater
   const Amplitude x = Amplitude::seed(depth, 0);
   const Amplitude nu = Amplitude::seed(material.poisson_ratio, 2);
   const double modulus = material.youngs_modulus;
-  Waves waves;
+  PadWaves waves;
   if (!material.layer || k * (material.layer->thickness - depth) > 400.0) {
     waves = half_space_waves(nu, k * x, drags);
   } else {

@@ -2,10 +2,10 @@
 /// Rows of a least-squares problem taken into a triangle, some at a time. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 
@@ -24,7 +24,7 @@ inline void eliminate_columns(Eigen::MatrixXd& matrix, Eigen::Index columns) {
     const double square = mirror.squaredNorm();
     auto rest = matrix.bottomRightCorner(below, matrix.cols() - c);
     const Eigen::RowVectorXd along = (2.0 / square) * (mirror.transpose() * rest);
-    rest.noalias() -= mirror * along;
+    rest -= mirror * along;
   }
 }
 

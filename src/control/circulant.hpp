@@ -6,9 +6,10 @@
 /// whole diagonals mixes the ends into every lag: M minus it has full rank.)
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

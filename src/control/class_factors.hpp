@@ -2,11 +2,11 @@
 /// Factors of a matrix's classes, and how far they may be from it. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/realtime/product_plan.hpp"
 
 namespace tactile_net {

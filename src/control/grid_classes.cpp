@@ -13,12 +13,12 @@ namespace {
 using Eigen::Index;
 using Sparse = Eigen::SparseMatrix<double>;
 
-struct Place {
+struct SignedPlace {
   Index at;
   double sign;
 };
 /// Of each coordinate of a class the places that it is a sum of.
-using Sums = std::vector<std::vector<Place>>;
+using Sums = std::vector<std::vector<SignedPlace>>;
 
 Sums sums_of(const GridBlocks& grid, GridClass of) {
   Sums sums;
@@ -33,7 +33,7 @@ Sums sums_of(const GridBlocks& grid, GridClass of) {
       for (std::size_t j = 0; j < half.columns; ++j) {
         const std::size_t back_i = grid.rows - 1 - i;
         const std::size_t back_j = grid.columns - 1 - j;
-        std::vector<Place> places{{at(i, j), 1.0}};
+        std::vector<SignedPlace> places{{at(i, j), 1.0}};
         if (back_j != j) places.push_back({at(i, back_j), z});
         if (back_i != i) places.push_back({at(back_i, j), y});
         if (back_i != i && back_j != j) places.push_back({at(back_i, back_j), y * z});
@@ -50,8 +50,8 @@ Sums exchanged(const Sums& sums, const std::vector<std::uint32_t>& places, doubl
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k] == k && sign > 0.0) alone.push_back(sums[k]);
     if (places[k] <= k) continue;
-    std::vector<Place> both = sums[k];
-    for (const Place& place : sums[places[k]]) both.push_back({place.at, sign * place.sign});
+    std::vector<SignedPlace> both = sums[k];
+    for (const SignedPlace& place : sums[places[k]]) both.push_back({place.at, sign * place.sign});
     pairs.push_back(std::move(both));
   }
   pairs.insert(pairs.end(), alone.begin(), alone.end());
@@ -82,14 +82,14 @@ std::vector<std::vector<Sums>> classes_of(const GridBlocks& grid) {
   return all;
 }
 
-double scale_of(const std::vector<Place>& places) {
+double scale_of(const std::vector<SignedPlace>& places) {
   return 1.0 / std::sqrt(static_cast<double>(places.size()));
 }
 
 Sparse basis_of(const Sums& sums, Index size) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < sums.size(); ++k)
-    for (const Place& place : sums[k])
+    for (const SignedPlace& place : sums[k])
       entries.emplace_back(place.at, static_cast<Index>(k), place.sign * scale_of(sums[k]));
   Sparse basis(size, std::ssize(sums));
   basis.setFromTriplets(entries.begin(), entries.end());

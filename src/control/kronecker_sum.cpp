@@ -79,13 +79,14 @@ void KroneckerSum::apply(std::span<const double> readings, std::span<double> tra
   for (Parts::Channel& channel : parts_->channels) {
     const Eigen::Map<const RowMajor> frame(readings.data() + first, s.taxel_rows, s.taxel_columns);
     first += frame.size();
-    channel.product.noalias() = channel.along_y * frame;
+    channel.product.noalias() = channel.along_y.operator*(frame);
     const double* product = channel.product.data();
     double* cells = tractions.data();
     for (const Parts::Second& one : channel.components) {
       if (one.terms > 0) {
         const Eigen::Map<const RowMajor> left(product, s.cell_rows, one.terms * s.taxel_columns);
-        Eigen::Map<RowMajor>(cells, s.cell_rows, s.cell_columns).noalias() += left * one.along_z;
+        Eigen::Map<RowMajor>(cells, s.cell_rows, s.cell_columns).noalias() +=
+            left.operator*(one.along_z);
         product += left.size();
       }
       cells += s.cell_rows * s.cell_columns;

@@ -2,9 +2,10 @@
 /// Mirror symmetry of a matrix between blocks of an array; see realtime/product_plan.hpp. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

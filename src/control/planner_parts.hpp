@@ -2,11 +2,11 @@
 /// What planning for lines and for skins has in common. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
 #include "control/product_planner.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/control/planner.hpp"
 
 namespace tactile_net {

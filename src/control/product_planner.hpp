@@ -2,11 +2,11 @@
 /// The cheapest way to multiply by a matrix within a bound of the error. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
 #include "control/mirror.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/control/planner.hpp"
 
 namespace tactile_net {

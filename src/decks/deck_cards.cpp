@@ -2,16 +2,11 @@
 
 #include <cctype>
 
+#include "decks/lower_case.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::decks {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
 
 std::string_view without_blanks(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -42,7 +37,7 @@ class Cutter {
     if (text.empty() || text.front() == ';' || text.front() == '$') return;
     if (text.front() == '*') return add_comment(text);
     check_characters(without_comment(text));
-    const std::string card = lower(without_blanks(without_comment(text)));
+    const std::string card = lower_case(without_blanks(without_comment(text)));
     if (ended_) fail("stands behind .end, where a deck is over", "remove it, or move it up");
     if (card.front() == '+')
       add_continuation(card.substr(1));
@@ -56,13 +51,13 @@ class Cutter {
 
  private:
   void add_title(std::string_view text) {
-    if (lower(text).starts_with("*ng_script"))
+    if (lower_case(text).starts_with("*ng_script"))
       fail("'*ng_script' makes ngspice run the file as commands, of any kind",
            "a circuit needs none: remove this line, and every command below it");
     if (text.starts_with('*')) add_comment(text);
   }
   void add_comment(std::string_view text) {
-    deck_.comments.push_back({line_, lower(text.substr(1))});
+    deck_.comments.push_back({line_, lower_case(text.substr(1))});
   }
   void add_continuation(const std::string& text) {
     if (deck_.cards.empty()) fail("continues no card", "a card begins without the +");

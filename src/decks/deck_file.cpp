@@ -8,6 +8,7 @@
 
 #include "decks/deck_cards.hpp"
 #include "decks/deck_rules.hpp"
+#include "decks/lower_case.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/bounded_text.hpp"
@@ -22,11 +23,6 @@ constexpr std::size_t most_nodes = 65'536;
 [[noreturn]] void refuse(const std::string& path, std::size_t line, const std::string& message,
                          const std::string& hint) {
   throw InputError({Diagnostic{path, line, line == 0 ? 0U : 1U, message, hint, {}, 0}});
-}
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
 }
 
 double number_in(const DeckComment& comment, const std::string& value, const char* example,
@@ -79,7 +75,7 @@ std::string as_checked(const DeckText& deck) {
 
 bool is_deck(const std::string& path) {
   constexpr std::array endings = {".cir", ".sp", ".spice", ".net"};
-  const std::string name = lower(path);
+  const std::string name = lower_case(path);
   return std::any_of(endings.begin(), endings.end(),
                      [&](const char* ending) { return name.ends_with(ending); });
 }

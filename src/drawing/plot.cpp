@@ -17,8 +17,8 @@ namespace tactile_net::drawing {
 namespace {
 
 /// Colours that stay apart for colour-blind readers (Okabe and Ito), the truth in black.
-constexpr std::array<std::string_view, 6> colours = {"#000000", "#0072b2", "#d55e00",
-                                                     "#009e73", "#cc79a7", "#e69f00"};
+constexpr std::array<std::string_view, 6> curve_colours = {"#000000", "#0072b2", "#d55e00",
+                                                           "#009e73", "#cc79a7", "#e69f00"};
 
 constexpr std::string_view grey = "#9aa0a6";
 
@@ -206,7 +206,7 @@ std::string data_block(const Plot& plot, const Curve& curve, std::size_t index) 
 }
 
 std::string style_of(const Curve& curve, bool alone) {
-  const std::size_t index = curve.colour % colours.size();
+  const std::size_t index = curve.colour % curve_colours.size();
   if (curve.dots) return " with points pt 7 ps " + std::string(curve.quiet ? "0.4" : "0.5");
   if (curve.quiet) return " with linespoints lw 1 pt 7 ps 0.4";
   // Beyond the colours the marks' shapes go on.
@@ -217,8 +217,8 @@ std::string style_of(const Curve& curve, bool alone) {
 }
 
 std::string colour_of(const Curve& curve) {
-  return " lc rgb '" + std::string(curve.quiet ? grey : colours[curve.colour % colours.size()]) +
-         "'";
+  return " lc rgb '" +
+         std::string(curve.quiet ? grey : curve_colours[curve.colour % curve_colours.size()]) + "'";
 }
 
 constexpr double font = 16.0;          // on a telephone 500 units are 380 pixels: 12 pixels high

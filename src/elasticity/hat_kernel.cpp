@@ -1,12 +1,12 @@
 #include "tactile_net/elasticity/hat_kernel.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
 
 #include "elasticity/cauchy_weights.hpp"
 #include "elasticity/layer_correction.hpp"
+#include "numeric/gauss_rule.hpp"
 #include "numeric/require.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
@@ -17,7 +17,8 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double widest_part = 4.0;  // half width of a hat with interpolants of its own, in layers
-constexpr double far = 3.0;  // half widths from the middle beyond which a quadrature is exact
+constexpr double exact_beyond =
+    3.0;  // half widths from the middle beyond which a quadrature is exact
 constexpr double rounding = 4e-15;  // of the closed form and of the quadrature, relative
 
 /// C and w C' of the hat, close by.
@@ -38,15 +39,18 @@ Cauchy cauchy(double u, double depth, double half_width) {
           log_ahead - 2.0 * log_z + log_behind};
 }
 
-/// The integral of hat(s) line(u - s) where the line load's reading has its poles `far` half widths
-/// from the middle or farther: 10 points err by less than 1e-15.
+/// The integral of hat(s) line(u - s) where the line load's reading has its poles `exact_beyond`
+/// half widths from the middle or farther: 10 points err by less than 1e-15.
 double integral(double u, double half_width, const auto& line) {
-  return half_width * boost::math::quadrature::gauss<double, 10>::integrate(
-                          [&](double t) {
-                            const double s = t * half_width;
-                            return (1.0 - t) * (line(u - s) + line(u + s));
-                          },
-                          0.0, 1.0);
+  const auto at = [&](double t) {
+    const double s = t * half_width;
+    return (1.0 - t) * (line(u - s) + line(u + s));
+  };
+  const GaussRule rule = gauss_rule(10);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
+    sum += (at(0.5 + 0.5 * rule.abscissa[i]) + at(0.5 - 0.5 * rule.abscissa[i])) * rule.weights[i];
+  return half_width * 0.5 * sum;
 }
 
 /// Sum of the weights 1 - |i| / parts of the narrower hats up to i = `last`.
@@ -81,7 +85,7 @@ HatKernel::HatKernel(Quantity quantity, Traction component, const Material& mate
 }
 
 double HatKernel::half_plane(double u) const noexcept {
-  if (std::hypot(u, depth_) >= far * part_width_)
+  if (std::hypot(u, depth_) >= exact_beyond * part_width_)
     return integral(u, part_width_, [this](double y) {
       return half_plane_kernel(quantity_, component_, material_, depth_, y);
     });
@@ -113,7 +117,7 @@ double HatKernel::operator()(double u) const noexcept {
 
 double HatKernel::error_bound(double u) const noexcept {
   const double half_width = parts_ * part_width_;
-  if (std::hypot(u, depth_) < far * half_width)
+  if (std::hypot(u, depth_) < exact_beyond * half_width)
     return rounding * (std::abs(potential_) + std::abs(slope_)) + layer_error_;
   // Hooke's terms may cancel, their rounding does not.
   const auto stress = [&](Quantity quantity, double y) {

@@ -1,12 +1,12 @@
 #include "elasticity/layer_correction.hpp"
 
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "elasticity/hooke.hpp"
+#include "numeric/gauss_rule.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/elasticity/layer.hpp"
 
@@ -77,7 +77,7 @@ LayerCorrection::LayerCorrection(Quantity quantity, Traction component, const Ma
       values_(panels_ * points) {
   // 20 points resolve 20 radians of exp(i k y) at the largest y, and every pole's distance; a hat's
   // transform turns by k w beside it.
-  using Rule = boost::math::quadrature::gauss<double, 20>;
+  const GaussRule rule = gauss_rule(20);
   const double width = 20.0 / (reach() + half_width);
   const double end = largest_decay / (2.0 * material.layer->thickness - depth);
   const auto count = static_cast<std::size_t>(std::ceil(end / width));
@@ -100,9 +100,9 @@ LayerCorrection::LayerCorrection(Quantity quantity, Traction component, const Ma
   };
   for (std::size_t panel = 0; panel < count; ++panel) {
     const double middle = (static_cast<double>(panel) + 0.5) * width;
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-      const double offset = 0.5 * width * Rule::abscissa()[i];
-      const double weight = 0.5 * width * Rule::weights()[i];
+    for (std::size_t i = 0; i < rule.abscissa.size(); ++i) {
+      const double offset = 0.5 * width * rule.abscissa[i];
+      const double weight = 0.5 * width * rule.weights[i];
       add(middle + offset, weight);
       add(middle - offset, weight);
     }

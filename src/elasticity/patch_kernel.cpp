@@ -1,22 +1,21 @@
 #include "tactile_net/elasticity/patch_kernel.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "elasticity/cauchy_weights.hpp"
 #include "elasticity/layer_correction.hpp"
+#include "numeric/gauss_rule.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 
 namespace tactile_net {
 namespace {
 
 using Complex = std::complex<double>;
-using Rule = boost::math::quadrature::gauss<double, 10>;
 
-constexpr double far = 3.0;           // half widths beyond which one panel of the rule is exact
-constexpr double correction = 1e-14;  // share of what a base adds that may be left
+constexpr double far_half_widths = 3.0;  // half widths beyond which one panel of the rule is exact
+constexpr double correction = 1e-14;     // share of what a base adds that may be left
 
 /// C and C' of both tractions.
 struct Transforms {
@@ -70,6 +69,7 @@ Transforms linear_nearby(const LoadPatch& patch, const Complex& z) noexcept {
 ///
 /// @param pole  distance from the surface to where the reading has its nearest pole [m]
 void for_each_line_load(const LoadPatch& patch, double pole, const auto& use) {
+  const GaussRule rule = gauss_rule(10);
   const double a = patch.half_width;
   if (patch.form == LoadPatch::Form::hertz) {  // Gauss and Chebyshev, of the second kind
     const double count = std::ceil(-0.5 * std::log(correction) / std::asinh(pole / a));
@@ -86,13 +86,13 @@ void for_each_line_load(const LoadPatch& patch, double pole, const auto& use) {
   const double rise = 1.5 * patch.moment / (a * a * a);
   for (double panel = 0.0; panel < panels; ++panel) {
     const double middle = (2.0 * panel + 1.0) * half - a;
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-      const double share = half * Rule::weights()[i];
+    for (std::size_t i = 0; i < rule.abscissa.size(); ++i) {
+      const double share = half * rule.weights[i];
       const auto at = [&](double t) {
         use(t, share * (0.5 * patch.normal / a + rise * t), share * 0.5 * patch.tangential / a);
       };
-      at(middle - half * Rule::abscissa()[i]);
-      at(middle + half * Rule::abscissa()[i]);
+      at(middle - half * rule.abscissa[i]);
+      at(middle + half * rule.abscissa[i]);
     }
   }
 }
@@ -113,8 +113,9 @@ Transforms linear_far_away(const LoadPatch& patch, const Complex& z) noexcept {
 
 Transforms transforms(const LoadPatch& patch, const Complex& z) noexcept {
   if (patch.form == LoadPatch::Form::hertz) return hertz(patch, z);
-  return std::hypot(z.real(), z.imag()) < far * patch.half_width ? linear_nearby(patch, z)
-                                                                 : linear_far_away(patch, z);
+  return std::hypot(z.real(), z.imag()) < far_half_widths * patch.half_width
+             ? linear_nearby(patch, z)
+             : linear_far_away(patch, z);
 }
 
 }  // namespace

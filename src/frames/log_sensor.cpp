@@ -35,8 +35,8 @@ LogSensor::End ends(const std::vector<double>& places) {
   return {*low, *high};
 }
 
-SignalLayout layout_of(const Scene& scene) { return {scene.sensor}; }
-SignalLayout layout_of(const SkinScene& scene) { return signal_layout(scene.sensor); }
+SignalLayout signal_layout_of(const Scene& scene) { return {scene.sensor}; }
+SignalLayout signal_layout_of(const SkinScene& scene) { return signal_layout(scene.sensor); }
 
 double z_of(const Site&) { return 0.0; }
 double z_of(const SkinSite& site) { return site.z; }
@@ -47,7 +47,7 @@ LogSensor::LogSensor(const AnyScene& scene) : is_skin(std::holds_alternative<Ski
   std::visit(
       [this](const auto& one) {
         units = one.units.value_or(Units{});
-        layout = layout_of(one);
+        layout = signal_layout_of(one);
         readings = reading_names(one.sensor);
         for (const auto& channel : tactile_net::channels(one.sensor))
           channels.push_back(channel.name);

@@ -30,7 +30,7 @@ struct Rule {
   std::string_view text;
   bool (*holds)(double);
 };
-constexpr Rule any{"", [](double) { return true; }};
+constexpr Rule any_number{"", [](double) { return true; }};
 constexpr Rule positive{"must be > 0", [](double x) { return x > 0.0; }};
 constexpr Rule not_negative{"must be >= 0", [](double x) { return x >= 0.0; }};
 
@@ -187,7 +187,7 @@ class Reader {
       if (!shape.empty() && shape != "none")
         problem(row.line, "press 0 is a row without load, and its shape is none",
                 "shape none, or the press' own number, from 1");
-      if (number(row, "force", any).value_or(0.0) != 0.0)
+      if (number(row, "force", any_number).value_or(0.0) != 0.0)
         problem(row.line, "is a row without load, and has a force",
                 "leave force empty, or give the press its number and its shape");
       unloaded_.push_back(readings(row));
@@ -219,21 +219,22 @@ class Reader {
   void read_place(const CsvTable::Row& row, Press& press) {
     const Unit& length = sensor_.units.length;
     if (!sensor_.is_skin) {
-      press.position = stated(row, "position", any, length);
+      press.position = stated(row, "position", any_number, length);
       return;
     }
     const double sd = number(row, "position_sd", not_negative, length).value_or(0.0);
-    press.position = {number(row, "position_y", any, length), sd};
-    press.position_z = {number(row, "position_z", any, length), sd};
+    press.position = {number(row, "position_y", any_number, length), sd};
+    press.position_z = {number(row, "position_z", any_number, length), sd};
     if (sd > 0.0 && !press.position.value && !press.position_z.value)
       problem(row.line, "position_sd stands without a position", "give both, or neither");
   }
 
   /// On a skin with the direction of the drag; one sd for both of its parts.
   void read_friction(const CsvTable::Row& row, Press& press) {
-    const Stated friction = stated(row, "friction", sensor_.is_skin ? not_negative : any, {});
+    const Stated friction =
+        stated(row, "friction", sensor_.is_skin ? not_negative : any_number, {});
     const std::optional<double> direction =
-        sensor_.is_skin ? number(row, "direction", any, degrees) : std::nullopt;
+        sensor_.is_skin ? number(row, "direction", any_number, degrees) : std::nullopt;
     if (direction && !friction.value)
       problem(row.line, "direction stands without friction", "give both, or neither");
     if (!friction.value) return;

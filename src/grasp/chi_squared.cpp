@@ -1,6 +1,6 @@
 #include "grasp/chi_squared.hpp"
 
-#include <Eigen/Cholesky>
+#include "numeric/cholesky.hpp"
 
 namespace tactile_net {
 
@@ -8,9 +8,9 @@ std::optional<double> chi_squared(const Eigen::VectorXd& rest, const Eigen::Matr
   const Eigen::VectorXd scale = c.diagonal().cwiseMax(0.0).cwiseSqrt();
   if (!(scale.minCoeff() > 0.0)) return std::nullopt;
   const Eigen::VectorXd inverse = scale.cwiseInverse();
-  const Eigen::LLT<Eigen::MatrixXd> root(inverse.asDiagonal() * c * inverse.asDiagonal());
-  if (root.info() != Eigen::Success || root.rcond() < 1e-12) return std::nullopt;
-  return root.matrixL().solve(inverse.cwiseProduct(rest)).squaredNorm();
+  const Cholesky root(inverse.asDiagonal() * c * inverse.asDiagonal());
+  if (!root.is_positive_definite() || root.reciprocal_condition() < 1e-12) return std::nullopt;
+  return root.solve_lower(inverse.cwiseProduct(rest)).squaredNorm();
 }
 
 }  // namespace tactile_net

@@ -2,8 +2,9 @@
 /// Whether what is left over is within its deviations. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

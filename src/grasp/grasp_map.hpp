@@ -3,10 +3,10 @@
 /// by the contacts' places. Forces are f = (f_1x, f_1y, f_2x, ...), in the palm's frame. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <span>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/grasp/finger.hpp"
 #include "tactile_net/grasp/finger_action.hpp"
 #include "tactile_net/numeric/matrix.hpp"

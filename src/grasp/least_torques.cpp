@@ -9,8 +9,8 @@
 namespace tactile_net {
 namespace {
 
-constexpr double rounding = 1e-12;     // of a violation, over the largest force
-constexpr double independent = 1e-10;  // what of a bound's normal the other rows must leave
+constexpr double force_rounding = 1e-12;  // of a violation, over the largest force
+constexpr double independent = 1e-10;     // what of a bound's normal the other rows must leave
 
 /// Rows of C, then those of the bounds that are held.
 Eigen::MatrixXd rows_of(const LeastTorques& problem, const std::vector<Eigen::Index>& held) {
@@ -65,7 +65,7 @@ std::optional<std::vector<Eigen::Index>> LeastTorques::held_bounds() const {
 
   for (Eigen::Index steps = 0; steps < 100 * v.size(); ++steps) {
     Eigen::Index worst = 0;
-    if (v.minCoeff(&worst) >= -rounding * v.cwiseAbs().maxCoeff()) return held;
+    if (v.minCoeff(&worst) >= -force_rounding * v.cwiseAbs().maxCoeff()) return held;
     double own = 0.0;
     for (bool reached = false; !reached; ++steps) {
       const Push one = push(*this, held, worst);
@@ -73,7 +73,7 @@ std::optional<std::vector<Eigen::Index>> LeastTorques::held_bounds() const {
       std::size_t dropped = held.size();
       for (std::size_t i = 0; i < held.size(); ++i) {
         const double share = one.share(static_cast<Eigen::Index>(i));
-        if (share > rounding && multipliers[i] / share < step) {
+        if (share > force_rounding && multipliers[i] / share < step) {
           step = multipliers[i] / share;
           dropped = i;
         }

@@ -2,9 +2,10 @@
 /// The contact forces in equilibrium whose torques are least. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

@@ -12,7 +12,6 @@ namespace tactile_net {
 namespace {
 
 constexpr double safety = 1.01;  // of the discrepancy
-constexpr auto steps = static_cast<Eigen::Index>(alpha_steps);
 
 /// Of (log rho, log |L f|): Hansen 2010, 5.3, with lambda^2 = alpha. An analytic function, so that
 /// a complex step gives its slope without a difference.
@@ -52,12 +51,12 @@ const FrameCurves& Criteria::curves() {
   if (!curves_) {
     const Eigen::VectorXd all = tables_.weights * as_eigen(std::span<const double>(power_of_));
     const double outside = frame_.outside * frame_.outside;
-    const Eigen::VectorXd residual = all.segment(0, steps).array() + outside;
+    const Eigen::VectorXd residual = all.segment(0, alpha_count).array() + outside;
     curves_ = FrameCurves{.residual = residual,
                           .log_residual = residual.array().log(),
-                          .fit = all.segment(steps, steps).array() + outside,
-                          .size = all.segment(2 * steps, steps),
-                          .rate = all.segment(3 * steps, steps)};
+                          .fit = all.segment(alpha_count, alpha_count).array() + outside,
+                          .size = all.segment(2 * alpha_count, alpha_count),
+                          .rate = all.segment(3 * alpha_count, alpha_count)};
   }
   return *curves_;
 }
@@ -68,7 +67,7 @@ std::vector<double> Criteria::values(AlphaRule rule) {
   if (rule == AlphaRule::ncp) return whiteness();
   const FrameCurves& sums = curves();
   std::vector<double> values(alpha_steps);
-  Eigen::Map<Eigen::VectorXd> all(values.data(), steps);
+  Eigen::Map<Eigen::VectorXd> all(values.data(), alpha_count);
   const Eigen::VectorXd& penalty = tables_.penalties[index(rule)];
   switch (rule) {
     case AlphaRule::discrepancy:
@@ -81,7 +80,7 @@ std::vector<double> Criteria::values(AlphaRule rule) {
       all = 0.5 / (noise_ * noise_) * sums.fit + penalty;
       break;
     case AlphaRule::l_curve:
-      for (Eigen::Index a = 0; a < steps; ++a)
+      for (Eigen::Index a = 0; a < alpha_count; ++a)
         all(a) =
             -curvature(tables_.relative_alphas(a), sums.size(a), sums.residual(a), sums.rate(a));
       break;

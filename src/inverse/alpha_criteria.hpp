@@ -2,17 +2,18 @@
 /// What the rules for alpha minimise, and its slope. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
 
 namespace tactile_net {
 
 inline constexpr std::size_t alpha_steps = 200;
+inline constexpr auto alpha_count = static_cast<std::ptrdiff_t>(alpha_steps);
 
 /// Of the influence matrix H at one alpha.
 struct Traces {

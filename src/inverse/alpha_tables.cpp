@@ -16,7 +16,6 @@ constexpr double high = 9.2;         // log alpha at which every component is be
 /// A component below this share of the largest holds noise and no signal, in readings of 1 % noise.
 constexpr double silent_share = 0.01;
 constexpr double fewest_silent = 5.0;
-constexpr auto steps = static_cast<Eigen::Index>(alpha_steps);
 
 }  // namespace
 
@@ -93,11 +92,11 @@ Traces AlphaTables::Parts::traces(double log_alpha) const noexcept {
 
 void AlphaTables::Parts::fill() {
   const auto n = std::ssize(relative);
-  lost.resize(n, steps);
-  weights.resize(4 * steps, n);
-  relative_alphas.resize(steps);
-  for (Eigen::VectorXd& one : penalties) one = Eigen::VectorXd::Zero(steps);
-  for (Eigen::Index a = 0; a < steps; ++a) {
+  lost.resize(n, alpha_count);
+  weights.resize(4 * alpha_count, n);
+  relative_alphas.resize(alpha_count);
+  for (Eigen::VectorXd& one : penalties) one = Eigen::VectorXd::Zero(alpha_count);
+  for (Eigen::Index a = 0; a < alpha_count; ++a) {
     const double log_alpha = at(static_cast<std::size_t>(a));
     const double relative_alpha = std::exp(log_alpha);
     relative_alphas(a) = relative_alpha;
@@ -109,9 +108,9 @@ void AlphaTables::Parts::fill() {
       const double size = square / ((square + relative_alpha) * (square + relative_alpha));
       lost(i, a) = left;
       weights(a, i) = left * left;
-      weights(steps + a, i) = left;
-      weights(2 * steps + a, i) = size;
-      weights(3 * steps + a, i) = -4.0 * left * size;
+      weights(alpha_count + a, i) = left;
+      weights(2 * alpha_count + a, i) = size;
+      weights(3 * alpha_count + a, i) = -4.0 * left * size;
     }
     const Traces sums = traces(log_alpha);
     for (const AlphaRule rule : alpha_rules)

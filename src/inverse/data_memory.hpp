@@ -2,10 +2,10 @@
 /// Contacts that explained the last frames. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 
 namespace tactile_net {

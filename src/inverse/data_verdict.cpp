@@ -22,7 +22,7 @@ namespace {
 constexpr double false_alarms = 1e-3;   ///< of honest frames, each test
 constexpr double usual_friction = 1.0;  ///< of rubber on what it touches, at most
 constexpr std::size_t most_suspects = 4;
-constexpr std::size_t iteration_limit = 300;
+constexpr std::size_t constraint_limit = 300;
 
 /// What a contact is allowed besides pressing: columns without a sign.
 struct Freedom {
@@ -149,7 +149,7 @@ Fit DataJudge::Parts::fit(const Eigen::VectorXd& y, double enough, const Freedom
   const double noise = limits.noise_rms ? most / y.norm() : 1e-3;
   const double gradient = 1e-3 * std::min(noise * noise, 1.0);
   const NonnegativeSolution found = sparse_nonnegative_least_squares(
-      a, y, bounded, iteration_limit, {.residual = enough, .gradient = gradient});
+      a, y, bounded, constraint_limit, {.residual = enough, .gradient = gradient});
   Fit fit{.residual = y - a * found.z, .allowance = found.z.tail(freedom.columns.cols())};
   fit.norm = fit.residual.norm();
   for (std::size_t j = 0; j < kept.size(); ++j)

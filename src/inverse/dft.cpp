@@ -22,10 +22,10 @@ namespace {
 
 constexpr double accepted_gain = 1e4;
 
-constexpr Named<DftVerdict> verdicts[] = {{DftVerdict::ok, "ok"},
-                                          {DftVerdict::noise_amplified, "noise_amplified"},
-                                          {DftVerdict::sign_change, "sign_change"},
-                                          {DftVerdict::cut_off, "cut_off"}};
+constexpr Named<DftVerdict> dft_verdicts[] = {{DftVerdict::ok, "ok"},
+                                              {DftVerdict::noise_amplified, "noise_amplified"},
+                                              {DftVerdict::sign_change, "sign_change"},
+                                              {DftVerdict::cut_off, "cut_off"}};
 
 std::string refusal(const SensorArray& array, const NoiseGain& gain, double limit) {
   const auto number = [](double value) { return brief(value, 6); };
@@ -48,7 +48,7 @@ std::string refusal(const SensorArray& array, const NoiseGain& gain, double limi
 
 }  // namespace
 
-std::string_view name(DftVerdict verdict) noexcept { return name_in<verdicts>(verdict); }
+std::string_view name(DftVerdict verdict) noexcept { return name_in<dft_verdicts>(verdict); }
 
 struct DftInverse::Plan {
   explicit Plan(std::size_t count) : fft(count), inverse(fft.bins().size()) {}

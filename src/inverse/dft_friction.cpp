@@ -69,7 +69,7 @@ double square(std::span<const double> values) {
   return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
 }
 
-constexpr Named<FrictionVerdict> verdicts[] = {
+constexpr Named<FrictionVerdict> friction_verdicts[] = {
     {FrictionVerdict::ok, "ok"},
     {FrictionVerdict::dft, "dft"},
     {FrictionVerdict::not_one_contact, "not_one_contact"},
@@ -78,7 +78,9 @@ constexpr Named<FrictionVerdict> verdicts[] = {
 
 }  // namespace
 
-std::string_view name(FrictionVerdict verdict) noexcept { return name_in<verdicts>(verdict); }
+std::string_view name(FrictionVerdict verdict) noexcept {
+  return name_in<friction_verdicts>(verdict);
+}
 
 DftFriction::DftFriction(const SensorArray& array, const Material& material, double friction,
                          double gain_limit)

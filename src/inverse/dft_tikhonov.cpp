@@ -1,6 +1,5 @@
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -12,6 +11,7 @@
 #include "inverse/rounding.hpp"
 #include "inverse/stabiliser.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/inverse/error_bound.hpp"

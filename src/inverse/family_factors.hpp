@@ -2,12 +2,12 @@
 /// What a family of solutions is made of. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 #include <vector>
 
 #include "inverse/standard_form.hpp"
 #include "inverse/weighting.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 
 namespace tactile_net {

@@ -1,7 +1,5 @@
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/stabiliser.hpp"
+#include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
 #include "tactile_net/sensing/surface_kernel.hpp"

@@ -1,6 +1,5 @@
 #include "tactile_net/inverse/gain_changes.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +14,8 @@
 namespace tactile_net {
 namespace {
 
-constexpr std::size_t iteration_limit = 400;
-constexpr int steps = 3;               // of Gauss and Newton
+constexpr std::size_t active_set_limit = 400;
+constexpr int newton_steps = 3;        // of Gauss and Newton
 constexpr double offset_prior = 0.5;   // sd of an offset's change, in its noise
 constexpr double change_prior = 0.1;   // sd of a change that is looked for
 constexpr double beyond_doubt = 3.5;   // standard deviations: names one of 200 sound recordings
@@ -92,7 +91,7 @@ Told Changes::told(const Eigen::VectorXd& gains, const Eigen::VectorXd& offsets,
   for (const std::size_t t : frames) {
     const Eigen::VectorXd d = loads_[t] - offsets;
     const NonnegativeSolution solved = sparse_nonnegative_least_squares(
-        columns, d, bounded, iteration_limit, {.gradient = 0.3 / std::max(d.norm(), 1.0)});
+        columns, d, bounded, active_set_limit, {.gradient = 0.3 / std::max(d.norm(), 1.0)});
     const Eigen::VectorXd fitted = columns * solved.z;
     const Eigen::VectorXd residual = d - fitted;
     const Eigen::VectorXd pure = fitted.cwiseQuotient(factors);
@@ -156,7 +155,7 @@ Fitted Changes::fit(const Eigen::VectorXd& variances,
   Fitted fitted;
   Eigen::VectorXd gains = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd offsets = gains;
-  for (int step = 0; step < steps; ++step) {
+  for (int step = 0; step < newton_steps; ++step) {
     fitted.told = told(gains, offsets, frames);
     fitted.told.rows =
         static_cast<double>(frames.size()) * static_cast<double>((variances.array() > 0.0).count());

@@ -7,11 +7,11 @@
 
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/finite.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr std::size_t most_modes = 6;  // described in one space
 constexpr double pure = 0.9;           // share from which a mode belongs to one traction

@@ -19,11 +19,11 @@ using Eigen::Index;
 
 /// Alphas that halve, of loads from a tenth of the noise up to what double precision still tells
 /// from it. Posteriors of few readings are wide in log alpha: the sum over them is the integral.
-constexpr Index alpha_steps = 61;
+constexpr Index window_alphas = 61;
 constexpr double largest_alpha = 64.0;  // over the largest gamma squared
 constexpr double least_noise = 1e-14;   // over the largest reading: below, rounding is larger
-constexpr double negligible = 1e-6;     // a probability
-constexpr double widest = 6.0;          // over the narrowest: what is wider takes most of the time
+constexpr double negligible_probability = 1e-6;  // a probability
+constexpr double widest = 6.0;  // over the narrowest: what is wider takes most of the time
 
 /// Values of one traction in a row.
 struct Range {
@@ -94,8 +94,8 @@ struct LoadWindows::Windows {
     const Index n = form.v.rows();
     const Index components = form.v.cols();
     if (alphas.size() == 0) {
-      alphas.resize(alpha_steps);
-      for (Index a = 0; a < alpha_steps; ++a)
+      alphas.resize(window_alphas);
+      for (Index a = 0; a < window_alphas; ++a)
         alphas(a) =
             form.gamma(0) * form.gamma(0) * largest_alpha * std::ldexp(1.0, -static_cast<int>(a));
     }
@@ -107,8 +107,8 @@ struct LoadWindows::Windows {
                                                                  form.v * form.v.transpose()));
     window.gamma2 = form.gamma.cwiseAbs2();
     window.u = form.u;
-    window.lost.resize(alpha_steps, components);
-    for (Index a = 0; a < alpha_steps; ++a)
+    window.lost.resize(window_alphas, components);
+    for (Index a = 0; a < window_alphas; ++a)
       window.lost.row(a) = alphas(a) / (window.gamma2.array() + alphas(a));
     window.log_prior = 0.5 * window.lost.array().log().rowwise().sum() + log_prior;
   }
@@ -144,7 +144,7 @@ TractionCovariance LoadWindows::covariance(std::span<const double> readings,
   const Eigen::VectorXd f = as_eigen(tractions) / sigma;
 
   std::vector<Eigen::VectorXd> beta;
-  Eigen::MatrixXd likely(alpha_steps, std::ssize(windows.all));  // logs first
+  Eigen::MatrixXd likely(window_alphas, std::ssize(windows.all));  // logs first
   for (const auto& window : windows.all) {
     beta.push_back(window.u.transpose() * g);
     const Eigen::VectorXd power = beta.back().cwiseAbs2();
@@ -158,7 +158,7 @@ TractionCovariance LoadWindows::covariance(std::span<const double> readings,
   // S, C = S S', by its blocks of columns.
   std::vector<Eigen::VectorXd> columns;
   for (Index w = 0; w < likely.cols(); ++w) {
-    if (!(likely.col(w).sum() > negligible)) continue;
+    if (!(likely.col(w).sum() > negligible_probability)) continue;
     const auto& window = windows.all[static_cast<std::size_t>(w)];
     const auto add = [&](const Eigen::MatrixXd& inside) {
       for (Index i = 0; i < inside.cols(); ++i) {
@@ -168,9 +168,9 @@ TractionCovariance LoadWindows::covariance(std::span<const double> readings,
     };
     Eigen::VectorXd seen = Eigen::VectorXd::Zero(window.gamma2.size());
     double hidden = 0.0;
-    for (Index a = 0; a < alpha_steps; ++a) {
+    for (Index a = 0; a < window_alphas; ++a) {
       const double p = likely(a, w);
-      if (!(p > negligible)) continue;
+      if (!(p > negligible_probability)) continue;
       const Eigen::VectorXd over = (window.gamma2.array() + windows.alphas(a)).inverse();
       seen += p * over;
       hidden += p / windows.alphas(a);

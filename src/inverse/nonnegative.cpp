@@ -50,7 +50,7 @@ class FreeColumns {
     Eigen::VectorXd along = Eigen::VectorXd::Zero(count);
     for (int pass = 0; pass < 2; ++pass) {
       const Eigen::VectorXd part = q.transpose() * rest;
-      rest.noalias() -= q * part;
+      rest -= q * part;
       along += part;
     }
     const double left = rest.norm();

@@ -3,9 +3,10 @@
 /// Lawson and Hanson's method where that stalls. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

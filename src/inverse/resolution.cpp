@@ -3,13 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "numeric/finite.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/aperture.hpp"
 
 namespace tactile_net {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Complex = std::complex<double>;
 

@@ -3,7 +3,6 @@
 /// times its weight squared. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 

@@ -2,7 +2,6 @@
 /// Least squares of stacked matrices by QR, shared by `tikhonov` and `closed_form`. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <utility>
 

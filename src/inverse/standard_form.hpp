@@ -2,7 +2,6 @@
 /// A pair (K, L) in the basis where Tikhonov's method is diagonal. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <utility>
 
 #include "inverse/stabiliser.hpp"

@@ -3,7 +3,6 @@
 /// a skin's, which both have `weights`, `sites` and `unknown_offsets`. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

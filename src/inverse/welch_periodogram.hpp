@@ -2,12 +2,12 @@
 /// The periodogram of an array in sections, for the rule NCP. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
 
 namespace tactile_net {

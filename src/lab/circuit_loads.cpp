@@ -9,14 +9,14 @@
 namespace tactile_net::lab {
 namespace {
 
-constexpr std::array shares = {-0.25, -0.125, 0.125, 0.25};  // of the sensor's length
+constexpr std::array shifts = {-0.25, -0.125, 0.125, 0.25};  // of the sensor's length
 
-double length(const Scene& scene) {
+double length_along_y(const Scene& scene) {
   const Surface on = surface(scene);
   return on.spacing * static_cast<double>(on.count);
 }
 
-double length(const SkinScene& scene) {
+double length_along_y(const SkinScene& scene) {
   const SkinGrid on = grid(scene);
   return on.spacing_y * static_cast<double>(on.rows);
 }
@@ -26,9 +26,9 @@ double length(const SkinScene& scene) {
 std::vector<std::shared_ptr<const NetworkProblem>> circuit_loads(const SceneCircuit& circuit) {
   const std::shared_ptr<const NetworkProblem>& own = circuit.network().shared_problem();
   std::vector<std::shared_ptr<const NetworkProblem>> loads{own};
-  for (const double share : shares) {
+  for (const double shift : shifts) {
     const auto elsewhere = [&](auto scene) -> AnyScene {
-      scene.contacts = moved(std::move(scene.contacts), share * length(scene));
+      scene.contacts = moved(std::move(scene.contacts), shift * length_along_y(scene));
       for (auto& trajectory : scene.trajectories) trajectory = {};
       scene.reconstruct.alpha = circuit.alpha().value;
       return scene;

@@ -6,7 +6,7 @@ namespace tactile_net::lab {
 namespace {
 
 /// In the order of the variant.
-constexpr std::array<std::string_view, std::variant_size_v<Finding>> names = {
+constexpr std::array<std::string_view, std::variant_size_v<Finding>> finding_names = {
     "no_frames",        "time_backwards", "time_repeats",
     "frames_repeat",    "values_missing", "dead_taxels",
     "stuck_taxels",     "noisy_taxels",   "single_frame_spikes",
@@ -19,6 +19,6 @@ constexpr std::array<std::string_view, std::variant_size_v<Finding>> names = {
 
 }  // namespace
 
-std::string_view name(const Finding& finding) noexcept { return names[finding.index()]; }
+std::string_view name(const Finding& finding) noexcept { return finding_names[finding.index()]; }
 
 }  // namespace tactile_net::lab

@@ -17,12 +17,6 @@
 namespace tactile_net::lab {
 namespace {
 
-[[noreturn]] void fail(const Fingertip& tip, const std::string& what) {
-  const bool has_frames = tip.source != Fingertip::Source::simulated;
-  throw std::domain_error("finger '" + tip.finger.name + "', " + tip.file.string() +
-                          (has_frames ? ", frame " + std::to_string(tip.frame) : "") + ": " + what);
-}
-
 /// Half as wide as what belongs to the taxels.
 double half_width(std::size_t count, double pitch) {
   return 0.5 * static_cast<double>(count) * pitch;
@@ -47,14 +41,14 @@ UncertainResultant certain(std::span<const double> normal, std::span<const doubl
 /// Takes a resultant for the fingertip's force.
 void press(Fingertip& tip, const UncertainResultant& resultant, double breadth) {
   if (!resultant.centre)
-    fail(tip, "the normal force is " + brief(resultant.normal.value) +
-                  ", and must be > 0: nothing presses on the pad");
+    fail_fingertip(tip, "the normal force is " + brief(resultant.normal.value) +
+                            ", and must be > 0: nothing presses on the pad");
   tip.force = fingertip_force(resultant, breadth);
   if (!resultant.tangential) tip.remarks.emplace_back(remark::TangentialUnseen{});
   const double end = tip.finger.pad.half_width;
   if (std::abs(tip.force->centre) > end)
-    fail(tip, "the centre of pressure is at " + brief(tip.force->centre) +
-                  ", outside the fingertip, which ends at " + brief(end));
+    fail_fingertip(tip, "the centre of pressure is at " + brief(tip.force->centre) +
+                            ", outside the fingertip, which ends at " + brief(end));
 }
 
 constexpr const char* explain_tractions = "docs/hand.md says what it should hold";
@@ -116,7 +110,8 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const Finge
   const SceneFrame frame(scene.problem, readings_of(tip, source, scene.problem.scene()));
   std::vector<double> f(scene.solver->tractions());
   const FrameResult result = scene.solver->solve(frame.readings(), f);
-  if (result.status != FrameStatus::ok) fail(tip, "the frame's tractions overflow a double");
+  if (result.status != FrameStatus::ok)
+    fail_fingertip(tip, "the frame's tractions overflow a double");
   tip.remarks.insert(tip.remarks.end(), result.remarks.begin(), result.remarks.end());
   if (result.verdict != Verdict::ok) tip.remarks.emplace_back(remark::Doubtful{result.verdict});
   if (!scene.problem.has_bands()) {

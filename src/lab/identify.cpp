@@ -19,9 +19,9 @@ namespace {
 
 /// Alternatives are decomposed on at most so many taxels, 81 of which take 20 ms and 802 a second;
 /// an odd count stays odd, since its parity decides what is singular.
-constexpr std::size_t most_taxels = 121;
+constexpr std::size_t most_compared_taxels = 121;
 std::size_t compared_taxels(std::size_t count) {
-  return count <= most_taxels ? count : most_taxels - 1 + count % 2;
+  return count <= most_compared_taxels ? count : most_compared_taxels - 1 + count % 2;
 }
 
 /// The largest reading that a ripple of normal traction of unit amplitude causes, whatever its
@@ -112,9 +112,9 @@ SensorArray reading(const SensorArray& array, const std::vector<Quantity>& reads
 }
 
 /// The scene's sensors, and what else stands in their place.
-class Comparison {
+class SensorComparison {
  public:
-  Comparison(const Scene& scene, Survey& survey, Observer& observer)
+  SensorComparison(const Scene& scene, Survey& survey, Observer& observer)
       : scene_(scene), survey_(survey), observer_(observer) {}
 
   void own() {
@@ -237,7 +237,7 @@ Survey identify(const Scene& scene, const SurveyOptions& options, Observer& obse
   Survey result{.traction = assumed_traction(scene, options, peak_traction),
                 .taxels = compared_taxels(scene.sensor.count)};
   result.noise = assumed_noise(scene, options, result.traction, response_of(scene));
-  Comparison comparison(scene, result, observer);
+  SensorComparison comparison(scene, result, observer);
   comparison.own();
   comparison.in_place();
   comparison.best_pairs_elsewhere();

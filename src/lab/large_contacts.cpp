@@ -67,7 +67,7 @@ std::vector<double> at_cells(std::span<const double> all, std::span<const std::s
   return some;
 }
 
-bool is_measured(const SkinProblem& problem) {
+bool measures_anything(const SkinProblem& problem) {
   return std::any_of(problem.weights.begin(), problem.weights.end(),
                      [](double weight) { return weight > 0.0; });
 }
@@ -131,7 +131,7 @@ std::unique_ptr<const Covariance> LargeContacts::covariance(
   std::vector<OfGroups::One> all;
   for (const Group& group : groups_) {
     const ConeFace own = group.part.face(face);
-    if (own.free.empty() || !is_measured(problem_of(*group.part.system()))) return nullptr;
+    if (own.free.empty() || !measures_anything(problem_of(*group.part.system()))) return nullptr;
     const LargeSkinFamily family(group.part.system(), own);
     const double prior_alpha = prior(family.analyse(readings(group.part)));
     all.push_back({&group.cells, std::make_unique<LargeSkinFaceCovariance>(

@@ -9,8 +9,8 @@ namespace tactile_net::lab {
 namespace {
 
 /// Steps from nothing smooth as alpha does, and the more of them the less: one small alpha serves.
-constexpr double smoothing = 1e-8;  // over the square of what even pressure reads
-constexpr std::size_t most_steps = 500;
+constexpr double search_smoothing = 1e-8;  // over the square of what even pressure reads
+constexpr std::size_t most_search_steps = 500;
 
 /// A contact that explains readings to noise, or the nearest that some steps lead to.
 class ContactSearch {
@@ -23,8 +23,8 @@ class ContactSearch {
 
   /// Squares of W (K f - g) over the noise, by reading.
   [[nodiscard]] std::vector<double> left(std::span<const double> readings, double enough) {
-    const SkinConeSolution found =
-        LargeSkinCone(system_, alpha_, press_).solve(readings, most_steps, 1e-5, enough * unit_);
+    const SkinConeSolution found = LargeSkinCone(system_, alpha_, press_)
+                                       .solve(readings, most_search_steps, 1e-5, enough * unit_);
     const std::vector<double> given = weighted(problem_of(*system_), readings);
     if (found.status != FrameStatus::ok) return squares(given, {});
     return squares(given, weighted_product(*system_, found.tractions));
@@ -46,7 +46,7 @@ class ContactSearch {
     double largest = 0.0;
     for (const double reading : weighted_product(system, even))
       largest = std::max(largest, std::abs(reading));
-    return largest > 0.0 ? smoothing * largest * largest : smoothing;
+    return largest > 0.0 ? search_smoothing * largest * largest : search_smoothing;
   }
 
   [[nodiscard]] std::vector<double> squares(const std::vector<double>& given,

@@ -15,7 +15,7 @@
 namespace tactile_net::lab {
 namespace {
 
-constexpr std::size_t draws = 200;
+constexpr std::size_t draws_per_offer = 200;
 
 /// How often a list is made anew, for a smaller target, whose draws miss the one that is asked for:
 /// where few parts count, 95 of 100 builds lie further out than `p95_over_rms`.
@@ -33,9 +33,10 @@ struct Offer {
   std::vector<PartValue> values{};
 };
 
-using Problems = std::vector<std::shared_ptr<const NetworkProblem>>;
+using NetworkProblems = std::vector<std::shared_ptr<const NetworkProblem>>;
 
-Offer offer_of(const CircuitForm& form, const SceneCircuit& circuit, const Problems& problems) {
+Offer offer_of(const CircuitForm& form, const SceneCircuit& circuit,
+               const NetworkProblems& problems) {
   Offer offer{.circuit = std::make_shared<const NetworkCircuit>(candidate(form, circuit))};
   for (const auto& problem : problems) {
     const Circuit other = realize(form.realization, *problem, offer.circuit->options());
@@ -150,11 +151,11 @@ std::vector<double> tolerances(const Offer& offer, const AllocationOptions& want
 
 void draw(Offer& offer, const LoadedNetwork& network, const AllocationOptions& wanted) {
   const std::vector<double> errors =
-      network.builds(siemens_of(offer.values), tolerances(offer, wanted), draws, 1);
+      network.builds(siemens_of(offer.values), tolerances(offer, wanted), draws_per_offer, 1);
   offer.candidate.p95 = errors[errors.size() * 95 / 100];
 }
 
-Offer priced(const CircuitForm& form, const SceneCircuit& circuit, const Problems& problems,
+Offer priced(const CircuitForm& form, const SceneCircuit& circuit, const NetworkProblems& problems,
              const PartsList& parts) {
   Offer offer = offer_of(form, circuit, problems);
   PartsList::Candidate& result = offer.candidate;
@@ -214,7 +215,7 @@ PartsList list_of(const SceneCircuit& circuit, double target,
                   const std::vector<CircuitForm>& forms) {
   if (!circuit.loaded())
     throw std::invalid_argument("there is no load: nothing for errors of components to change");
-  const Problems problems = circuit_loads(circuit);
+  const NetworkProblems problems = circuit_loads(circuit);
   PartsList result{.wanted = {.target = target}, .loads = problems.size()};
   result.series = circuit.tolerance().series.value_or(Series::e96);
   std::vector<Offer> offers;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "lab/check/clock_track.hpp"
 #include "lab/check/judgement.hpp"
 
 namespace tactile_net::lab {
@@ -22,28 +23,6 @@ bool is_fathomable(const Findings& by_scene) {
            std::holds_alternative<finding::PitchCoarse>(one);
   });
 }
-
-/// Counts the times as they come.
-class ClockTrack {
- public:
-  void add(std::optional<double> time, std::size_t frame) {
-    if (!time) return;
-    if (clock_.timed++ == 0) {
-      clock_.first = *time;
-    } else if (*time < clock_.last) {
-      if (clock_.backwards++ == 0) clock_.first_backwards = frame;
-    } else if (*time == clock_.last) {
-      if (clock_.repeats++ == 0) clock_.first_repeat = frame;
-    } else {
-      clock_.longest = std::max(clock_.longest, *time - clock_.last);
-    }
-    clock_.last = *time;
-  }
-  [[nodiscard]] const RecordingClock& clock() const noexcept { return clock_; }
-
- private:
-  RecordingClock clock_;
-};
 
 }  // namespace
 

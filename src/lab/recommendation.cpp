@@ -8,10 +8,10 @@
 namespace tactile_net::lab {
 namespace {
 
-constexpr double enough = 0.95;  // of the builds
+constexpr double wanted_yield = 0.95;  // of the builds
 
 /// Enough draws to tell 95 of 100; fewer where a trial of a large network takes its time.
-std::size_t draws(std::size_t nodes) { return nodes <= 60 ? 200 : nodes <= 130 ? 60 : 20; }
+std::size_t enough_draws(std::size_t nodes) { return nodes <= 60 ? 200 : nodes <= 130 ? 60 : 20; }
 
 /// Whether what is drawn is of parts alone, so that better parts are all it takes.
 bool of_parts_alone(const ToleranceOptions& drawn) {
@@ -29,7 +29,7 @@ Recommendation::Candidate tried(const NetworkCircuit& circuit, const ToleranceOp
 void choose(Recommendation& result) {
   const auto& all = result.candidates;
   const auto good = std::find_if(all.begin(), all.end(), [](const auto& candidate) {
-    return candidate.stable && candidate.tolerance.yield() >= enough;
+    return candidate.stable && candidate.tolerance.yield() >= wanted_yield;
   });
   if (good != all.end()) {
     result.outcome = Recommendation::Outcome::reached;
@@ -52,7 +52,7 @@ Recommendation recommend(const SceneCircuit& circuit) {
   Recommendation result{.drawn = circuit.tolerance(),
                         .inverters_replaced = circuit.options().parts.inverters};
   if (!circuit.loaded()) return result;
-  result.drawn.trials = std::min(result.drawn.trials, draws(circuit.nodes()));
+  result.drawn.trials = std::min(result.drawn.trials, enough_draws(circuit.nodes()));
   const NetworkCircuit& own = circuit.network();
   for (const CircuitForm& one : candidates(circuit)) {
     if (!of_parts_alone(result.drawn) && !traits(one.realization).drives_nodes) continue;

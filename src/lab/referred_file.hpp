@@ -3,8 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <utility>
+#include <stdexcept>
+#include <string>
 
+#include "tactile_net/lab/fingertip.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::lab {
@@ -27,6 +29,13 @@ void require_regular(const std::filesystem::path& file);
 
 /// That a scene has no contact and the hand names no readings.
 [[nodiscard]] InputError nothing_presses(const std::filesystem::path& scene);
+
+/// Of a fingertip, on a line or a skin, that its file does not make.
+[[noreturn]] void fail_fingertip(const auto& tip, const std::string& what) {
+  const bool has_frames = tip.source != Fingertip::Source::simulated;
+  throw std::domain_error("finger '" + tip.finger.name + "', " + tip.file.string() +
+                          (has_frames ? ", frame " + std::to_string(tip.frame) : "") + ": " + what);
+}
 
 inline constexpr const char* explain_scene = "tactile-net run FILE --explain says what is wrong";
 inline constexpr const char* explain_readings =

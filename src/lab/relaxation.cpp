@@ -11,7 +11,7 @@
 namespace tactile_net::lab {
 namespace {
 
-using Remark = RelaxationRemark::Kind;
+using RemarkKind = RelaxationRemark::Kind;
 
 void find_operating_point(const SceneCircuit& scene_circuit, Simulator& simulator,
                           Relaxation& result) {
@@ -39,7 +39,7 @@ void run_transient(const SceneCircuit& circuit, Simulator& simulator, Relaxation
   const auto& said = result.certificate->dynamics->settling_seconds;
   const auto& seen = result.transient->settling_seconds;
   if (said && seen && std::abs(*seen / *said - 1.0) > 0.02)
-    result.remarks.push_back({Remark::settles_otherwise, *seen / *said - 1.0});
+    result.remarks.push_back({RemarkKind::settles_otherwise, *seen / *said - 1.0});
 }
 
 /// Draws replayed in the simulator, with ideal amplifiers as the equations have them.
@@ -120,7 +120,7 @@ Relaxation relax(const SceneCircuit& circuit, Simulator& simulator, Observer& ob
                     .smallest_eigenvalue = circuit.network().eigenvalues().smallest,
                     .condition = circuit.condition()};
   result.stable = result.smallest_eigenvalue > 0.0;
-  const auto remark = [&](Remark kind, double value = 0.0) {
+  const auto remark = [&](RemarkKind kind, double value = 0.0) {
     result.remarks.push_back({kind, value});
   };
 
@@ -131,23 +131,23 @@ Relaxation relax(const SceneCircuit& circuit, Simulator& simulator, Observer& ob
     add_certificate(circuit, result);
   }
   const bool loaded = circuit.loaded();
-  if (!loaded && (options.settling_accuracy || options.tolerance)) remark(Remark::no_load);
-  if (result.difference > 0.01 && loaded) remark(Remark::inaccurate, result.difference);
+  if (!loaded && (options.settling_accuracy || options.tolerance)) remark(RemarkKind::no_load);
+  if (result.difference > 0.01 && loaded) remark(RemarkKind::inaccurate, result.difference);
   if (result.certificate && result.certificate->stability == Stability::unstable &&
       options.tolerance)
-    remark(Remark::draws_without_opamps);
+    remark(RemarkKind::draws_without_opamps);
   if (options.settling_accuracy && loaded && result.certificate->dynamics) {
     observer.step({Step::Kind::transient, result.certificate->dynamics->states});
     run_transient(circuit, simulator, result);
   } else if (options.settling_accuracy && !takes_time(options.realization, options.parts)) {
-    remark(Remark::nothing_takes_time);
+    remark(RemarkKind::nothing_takes_time);
   }
   if (options.tolerance && loaded) {
     if (calls_for_tolerance(options)) {
       observer.step({Step::Kind::draws});
       draw_components(circuit, simulator, result);
     } else {
-      remark(Remark::tolerances_not_linear);
+      remark(RemarkKind::tolerances_not_linear);
     }
   }
   return result;

@@ -12,7 +12,7 @@ namespace tactile_net::lab {
 namespace {
 
 /// All points of one object.
-struct Touch {
+struct LineTouch {
   double curvature = 0.0;
   double normal = 0.0;                                    // [N]
   double tangential = 0.0;                                // [N]
@@ -35,7 +35,7 @@ struct Touch {
 };
 
 /// Linear over the points, but nowhere narrower than `edge`, and without pulling.
-LoadPatch flat(const Touch& touch, const ContactWidths& widths) noexcept {
+LoadPatch flat(const LineTouch& touch, const ContactWidths& widths) noexcept {
   const double center = 0.5 * (touch.from + touch.to);
   const double half = 0.5 * std::max(touch.to - touch.from, widths.edge);
   const double acts = touch.moment / touch.normal;
@@ -59,7 +59,8 @@ LoadPatch flat(const Touch& touch, const ContactWidths& widths) noexcept {
   return patch;
 }
 
-LoadPatch patch_of(const Touch& touch, const Material& pad, const ContactWidths& widths) noexcept {
+LoadPatch patch_of(const LineTouch& touch, const Material& pad,
+                   const ContactWidths& widths) noexcept {
   if (touch.curvature > 0.0) {
     const double nu = pad.poisson_ratio;
     const double force = touch.normal / widths.breadth;
@@ -79,16 +80,16 @@ LoadPatch patch_of(const Touch& touch, const Material& pad, const ContactWidths&
 
 PadFace::Touch PadFace::touched_by(const PairContact& contact, bool pad_is_second) const noexcept {
   const double side = pad_is_second ? 1.0 : -1.0;
-  Vector3 from{};
-  Vector3 normal{};
-  Vector3 force{};
+  std::array<double, 3> from{};
+  std::array<double, 3> normal{};
+  std::array<double, 3> force{};
   for (std::size_t k = 0; k < 3; ++k) {
     from[k] = contact.position[k] - origin[k];
     normal[k] = side * contact.frame[k];
     for (std::size_t row = 0; row < 3; ++row)
       force[k] += side * contact.force[row] * contact.frame[3 * row + k];
   }
-  const auto along = [&](std::size_t axis, const Vector3& vector) {
+  const auto along = [&](std::size_t axis, const std::array<double, 3>& vector) {
     return axes[axis] * vector[0] + axes[3 + axis] * vector[1] + axes[6 + axis] * vector[2];
   };
   return {.facing = -along(2, normal),
@@ -111,7 +112,7 @@ ContactWidths contact_widths(const Scene& scene, double breadth, std::optional<d
 ContactPatches contact_patches(std::span<const ContactPoint> points, const Material& pad,
                                const ContactWidths& widths) {
   check(pad);
-  std::map<std::size_t, Touch> touches;
+  std::map<std::size_t, LineTouch> touches;
   for (const ContactPoint& point : points)
     if (point.normal > 0.0) touches[point.object].add(point);
 

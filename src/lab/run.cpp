@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lab/lines_and_skins.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
@@ -78,13 +79,6 @@ double unexplained(const SceneFrame& frame, std::span<const double> f) {
   return all > 0.0 ? frame.residual(f) / all : 0.0;
 }
 
-remark::OffsetsFound with_names(std::span<const double> offsets, const SensorArray& array) {
-  remark::OffsetsFound found;
-  for (const Channel& channel : channels(array))
-    found.channels.emplace_back(channel.name, offsets[found.channels.size()]);
-  return found;
-}
-
 /// A verdict that stands, unless the answer has a worse one already.
 void degrade(MethodResult& result, Verdict verdict) {
   if (result.verdict == Verdict::ok) result.verdict = verdict;
@@ -123,7 +117,7 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     result.remarks.emplace_back(remark::EstimatedWeight{*weight});
   if (run.problem.options().unknown_offsets) {
     result.offsets = offsets(run.problem.problem(), run.frame.readings(), f);
-    result.remarks.emplace_back(with_names(result.offsets, run.problem.scene().sensor));
+    result.remarks.emplace_back(offsets_found(result.offsets, run.problem.scene().sensor));
   }
   if (const auto off = model_error(bands)) result.remarks.emplace_back(*off);
   result.data = data_verdict(run.problem, run.frame.readings(), f);

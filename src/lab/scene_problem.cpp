@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "lab/lines_and_skins.hpp"
 #include "tactile_net/inverse/long_array_covariance.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/lab/data_verdict.hpp"
@@ -37,11 +38,6 @@ ProblemOptions options_of(const Scene& scene) {
   return options;
 }
 
-std::optional<Constraints> constraints_of(const ReconstructOptions& options) {
-  if (!options.nonnegative && !options.friction_limit) return std::nullopt;
-  return Constraints{.nonnegative = true, .friction_limit = options.friction_limit};
-}
-
 }  // namespace
 
 bool is_large(const Scene& scene, std::size_t tractions) {
@@ -52,7 +48,7 @@ struct SceneProblem::Parts {
   explicit Parts(Scene given)
       : scene(std::move(given)),
         options(options_of(scene)),
-        constraints(constraints_of(scene.reconstruct)) {}
+        constraints(stated_constraints(scene.reconstruct)) {}
 
   Scene scene;
   ProblemOptions options;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lab/frame_walk.hpp"
+#include "lab/lines_and_skins.hpp"
 #include "tactile_net/sensing/exact.hpp"
 
 namespace tactile_net::lab {
@@ -41,11 +42,6 @@ double total_force(const Scene& scene) {
   return force;
 }
 
-bool moves(const Scene& scene) {
-  return std::any_of(scene.trajectories.begin(), scene.trajectories.end(),
-                     [](const ContactTrajectory& trajectory) { return !trajectory.empty(); });
-}
-
 }  // namespace
 
 SensorRecording::SensorRecording(Scene scene)
@@ -54,7 +50,7 @@ SensorRecording::SensorRecording(Scene scene)
 }
 
 void SensorRecording::load(double time) {
-  if (!loaded_ || moves(scene_)) {
+  if (!loaded_ || any_contact_moves(scene_)) {
     const std::vector<Contact> contacts = scene_.time ? contacts_at(scene_, time) : scene_.contacts;
     truth_ = sample(contacts, surface(scene_));
     pure_ = model_ ? model_->readings(sample(contacts, scene_.sensor))

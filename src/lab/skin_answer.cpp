@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lab/large_skin.hpp"
+#include "lab/lines_and_skins.hpp"
 #include "lab/skin_bands.hpp"
 #include "lab/skin_method.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
@@ -50,13 +51,6 @@ double rounding_bound(const FilterFrame& frame, double alpha, double condition,
   return wedin_bound(condition, largest, right, residual, solution, rounding);
 }
 
-remark::OffsetsFound with_names(std::span<const double> offsets, const SkinArray& skin) {
-  remark::OffsetsFound found;
-  for (const SkinChannel& channel : channels(skin))
-    found.channels.emplace_back(channel.name, offsets[found.channels.size()]);
-  return found;
-}
-
 void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
            const FilterFrame& frame, std::span<const double> readings) {
   const double left = method.residual(readings, answer.tractions);
@@ -77,7 +71,7 @@ void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod
   if (!problem.is_large())  // of which they are known
     answer.offsets = offsets(problem.problem(), readings, answer.tractions);
   if (!answer.offsets.empty())
-    answer.remarks.emplace_back(with_names(answer.offsets, problem.scene().sensor));
+    answer.remarks.emplace_back(offsets_found(answer.offsets, problem.scene().sensor));
   if (answer.noise.model_rms > 0.0)
     answer.remarks.emplace_back(remark::ModelError{
         .times = answer.noise.model_rms / *answer.noise.stated_rms, .held = true});

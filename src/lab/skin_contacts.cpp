@@ -16,7 +16,7 @@ namespace tactile_net::lab {
 namespace {
 
 /// All points of one object, in the skin's coordinates.
-struct Touch {
+struct SkinTouch {
   double curvature = 0.0;
   std::vector<PlanePoint> points{};
   double normal = 0.0;        // [N]
@@ -219,7 +219,7 @@ std::optional<std::vector<double>> linear_pressure(const Raster& raster, double 
   return std::nullopt;
 }
 
-SampledPatch patch_on(const Raster& raster, std::vector<double> pressure, const Touch& touch) {
+SampledPatch patch_on(const Raster& raster, std::vector<double> pressure, const SkinTouch& touch) {
   const PlanePoint centre = touch.centre();
   const std::size_t n = pressure.size();
   const auto arm = [&](std::size_t i) {
@@ -248,7 +248,7 @@ SampledPatch patch_on(const Raster& raster, std::vector<double> pressure, const 
 }
 
 /// Of a shape where it can bear the force, else as a point load.
-SampledPatch patch_of(const Raster& raster, const Touch& touch, const SkinGrid& grid) {
+SampledPatch patch_of(const Raster& raster, const SkinTouch& touch, const SkinGrid& grid) {
   if (auto pressure = linear_pressure(raster, touch.normal, touch.centre()))
     return patch_on(raster, std::move(*pressure), touch);
   const Raster point = point_raster(touch.centre(), grid);
@@ -257,7 +257,7 @@ SampledPatch patch_of(const Raster& raster, const Touch& touch, const SkinGrid& 
   return patch_on(point, std::move(pressure), touch);
 }
 
-Raster shape_of(const Touch& touch, const Material& pad, double edge, const SkinGrid& grid) {
+Raster shape_of(const SkinTouch& touch, const Material& pad, double edge, const SkinGrid& grid) {
   if (!(touch.curvature > 0.0)) return raster_of(widened_hull(touch.points, edge), grid);
   const double nu = pad.poisson_ratio;
   const double modulus = pad.youngs_modulus / (1.0 - nu * nu);
@@ -275,7 +275,7 @@ std::vector<SampledPatch> skin_patches(std::span<const ContactPoint> points, con
                                        double edge, const SkinGrid& grid) {
   check(pad);
   require_positive("edge_width", edge);
-  std::map<std::size_t, Touch> touches;
+  std::map<std::size_t, SkinTouch> touches;
   for (const ContactPoint& point : points)
     if (point.normal > 0.0) touches[point.object].add(point);
   std::vector<SampledPatch> patches;

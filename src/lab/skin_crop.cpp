@@ -12,12 +12,12 @@ namespace {
 constexpr std::size_t most_part = 1200;
 
 /// Taxels [first, first + count) about one, of so many.
-struct Range {
+struct TaxelRange {
   std::size_t first, count;
   [[nodiscard]] bool has(std::size_t i) const noexcept { return i >= first && i < first + count; }
 };
 
-Range about(std::size_t middle, std::size_t wanted, std::size_t all) {
+TaxelRange about(std::size_t middle, std::size_t wanted, std::size_t all) {
   const std::size_t count = std::min(wanted, all);
   const std::size_t before = std::min(middle, count / 2);
   return {std::min(middle - before, all - count), count};
@@ -43,8 +43,8 @@ SkinCrop strongest_part(const SkinSceneProblem& problem, std::span<const double>
   crop.scene.reconstruct.tangential = true;
   crop.scene.contacts.clear();
   crop.scene.trajectories.clear();
-  Range rows{};
-  Range across{};
+  TaxelRange rows{};
+  TaxelRange across{};
   for (std::size_t side = 24; side >= 4; --side) {
     rows = about(strongest / columns, side, whole.sensor.rows);
     across = about(strongest % columns, side, columns);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lab/large_skin.hpp"
+#include "lab/lines_and_skins.hpp"
 #include "lab/pattern_cache.hpp"
 #include "lab/skin_crop.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
@@ -55,11 +56,6 @@ bool is_too_large(const SkinScene& scene, std::size_t most_dense) noexcept {
   }
 }
 
-std::optional<Constraints> constraints_of(const SkinReconstructOptions& options) {
-  if (!options.nonnegative && !options.friction_limit) return std::nullopt;
-  return Constraints{.nonnegative = true, .friction_limit = options.friction_limit};
-}
-
 }  // namespace
 
 struct SkinSceneProblem::Parts {
@@ -67,7 +63,7 @@ struct SkinSceneProblem::Parts {
       : scene(std::move(given)),
         most_dense(most),
         is_large(is_too_large(scene, most)),
-        constraints(constraints_of(scene.reconstruct)) {}
+        constraints(stated_constraints(scene.reconstruct)) {}
 
   SkinScene scene;
   std::size_t most_dense;

@@ -4,14 +4,10 @@
 #include <utility>
 
 #include "lab/frame_walk.hpp"
+#include "lab/lines_and_skins.hpp"
 
 namespace tactile_net::lab {
 namespace {
-
-bool moves(const SkinScene& scene) {
-  return std::any_of(scene.trajectories.begin(), scene.trajectories.end(),
-                     [](const SkinContactTrajectory& one) { return !one.empty(); });
-}
 
 /// How much of the contacts' force lies beyond the grid, where no traction can stand for it.
 double share_beyond(const SkinFrame& frame, const SkinGrid& grid) {
@@ -33,7 +29,7 @@ SkinRecording::SkinRecording(SkinScene scene)
 }
 
 void SkinRecording::load(double time) {
-  if (!loaded_ || moves(scene_)) {
+  if (!loaded_ || any_contact_moves(scene_)) {
     contacts_ = scene_.time ? contacts_at(scene_, time) : scene_.contacts;
     truth_ = cell_means(contacts_, grid_);
     const std::span<const double> truth = truth_;

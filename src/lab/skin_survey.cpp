@@ -17,13 +17,12 @@
 namespace tactile_net::lab {
 namespace {
 
-using enum SkinQuantity;
 using std::numbers::pi;
 
 /// Singular values are judged on lattices of at most so many taxels a side, the scene's own of so
 /// many tractions in all; an odd count stays odd, since its parity decides what is singular.
 constexpr std::size_t most_side = 12;
-constexpr std::size_t most_tractions = 2048;
+constexpr std::size_t most_compared_tractions = 2048;
 
 constexpr double wave_angle = pi / 6.0;  // oblique: what an axis or a diagonal hides shows
 
@@ -58,7 +57,7 @@ double largest_response(const SkinArray& skin, const Material& material, SkinQua
 }
 
 /// 0 without a contact.
-double peak_traction(const SkinScene& scene) {
+double peak_skin_traction(const SkinScene& scene) {
   if (scene.contacts.empty()) return 0.0;
   const SkinGrid cells = grid(scene);
   const std::vector<double> means = cell_means(scene.contacts, cells);
@@ -105,9 +104,9 @@ SkinArray reading(const SkinArray& skin, const std::vector<SkinQuantity>& reads,
 }
 
 /// The scene's sensors, and what else stands in their place.
-class Comparison {
+class SkinComparison {
  public:
-  Comparison(const SkinScene& scene, SkinSurvey& survey, Observer& observer)
+  SkinComparison(const SkinScene& scene, SkinSurvey& survey, Observer& observer)
       : scene_(scene), survey_(survey), observer_(observer) {}
 
   void own() {
@@ -142,6 +141,7 @@ class Comparison {
   /// The scene's own quantities and depths apart, then what skins read elsewhere, at its least
   /// depth, and what pressure alone tells at several depths.
   void in_place() {
+    using enum SkinQuantity;
     const std::vector<SkinQuantity>& reads = scene_.sensor.reads;
     const std::vector<double> own_depths = factors();
     if (reads.size() > 1)
@@ -308,7 +308,7 @@ bool tells_more(const SkinSensorChoice& a, const SkinSensorChoice& b) {
 }
 
 bool needs_traction(const SkinScene& scene, const SurveyOptions& options) {
-  return lacks_traction(scene, options, peak_traction);
+  return lacks_traction(scene, options, peak_skin_traction);
 }
 
 double traction_behind(const SkinScene& scene, std::span<const double> largest) {
@@ -317,17 +317,17 @@ double traction_behind(const SkinScene& scene, std::span<const double> largest) 
 
 SkinSurvey identify(const SkinScene& scene, const SurveyOptions& options, Observer& observer) {
   check(options);
-  SkinSurvey result{.traction = assumed_traction(scene, options, peak_traction),
+  SkinSurvey result{.traction = assumed_traction(scene, options, peak_skin_traction),
                     .rows = scene.sensor.rows,
                     .columns = scene.sensor.columns};
-  if (is_even(scene.sensor) && 3 * taxel_count(scene.sensor) > most_tractions) {
+  if (is_even(scene.sensor) && 3 * taxel_count(scene.sensor) > most_compared_tractions) {
     result.rows = compared_side(scene.sensor.rows);
     result.columns = compared_side(scene.sensor.columns);
   }
   result.noise = assumed_noise(scene, options, result.traction, response_of(scene));
   result.wave = std::max(2.0 * pi * least_depth(scene.sensor),
                          4.0 * std::max(scene.sensor.pitch_y, scene.sensor.pitch_z));
-  Comparison comparison(scene, result, observer);
+  SkinComparison comparison(scene, result, observer);
   comparison.own();
   comparison.in_place();
   comparison.best_elsewhere();

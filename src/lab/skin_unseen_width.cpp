@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "lab/narrowest_seen.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 
 namespace tactile_net::lab {
@@ -15,9 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t nearest = 12;  // taxels about a place, of which one sees most
-constexpr double step = 1.25;        // of the width, while the narrowest that is seen is sought
-constexpr double accuracy = 1e-4;    // of the width
+constexpr std::size_t nearest_taxels = 12;  // of a place: one of them sees most
 
 std::vector<SkinPlace> places_of(const SkinArray& skin) {
   std::vector<SkinPlace> places(taxel_count(skin));
@@ -42,7 +41,7 @@ bool lies_among(const SkinPlace& place, const std::vector<SkinPlace>& taxels) {
 }
 
 /// One reading near the hole, of the normal traction.
-struct Reading {
+struct NearReading {
   SkinPlace at;
   SkinQuantity quantity;
   const SkinKernel* kernel;
@@ -52,7 +51,7 @@ struct Reading {
 
 /// Of a Hertz circle with a largest traction of 1, by rings: r = a sin t makes sqrt(1 - r^2 / a^2)
 /// smooth. Two thirds of pi a^2 press.
-double circle_reading(const Reading& one, double radius, const SkinPlace& middle) {
+double circle_reading(const NearReading& one, double radius, const SkinPlace& middle) {
   const int rings = 6 + static_cast<int>(2.0 * radius / one.depth);
   const int spokes = 8 * rings / 2;
   double sum = 0.0;
@@ -124,9 +123,9 @@ std::optional<double> skin_unseen_width(const SkinArray& skin, const Material& m
   std::stable_sort(near.begin(), near.end(),
                    [&](const auto& a, const auto& b) { return away(a) < away(b); });
   const SkinPlace next{near.front().y, near.front().z};
-  near.resize(std::min(near.size(), nearest * channel_count(skin)));
+  near.resize(std::min(near.size(), nearest_taxels * channel_count(skin)));
   std::map<double, SkinKernel> kernels;
-  std::vector<Reading> readings;
+  std::vector<NearReading> readings;
   for (const SkinSite& site : near)
     readings.push_back({{site.y, site.z},
                         site.quantity,
@@ -136,7 +135,7 @@ std::optional<double> skin_unseen_width(const SkinArray& skin, const Material& m
 
   const auto signal = [&](double radius, const SkinPlace& middle) {
     double most = 0.0;
-    for (const Reading& one : readings)
+    for (const NearReading& one : readings)
       most = std::max(most, traction * std::abs(circle_reading(one, radius, middle)) / one.rms);
     return most;
   };
@@ -148,15 +147,11 @@ std::optional<double> skin_unseen_width(const SkinArray& skin, const Material& m
     const SkinPlace middle{std::lerp(hole->y, next.y, share), std::lerp(hole->z, next.z, share)};
     // A small one reads as its force does, by the square of its size.
     const double small = 1e-3 * least_depth(skin);
-    double seen = small * 0.5 / std::sqrt(std::max(signal(small, middle), 1e-300));
-    while (seen <= most && signal(seen, middle) <= 1.0) seen *= step;
-    if (!(seen <= most)) return std::nullopt;
-    double unseen = seen / step;
-    while (seen - unseen > accuracy * seen) {
-      const double radius = 0.5 * (seen + unseen);
-      (signal(radius, middle) > 1.0 ? seen : unseen) = radius;
-    }
-    widest = std::max(widest, seen);
+    const double least = small * 0.5 / std::sqrt(std::max(signal(small, middle), 1e-300));
+    const auto seen = narrowest_seen(least, most, 1e-4,
+                                     [&](double radius) { return signal(radius, middle) > 1.0; });
+    if (!seen) return std::nullopt;
+    widest = std::max(widest, *seen);
   }
   return 2.0 * widest;
 }

@@ -7,21 +7,21 @@
 namespace tactile_net::lab {
 namespace {
 
-using Computation = SkinWorkload::Computation;
-using Reason = SkinWorkload::Reason;
-using Cost = SkinWorkload::Cost;
+using SkinComputation = SkinWorkload::Computation;
+using SkinReason = SkinWorkload::Reason;
+using SkinCost = SkinWorkload::Cost;
 
-constexpr Named<Computation> computations[] = {
-    {Computation::readings, "readings"},         {Computation::history, "history"},
-    {Computation::tangential, "tangential"},     {Computation::weights, "weights"},
-    {Computation::tikhonov, "tikhonov"},         {Computation::alpha_rule, "alpha_rule"},
-    {Computation::constraints, "constraints"},   {Computation::bands, "bands"},
-    {Computation::data_verdict, "data_verdict"}, {Computation::report, "report"}};
+constexpr Named<SkinComputation> skin_computations[] = {
+    {SkinComputation::readings, "readings"},         {SkinComputation::history, "history"},
+    {SkinComputation::tangential, "tangential"},     {SkinComputation::weights, "weights"},
+    {SkinComputation::tikhonov, "tikhonov"},         {SkinComputation::alpha_rule, "alpha_rule"},
+    {SkinComputation::constraints, "constraints"},   {SkinComputation::bands, "bands"},
+    {SkinComputation::data_verdict, "data_verdict"}, {SkinComputation::report, "report"}};
 
 }  // namespace
 
-std::string_view name(Computation computation) noexcept {
-  return name_in<computations>(computation);
+std::string_view name(SkinComputation computation) noexcept {
+  return name_in<skin_computations>(computation);
 }
 
 SkinWorkload workload(const SkinScene& scene, bool report) {
@@ -30,7 +30,7 @@ SkinWorkload workload(const SkinScene& scene, bool report) {
   const std::size_t readings = reading_count(scene.sensor);
   const std::size_t cells = grid(scene).count();
   const std::size_t tractions = components(scene) * cells;
-  const bool large = is_large(scene);
+  const bool large_skin = is_large(scene);
   const bool exact = scene.forward == ForwardModel::exact;
   const bool drags = components(scene) == 3;
   const bool weights = problem.estimates_weight();
@@ -40,45 +40,49 @@ SkinWorkload workload(const SkinScene& scene, bool report) {
   SkinWorkload work;
   for (const SceneEffect& effect : scene_effects())
     if (effect.present(scene)) work.effects.push_back(&effect);
-  const auto add = [&](Computation what, bool done, Reason why, Cost cost, std::size_t count = 0) {
+  const auto add = [&](SkinComputation what, bool done, SkinReason why, SkinCost cost,
+                       std::size_t count = 0) {
     work.tasks.push_back({.what = what,
                           .done = done,
                           .why = why,
                           .cost = done ? std::optional(cost) : std::nullopt,
                           .count = done ? count : 0});
   };
-  add(Computation::readings, true, exact ? Reason::exact_model : Reason::sampled_model,
-      exact ? Cost::kernel_values : Cost::sum, exact ? readings : tractions);
-  add(Computation::history, scene.frame > 0,
-      !scene.time        ? Reason::no_time
-      : scene.frame == 0 ? Reason::first_frame
-                         : Reason::frames_before,
-      Cost::moments, instants(scene).size());
-  add(Computation::tangential, drags,
-      drags                              ? Reason::three_tractions
-      : channel_count(scene.sensor) == 1 ? Reason::one_channel
-      : options.tangential               ? Reason::tangential_excluded
-                                         : Reason::no_drag,
-      Cost::unknowns, tractions);
-  add(Computation::weights, weights,
-      !drags    ? Reason::one_traction
-      : weights ? Reason::weight_unknown
-                : Reason::weight_given,
-      Cost::families);
-  add(Computation::tikhonov, true, large ? Reason::matrix_too_large : Reason::matrix_held,
-      large ? Cost::tiles : Cost::classes, tractions);
+  add(SkinComputation::readings, true, exact ? SkinReason::exact_model : SkinReason::sampled_model,
+      exact ? SkinCost::kernel_values : SkinCost::sum, exact ? readings : tractions);
+  add(SkinComputation::history, scene.frame > 0,
+      !scene.time        ? SkinReason::no_time
+      : scene.frame == 0 ? SkinReason::first_frame
+                         : SkinReason::frames_before,
+      SkinCost::moments, instants(scene).size());
+  add(SkinComputation::tangential, drags,
+      drags                              ? SkinReason::three_tractions
+      : channel_count(scene.sensor) == 1 ? SkinReason::one_channel
+      : options.tangential               ? SkinReason::tangential_excluded
+                                         : SkinReason::no_drag,
+      SkinCost::unknowns, tractions);
+  add(SkinComputation::weights, weights,
+      !drags    ? SkinReason::one_traction
+      : weights ? SkinReason::weight_unknown
+                : SkinReason::weight_given,
+      SkinCost::families);
+  add(SkinComputation::tikhonov, true,
+      large_skin ? SkinReason::matrix_too_large : SkinReason::matrix_held,
+      large_skin ? SkinCost::tiles : SkinCost::classes, tractions);
   work.tasks.back().rows = readings;
-  add(Computation::alpha_rule, true, options.alpha ? Reason::prior_by_rule : Reason::rule_chooses,
-      large ? Cost::probes : Cost::one_rule);
+  add(SkinComputation::alpha_rule, true,
+      options.alpha ? SkinReason::prior_by_rule : SkinReason::rule_chooses,
+      large_skin ? SkinCost::probes : SkinCost::one_rule);
   work.tasks.back().rule = problem.alpha_rule();
-  add(Computation::constraints, limits, limits ? Reason::limits_stated : Reason::no_limits,
-      large ? Cost::projected_gradients : Cost::multipliers);
-  add(Computation::bands, true, Reason::forces_have_deviations,
-      large ? Cost::solves : Cost::class_sums);
-  add(Computation::data_verdict, noise, noise ? Reason::noise_stated : Reason::no_noise,
-      Cost::contact_search);
-  add(Computation::report, report, report ? Reason::report_requested : Reason::no_report,
-      Cost::drawing);
+  add(SkinComputation::constraints, limits,
+      limits ? SkinReason::limits_stated : SkinReason::no_limits,
+      large_skin ? SkinCost::projected_gradients : SkinCost::multipliers);
+  add(SkinComputation::bands, true, SkinReason::forces_have_deviations,
+      large_skin ? SkinCost::solves : SkinCost::class_sums);
+  add(SkinComputation::data_verdict, noise, noise ? SkinReason::noise_stated : SkinReason::no_noise,
+      SkinCost::contact_search);
+  add(SkinComputation::report, report,
+      report ? SkinReason::report_requested : SkinReason::no_report, SkinCost::drawing);
   return work;
 }
 

@@ -13,12 +13,6 @@
 namespace tactile_net::lab {
 namespace {
 
-[[noreturn]] void fail(const SpaceFingertip& tip, const std::string& what) {
-  const bool has_frames = tip.source == Fingertip::Source::readings;
-  throw std::domain_error("finger '" + tip.finger.name + "', " + tip.file.string() +
-                          (has_frames ? ", frame " + std::to_string(tip.frame) : "") + ": " + what);
-}
-
 SkinScene read_skin(const std::filesystem::path& path) {
   AnyScene any = unquoted(explain_scene, [&] { return read_any_scene(path); });
   if (auto* skin = std::get_if<SkinScene>(&any)) return std::move(*skin);
@@ -30,7 +24,7 @@ SkinScene read_skin(const std::filesystem::path& path) {
 /// Torsion that the field bears without drag, over mu times the force.
 double radius_of(const SpaceFingertip& tip, const SkinAnswer& answer) {
   if (!answer.friction || !(answer.friction->lever > 0.0))
-    fail(tip, "its skin does not tell the torsion that it bears: give torsion_radius");
+    fail_fingertip(tip, "its skin does not tell the torsion that it bears: give torsion_radius");
   return answer.friction->lever / answer.wrench.normal.value;
 }
 
@@ -80,16 +74,16 @@ void SpaceFingertipMaker::press(SpaceFingertip& tip, const SpaceHandFinger& fing
   try {
     answer = solve(problem, readings);
   } catch (const std::invalid_argument& error) {
-    fail(tip, error.what());
+    fail_fingertip(tip, error.what());
   } catch (const std::domain_error& error) {
-    fail(tip, error.what());
+    fail_fingertip(tip, error.what());
   }
   tip.remarks.insert(tip.remarks.end(), answer.remarks.begin(), answer.remarks.end());
   if (answer.verdict != Verdict::ok) tip.remarks.emplace_back(remark::Doubtful{answer.verdict});
   const UncertainWrench& wrench = answer.wrench;
   if (!wrench.centre_y || !wrench.centre_z)
-    fail(tip, "the normal force is " + brief(wrench.normal.value) +
-                  ", and must be > 0: nothing presses on the pad");
+    fail_fingertip(tip, "the normal force is " + brief(wrench.normal.value) +
+                            ", and must be > 0: nothing presses on the pad");
   if (!wrench.tangential_y) tip.remarks.emplace_back(remark::TangentialUnseen{});
   std::optional<double> radius;
   if (finger.soft) radius = finger.torsion_radius ? *finger.torsion_radius : radius_of(tip, answer);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/narrowest_seen.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/aperture.hpp"
 
@@ -17,10 +18,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t nearest = 4;  // taxels on each side of the gap, of which one sees most
-constexpr int places = 9;           // from one end of the gap to the other
-constexpr double step = 1.25;       // of the width, while the narrowest that is seen is sought
-constexpr double accuracy = 1e-6;   // of the width
+constexpr std::size_t neighbours_each_side = 4;  // of the gap: one of them sees most
+constexpr int places_in_gap = 9;                 // from one end to the other
 
 /// The live taxels about the widest gap, which is between numbers `gap` and `gap` + 1.
 struct Neighbours {
@@ -39,8 +38,8 @@ Neighbours about_widest_gap(const SensorArray& array, std::span<const std::size_
   const auto width = [&](std::size_t i) { return live[i + 1] - live[i]; };
   for (std::size_t i = 0; i + 1 < live.size(); ++i)
     if (width(i) > width(widest) * (1.0 + 1e-9)) widest = i;
-  const std::size_t first = widest - std::min(widest, nearest - 1);
-  const std::size_t last = std::min(widest + nearest + 1, live.size());
+  const std::size_t first = widest - std::min(widest, neighbours_each_side - 1);
+  const std::size_t last = std::min(widest + neighbours_each_side + 1, live.size());
   return {{live.begin() + static_cast<std::ptrdiff_t>(first),
            live.begin() + static_cast<std::ptrdiff_t>(last)},
           widest - first};
@@ -106,17 +105,12 @@ std::optional<double> unseen_width(const SensorArray& array, const Material& mat
   double widest = 0.0;  // over the places
   const double from = taxels.y[taxels.gap];
   const double to = taxels.y[taxels.gap + 1];
-  for (int place = 0; place < places; ++place) {
-    const double middle = std::lerp(from, to, place / (places - 1.0));
-    double seen = least;
-    while (seen <= most && !is_seen(seen, middle)) seen *= step;
-    if (seen > most) return std::nullopt;
-    double unseen = seen / step;
-    while (seen - unseen > accuracy * seen) {
-      const double half_width = 0.5 * (seen + unseen);
-      (is_seen(half_width, middle) ? seen : unseen) = half_width;
-    }
-    widest = std::max(widest, seen);
+  for (int place = 0; place < places_in_gap; ++place) {
+    const double middle = std::lerp(from, to, place / (places_in_gap - 1.0));
+    const auto seen = narrowest_seen(
+        least, most, 1e-6, [&](double half_width) { return is_seen(half_width, middle); });
+    if (!seen) return std::nullopt;
+    widest = std::max(widest, *seen);
   }
   return 2.0 * widest;
 }

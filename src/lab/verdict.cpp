@@ -30,14 +30,15 @@ constexpr Named<Verdict> verdicts[] = {{Verdict::ok, "ok"},
                                        {Verdict::clipped, "clipped"},
                                        {Verdict::undetermined, "undetermined"},
                                        {Verdict::coarse, "coarse"}};
-constexpr Named<Condition::Kind> kinds[] = {{Condition::Kind::exact, "exact"},
-                                            {Condition::Kind::bound, "bound"},
-                                            {Condition::Kind::noise_gain, "noise_gain"}};
-constexpr Named<Condition::Matrix> matrices[] = {{Condition::Matrix::stacked, "stacked"},
-                                                 {Condition::Matrix::eliminated, "eliminated"},
-                                                 {Condition::Matrix::circular, "circular"},
-                                                 {Condition::Matrix::kernel, "kernel"},
-                                                 {Condition::Matrix::normal, "normal"}};
+constexpr Named<Condition::Kind> condition_kinds[] = {{Condition::Kind::exact, "exact"},
+                                                      {Condition::Kind::bound, "bound"},
+                                                      {Condition::Kind::noise_gain, "noise_gain"}};
+constexpr Named<Condition::Matrix> condition_matrices[] = {
+    {Condition::Matrix::stacked, "stacked"},
+    {Condition::Matrix::eliminated, "eliminated"},
+    {Condition::Matrix::circular, "circular"},
+    {Condition::Matrix::kernel, "kernel"},
+    {Condition::Matrix::normal, "normal"}};
 
 }  // namespace
 
@@ -99,8 +100,10 @@ std::string_view source(const ChosenAlpha& alpha) noexcept {
   return alpha.rule ? name(*alpha.rule) : "given";
 }
 
-std::string_view name(Condition::Kind kind) noexcept { return name_in<kinds>(kind); }
+std::string_view name(Condition::Kind kind) noexcept { return name_in<condition_kinds>(kind); }
 
-std::string_view name(Condition::Matrix matrix) noexcept { return name_in<matrices>(matrix); }
+std::string_view name(Condition::Matrix matrix) noexcept {
+  return name_in<condition_matrices>(matrix);
+}
 
 }  // namespace tactile_net::lab

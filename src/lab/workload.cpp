@@ -12,7 +12,7 @@ namespace {
 using Reason = Workload::Reason;
 using Why = Workload::Why;
 using Cost = Workload::Cost;
-using Kind = Workload::Cost::Kind;
+using CostKind = Workload::Cost::Kind;
 
 /// Sizes that costs are made of.
 struct Sizes {
@@ -51,7 +51,7 @@ class Counter {
     circuit();
     time_course();
     add(Computation::report, request_.report,
-        {request_.report ? Reason::report_requested : Reason::no_report}, {Kind::drawing});
+        {request_.report ? Reason::report_requested : Reason::no_report}, {CostKind::drawing});
     return std::move(work_);
   }
 
@@ -81,17 +81,17 @@ class Counter {
     const auto kernels = static_cast<double>(sizes_.kernels);
     if (scene_.forward == ForwardModel::exact)
       add(Computation::readings, true, {Reason::exact_model},
-          {.kind = Kind::kernel_values, .count = sizes_.readings});
+          {.kind = CostKind::kernel_values, .count = sizes_.readings});
     else if (count < 512)
       add(Computation::readings, true, {Reason::sampled_model},
-          {.kind = Kind::direct_sum,
+          {.kind = CostKind::direct_sum,
            .count = sizes_.kernels,
            .rows = count,
            .columns = count,
            .operations = 2.0 * n * n * kernels});
     else
       add(Computation::readings, true, {Reason::sampled_model},
-          {.kind = Kind::fft,
+          {.kind = CostKind::fft,
            .count = sizes_.kernels,
            .operations = 20.0 * n * std::log2(4.0 * n) * kernels});
   }
@@ -105,7 +105,8 @@ class Counter {
                          : Reason::only_draws_matter};
     if (why.reason == Reason::effects_remember) why.frame = scene_.frame;
     add(Computation::history, history, why,
-        memory ? Cost{.kind = Kind::moments, .count = sizes_.moments} : Cost{Kind::random_draws});
+        memory ? Cost{.kind = CostKind::moments, .count = sizes_.moments}
+               : Cost{CostKind::random_draws});
   }
 
   void unknowns() {
@@ -115,10 +116,10 @@ class Counter {
          : sizes_.channels == 1 ? Reason::one_channel
          : options_.tangential  ? Reason::tangential_excluded
                                 : Reason::no_friction},
-        {.kind = Kind::unknowns, .count = sizes_.tractions, .rows = sizes_.values});
+        {.kind = CostKind::unknowns, .count = sizes_.tractions, .rows = sizes_.values});
     const bool layer = scene_.material.layer.has_value();
     add(Computation::layer_kernels, layer, {layer ? Reason::layer : Reason::half_plane},
-        {.kind = Kind::kernel_integrals, .count = 2 * sizes_.values - 1});
+        {.kind = CostKind::kernel_integrals, .count = 2 * sizes_.values - 1});
   }
 
   void methods() {
@@ -127,15 +128,15 @@ class Counter {
     const auto tractions = static_cast<double>(n);
     const double product = 2.0 * static_cast<double>(m) * tractions;
     add(Computation::dft, uses(Method::dft), named(Method::dft),
-        {.kind = Kind::frame_fft, .operations = 20.0 * tractions * std::log2(2.0 * tractions)});
+        {.kind = CostKind::frame_fft, .operations = 20.0 * tractions * std::log2(2.0 * tractions)});
     add(Computation::tikhonov, uses(Method::tikhonov), named(Method::tikhonov),
-        sizes_.is_large ? Cost{Kind::conjugate_gradients}
-                        : Cost{.kind = Kind::decompositions,
+        sizes_.is_large ? Cost{CostKind::conjugate_gradients}
+                        : Cost{.kind = CostKind::decompositions,
                                .rows = m + n,
                                .columns = n,
                                .operations = product});
     add(Computation::closed_form, uses(Method::closed_form), named(Method::closed_form),
-        {.kind = Kind::product, .operations = product});
+        {.kind = CostKind::product, .operations = product});
   }
 
   void rule_comparison() {
@@ -147,7 +148,7 @@ class Counter {
                                      : Reason::alpha_given};
     if (rule) why.rule = options_.alpha_rule;
     add(Computation::rule_comparison, rule || (request_.compare_rules && takes_alpha), why,
-        {.kind = Kind::alpha_rules, .count = alpha_rules.size()});
+        {.kind = CostKind::alpha_rules, .count = alpha_rules.size()});
   }
 
   [[nodiscard]] Why named(Method method) const {
@@ -163,10 +164,10 @@ class Counter {
       return {done ? reason : !with_matrix_ ? Reason::no_matrix_method : Reason::array_too_large};
     };
     add(Computation::bands, bands, why(bands, Reason::forces_have_deviations),
-        sizes_.is_large ? Cost{Kind::conjugate_gradients}
-                        : Cost{.kind = Kind::inverse, .rows = n, .columns = n});
+        sizes_.is_large ? Cost{CostKind::conjugate_gradients}
+                        : Cost{.kind = CostKind::inverse, .rows = n, .columns = n});
     add(Computation::hidden_modes, hidden, why(hidden, Reason::hidden_must_be_said),
-        {.kind = Kind::singular_values, .rows = sizes_.readings, .columns = n});
+        {.kind = CostKind::singular_values, .rows = sizes_.readings, .columns = n});
   }
 
   void circuit() {
@@ -174,7 +175,7 @@ class Counter {
     const bool on = uses(Method::network);
     const std::size_t n = on ? sizes_.unknowns * surface(of_circuit(scene_)).count : 0;
     add(Computation::circuit, on, {on ? Reason::method_named : Reason::no_circuit},
-        {.kind = Kind::circuit,
+        {.kind = CostKind::circuit,
          .count = n * (n + 1) / 2,
          .rows = n,
          .realization = network.realization});
@@ -183,12 +184,12 @@ class Counter {
       add(what, on && asked, {!on ? Reason::no_circuit : asked ? by : without}, cost);
     };
     part(Computation::certificate, calls_for_certificate(network), Reason::parts_not_ideal,
-         Reason::parts_ideal, {Kind::certificate});
+         Reason::parts_ideal, {CostKind::certificate});
     part(Computation::transient, network.settling_accuracy.has_value(), Reason::settling_requested,
-         Reason::settling_not_requested, {Kind::transient});
+         Reason::settling_not_requested, {CostKind::transient});
     part(Computation::tolerance, calls_for_tolerance(network), Reason::tolerance_requested,
          network.tolerance ? Reason::tolerance_unsupported : Reason::nominal_parts,
-         {.kind = Kind::draws, .count = network.tolerance ? network.tolerance->trials : 0});
+         {.kind = CostKind::draws, .count = network.tolerance ? network.tolerance->trials : 0});
   }
 
   void time_course() {
@@ -198,7 +199,7 @@ class Counter {
          : !request_.report ? Reason::no_report
          : !with_matrix_    ? Reason::no_matrix_method
                             : Reason::resultant_drawn},
-        {Kind::every_frame});
+        {CostKind::every_frame});
   }
 
   const Scene& scene_;

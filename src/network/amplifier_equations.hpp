@@ -2,8 +2,7 @@
 /// A network's equations once the nodes that nothing drives have followed its amplifiers. Private.
 #pragma once
 
-#include <Eigen/Core>
-
+#include "numeric/eigen.hpp"
 #include "tactile_net/network/reduction.hpp"
 
 namespace tactile_net {

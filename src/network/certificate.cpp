@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 
+#include "network/angular_frequency.hpp"
 #include "network/lag_bound.hpp"
 #include "network/output_current.hpp"
 #include "network/scale_proposal.hpp"
@@ -18,11 +18,9 @@
 namespace tactile_net {
 namespace {
 
-double radians(double hertz) { return 2.0 * std::numbers::pi * hertz; }
-
 /// Of converters and inverters whose op-amps have a bandwidth and capacitance at their inputs.
 double largest_divider(const OpAmp& o) {
-  return 1.0 / (2.0 * radians(*o.bandwidth) * *o.input_capacitance);
+  return 1.0 / (2.0 * angular_frequency(*o.bandwidth) * *o.input_capacitance);
 }
 
 bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool definite,
@@ -214,7 +212,7 @@ void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equa
         equations.total.begin() + static_cast<std::ptrdiff_t>(circuit.reduction().outputs()),
         equations.total.end());
     const double farad = std::max(*o.input_capacitance, *options.node_capacitance);
-    const double value = radians(*o.bandwidth) * farad / least;
+    const double value = angular_frequency(*o.bandwidth) * farad / least;
     const double limit = floating_capacitance_limit(o);
     if (value > limit)
       c.remarks.push_back({.kind = Kind::floating_input_capacitance,

@@ -2,11 +2,11 @@
 /// How far a circuit's outputs are from their end. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/network/state_space.hpp"
 
 namespace tactile_net {

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "network/amplifier_equations.hpp"
+#include "network/angular_frequency.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
-
-double radians(double hertz) { return 2.0 * std::numbers::pi * hertz; }
 
 /// What the bound asks of the conductances alone.
 struct Loop {
@@ -79,7 +77,7 @@ namespace {
 LagBound bound_of_nodes(const NetworkCircuit& circuit) {
   const RealizationOptions& options = circuit.options();
   const double ratio = options.main_bandwidth(circuit.realization());
-  const double main = ratio * radians(*options.opamp.bandwidth);
+  const double main = ratio * angular_frequency(*options.opamp.bandwidth);
   const Loop loop = loop_of(circuit);
   LagBound bound{.of_nodes = true};
   bound.number = 4.0 * loop.theta * loop.theta * main * *options.node_capacitance *
@@ -97,11 +95,11 @@ LagBound lag_bound(const NetworkCircuit& circuit) {
   if (has_ladder(circuit.realization(), options) && options.node_capacitance)
     return bound_of_nodes(circuit);
   const double ratio = options.main_bandwidth(circuit.realization());
-  const double main = ratio * radians(*o.bandwidth);
-  const double fastest = std::max(1.0, ratio) * radians(*o.bandwidth);
+  const double main = ratio * angular_frequency(*o.bandwidth);
+  const double fastest = std::max(1.0, ratio) * angular_frequency(*o.bandwidth);
   const Loop loop = loop_of(circuit);
   const double of_capacitance = o.input_capacitance.value_or(0.0) / loop.least_total;
-  const double of_second_pole = o.second_pole ? 1.0 / radians(*o.second_pole) : 0.0;
+  const double of_second_pole = o.second_pole ? 1.0 / angular_frequency(*o.second_pole) : 0.0;
   const double tau = of_capacitance + of_second_pole;
 
   const double a = 4.0 * loop.theta * loop.theta * main / (loop.gamma * fastest);

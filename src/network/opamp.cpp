@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "network/angular_frequency.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
@@ -14,7 +14,6 @@ constexpr double transconductance = 1e-3;  // [S]; only its ratio to the core's 
 /// Of the second pole's stage [S]: its resistor hisses, as no part of the model may but those that
 /// stand for the op-amp's own noise, and of 1 ohm it is not heard.
 constexpr double second_transconductance = 1.0;
-constexpr double diode_drop = 0.6;  // [V], of the clamp's diodes as they begin to conduct
 
 void check(const std::optional<double>& value, const char* name) {
   if (value && !(*value > 0.0 && std::isfinite(*value)))
@@ -23,7 +22,7 @@ void check(const std::optional<double>& value, const char* name) {
 
 /// A farad value that sets a pole at `hertz` with a conductance.
 std::string farad(double siemens, double hertz) {
-  return shortest(siemens / (2.0 * std::numbers::pi * hertz));
+  return shortest(siemens / (angular_frequency(hertz)));
 }
 
 /// What is left of an output's slope while it gives all it has: of the slope, and at most so much
@@ -170,8 +169,7 @@ std::string input_text(const OpAmp& o, std::string& input) {
 /// The current into the core: a transconductance, bent by the slew.
 std::string core_text(const OpAmp& o, const std::string& input) {
   if (!o.slew) return "Ga 0 x " + input + " n " + shortest(transconductance) + '\n';
-  const double ampere =
-      *o.slew * transconductance / (2.0 * std::numbers::pi * *o.bandwidth);  // slew Ca
+  const double ampere = *o.slew * transconductance / angular_frequency(*o.bandwidth);  // slew Ca
   const std::string difference = "(V(" + input + ")-V(n))";
   return "Bg 0 x I=" + shortest(ampere) + "*tanh(" +
          shortest((1.0 - slewing_leak) * transconductance / ampere) + '*' + difference + ")+" +

@@ -27,9 +27,9 @@ Crossing crossing(const ResistorPlace& place, Reduction::Feed feed) {
 /// The resistors that are cells, by array.
 std::map<Array, std::vector<std::size_t>> cells_of(const Reduction& reduction) {
   std::map<Array, std::vector<std::size_t>> arrays;
-  const auto names = reduction.resistors();
-  for (std::size_t r = 0; r < names.size(); ++r) {
-    const Array array = place_of(names[r]).array;
+  const auto resistors = reduction.resistors();
+  for (std::size_t r = 0; r < resistors.size(); ++r) {
+    const Array array = place_of(resistors[r]).array;
     if (array == Array::kernel || array == Array::transposed || array == Array::conductances)
       arrays[array].push_back(r);
   }

@@ -2,9 +2,9 @@
 /// The linear equations of a circuit at rest, amplifiers of finite gain in them. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
 
 namespace tactile_net {

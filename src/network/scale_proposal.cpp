@@ -6,7 +6,6 @@
 namespace tactile_net {
 namespace {
 
-constexpr double diode_drop = 0.6;    // [V], where a clamp's diodes begin to conduct
 constexpr double headroom = 0.8;      // of what is left
 constexpr double usual_swing = 10.0;  // [V], of supplies of 12 V and more
 constexpr double least_load = 1e3;    // [ohm], what the outputs of most op-amps still drive

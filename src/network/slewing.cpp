@@ -21,8 +21,6 @@ constexpr double near = 0.03;
 /// square over 3: no more than digits that no settling time has.
 constexpr double straight = 0.01;
 
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
 /// x' = A x + b with bent rates.
 class Slewing {
  public:
@@ -32,7 +30,7 @@ class Slewing {
   [[nodiscard]] Eigen::VectorXd rate(const Eigen::VectorXd& x) const {
     Eigen::VectorXd result = a_ * x + b_;
     for (const StateSpace::Slewing& one : system_.slewing) {
-      const Eigen::Index k = index(one.state);
+      const Eigen::Index k = eigen_index(one.state);
       const double leak = one.leak * x(k);
       result(k) = slewing_rate(result(k) + leak, one.limit) - leak;
     }
@@ -44,7 +42,7 @@ class Slewing {
     Eigen::MatrixXd result = a_;
     const Eigen::VectorXd straight_rate = a_ * x + b_;
     for (const StateSpace::Slewing& one : system_.slewing) {
-      const Eigen::Index k = index(one.state);
+      const Eigen::Index k = eigen_index(one.state);
       const double asked = straight_rate(k) + one.leak * x(k);
       const double bent = std::tanh((1.0 - slewing_leak) * asked / one.limit);
       const double factor = (1.0 - slewing_leak) * (1.0 - bent * bent) + slewing_leak;
@@ -60,7 +58,7 @@ class Slewing {
     const Eigen::VectorXd straight_rate = a_ * x + b_;
     double largest = 0.0;
     for (const StateSpace::Slewing& one : system_.slewing) {
-      const Eigen::Index k = index(one.state);
+      const Eigen::Index k = eigen_index(one.state);
       largest = std::max(largest, std::abs(straight_rate(k) + one.leak * x(k)) / one.limit);
     }
     return largest;

@@ -2,16 +2,15 @@
 /// A circuit's equations, part by part. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "network/angular_frequency.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/network/state_space.hpp"
@@ -73,15 +72,15 @@ class Stamps {
       else
         other_of_[node] = others_++;
     }
-    const Eigen::Index held = index(states_);
+    const Eigen::Index held = eigen_index(states_);
     for (Amplifier& one : amplifiers_) {
       one.state = states_;
       states_ += one.opamp.second_pole ? 2U : 1U;
     }
-    of_held_ = Eigen::MatrixXd::Zero(held, index(states_ + others_));
-    of_others_ = Eigen::MatrixXd::Zero(index(others_), index(states_ + others_));
+    of_held_ = Eigen::MatrixXd::Zero(held, eigen_index(states_ + others_));
+    of_others_ = Eigen::MatrixXd::Zero(eigen_index(others_), eigen_index(states_ + others_));
     into_held_ = Eigen::VectorXd::Zero(held);
-    into_others_ = Eigen::VectorXd::Zero(index(others_));
+    into_others_ = Eigen::VectorXd::Zero(eigen_index(others_));
     for (const Amplifier& one : amplifiers_)
       if (one.opamp.output_resistance) output_resistance(one);
   }
@@ -94,9 +93,9 @@ class Stamps {
   void source(Node into, double ampere) {
     const auto [node, sign] = counted(into);
     if (state_of_[node] != none)
-      into_held_(index(state_of_[node])) += sign * ampere;
+      into_held_(eigen_index(state_of_[node])) += sign * ampere;
     else if (other_of_[node] != none)
-      into_others_(index(other_of_[node])) += sign * ampere;
+      into_others_(eigen_index(other_of_[node])) += sign * ampere;
   }
 
   /// What the amplifiers' inputs take in.
@@ -127,11 +126,12 @@ class Stamps {
     constexpr double boltzmann = 1.380649e-23;
     const Eigen::Index held = of_held_.rows();
     // The currents' covariance at nodes that nothing drives, and what they do to the states.
-    Eigen::MatrixXd currents = Eigen::MatrixXd::Zero(held + index(others_), held + index(others_));
+    Eigen::MatrixXd currents =
+        Eigen::MatrixXd::Zero(held + eigen_index(others_), held + eigen_index(others_));
     const auto place = [&](Node node) -> Eigen::Index {
       node = counted(node).first;
-      if (state_of_[node] != none) return index(state_of_[node]);
-      return other_of_[node] != none ? held + index(other_of_[node]) : -1;
+      if (state_of_[node] != none) return eigen_index(state_of_[node]);
+      return other_of_[node] != none ? held + eigen_index(other_of_[node]) : -1;
     };
     for (const Resistor& r : resistors) {
       const double density = 2.0 * boltzmann * kelvin * std::abs(r.siemens);
@@ -147,14 +147,15 @@ class Stamps {
     }
     const Eigen::MatrixXd into = by_current();
     Eigen::VectorXd of_inputs = Eigen::VectorXd::Zero(currents.rows());
-    Eigen::VectorXd voltages = Eigen::VectorXd::Zero(index(states_));
-    Eigen::VectorXd flicker = Eigen::VectorXd::Zero(index(states_));
+    Eigen::VectorXd voltages = Eigen::VectorXd::Zero(eigen_index(states_));
+    Eigen::VectorXd flicker = Eigen::VectorXd::Zero(eigen_index(states_));
     for (const Amplifier& one : amplifiers_) {
       if (one.opamp.noise_voltage)
-        voltages(index(one.state)) =
-            0.5 * std::pow(radians(*one.opamp.bandwidth) * *one.opamp.noise_voltage, 2);
+        voltages(eigen_index(one.state)) =
+            0.5 * std::pow(angular_frequency(*one.opamp.bandwidth) * *one.opamp.noise_voltage, 2);
       if (one.opamp.noise_corner)
-        flicker(index(one.state)) = *one.opamp.noise_corner * voltages(index(one.state));
+        flicker(eigen_index(one.state)) =
+            *one.opamp.noise_corner * voltages(eigen_index(one.state));
       if (one.opamp.noise_current)
         for (const Node input : {one.plus, one.minus})
           if (const Eigen::Index at = place(input); at >= 0)
@@ -167,35 +168,33 @@ class Stamps {
 
   [[nodiscard]] StateSpace system() {
     eliminate_others();
-    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(index(states_), index(states_));
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(index(states_));
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(eigen_index(states_), eigen_index(states_));
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(eigen_index(states_));
     for (Node node = 1; node < nodes(); ++node)
       if (state_of_[node] != none) add_node_row(node, a, b);
     for (const Amplifier& one : amplifiers_) add_amplifier_rows(one, a, b);
 
     StateSpace system{
         .dynamics = from_eigen(a), .drive = {b.begin(), b.end()}, .output = {}, .direct = {}};
-    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(std::ssize(circuit_.outputs), index(states_));
+    Eigen::MatrixXd c = Eigen::MatrixXd::Zero(std::ssize(circuit_.outputs), eigen_index(states_));
     for (std::size_t k = 0; k < circuit_.outputs.size(); ++k) {
-      Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(index(states_));
+      Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(eigen_index(states_));
       double rest = 0.0;
       add_voltage(circuit_.outputs[k], 1.0, row, rest);
-      c.row(index(k)) = row;
+      c.row(eigen_index(k)) = row;
       system.direct.push_back(rest);
     }
     system.output = from_eigen(c);
     for (const Amplifier& one : amplifiers_)
       if (one.opamp.slew)
-        system.slewing.push_back(
-            {one.state, radians(*one.opamp.bandwidth) / one.opamp.dc_gain(), *one.opamp.slew});
+        system.slewing.push_back({one.state,
+                                  angular_frequency(*one.opamp.bandwidth) / one.opamp.dc_gain(),
+                                  *one.opamp.slew});
     return system;
   }
 
  private:
   static constexpr auto none = static_cast<std::size_t>(-1);
-
-  [[nodiscard]] static double radians(double hertz) { return 2.0 * std::numbers::pi * hertz; }
-  [[nodiscard]] static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
   struct Amplifier {
     OpAmp opamp;
@@ -216,16 +215,16 @@ class Stamps {
     const double siemens = (one.complementary ? 2.0 : 1.0) / *one.opamp.output_resistance;
     auto row = row_of(one.out);
     row(column_of(one.out)) += siemens;
-    row(index(output_state(one))) -= siemens;
+    row(eigen_index(output_state(one))) -= siemens;
   }
 
   /// Currents that leave a node that nothing drives.
   [[nodiscard]] Eigen::Block<Eigen::MatrixXd, 1> row_of(Node node) {
-    return state_of_[node] != none ? of_held_.row(index(state_of_[node]))
-                                   : of_others_.row(index(other_of_[node]));
+    return state_of_[node] != none ? of_held_.row(eigen_index(state_of_[node]))
+                                   : of_others_.row(eigen_index(other_of_[node]));
   }
   [[nodiscard]] Eigen::Index column_of(Node node) const {
-    return index(state_of_[node] != none ? state_of_[node] : states_ + other_of_[node]);
+    return eigen_index(state_of_[node] != none ? state_of_[node] : states_ + other_of_[node]);
   }
 
   [[nodiscard]] std::size_t nodes() const noexcept { return circuit_.nodes.size(); }
@@ -249,7 +248,7 @@ class Stamps {
       if (at == 0) return;
       const auto [node, sign] = counted(at);
       if (sign_[node] != 0.0)
-        row(index(output_state(amplifiers_[source_[node]]))) += sign_[node] * value;
+        row(eigen_index(output_state(amplifiers_[source_[node]]))) += sign_[node] * value;
       else
         row(column_of(node)) += sign * value;
     };
@@ -259,20 +258,22 @@ class Stamps {
 
   /// v_o = E x + e of the nodes that are no states.
   void eliminate_others() {
-    e_ = Eigen::MatrixXd::Zero(index(others_), index(states_));
-    constant_ = Eigen::VectorXd::Zero(index(others_));
+    e_ = Eigen::MatrixXd::Zero(eigen_index(others_), eigen_index(states_));
+    constant_ = Eigen::VectorXd::Zero(eigen_index(others_));
     if (others_ == 0) return;
     // In units of each node's own conductance, so that no scale decides what is singular.
-    const Eigen::VectorXd units =
-        of_others_.rightCols(index(others_)).rowwise().lpNorm<Eigen::Infinity>().cwiseInverse();
+    const Eigen::VectorXd units = of_others_.rightCols(eigen_index(others_))
+                                      .rowwise()
+                                      .lpNorm<Eigen::Infinity>()
+                                      .cwiseInverse();
     if (!units.allFinite())
       throw std::domain_error("nodes without capacitance have no unique voltage");
     of_others_ = units.asDiagonal() * of_others_;
     into_others_ = units.cwiseProduct(into_others_);
-    const Lu lu(of_others_.rightCols(index(others_)));
+    const Lu lu(of_others_.rightCols(eigen_index(others_)));
     if (!(lu.reciprocal_condition() > 1e-15))
       throw std::domain_error("nodes without capacitance have no unique voltage");
-    const Eigen::MatrixXd of_states = of_others_.leftCols(index(states_));
+    const Eigen::MatrixXd of_states = of_others_.leftCols(eigen_index(states_));
     e_ = -lu.solve(of_states);
     constant_ = lu.solve(into_others_);
     const Eigen::MatrixXd currents = units.asDiagonal();
@@ -282,21 +283,21 @@ class Stamps {
   /// x' by a current into each node with capacitance, then into each other one.
   [[nodiscard]] Eigen::MatrixXd by_current() const {
     const Eigen::Index held = of_held_.rows();
-    Eigen::MatrixXd into = Eigen::MatrixXd::Zero(index(states_), held + index(others_));
+    Eigen::MatrixXd into = Eigen::MatrixXd::Zero(eigen_index(states_), held + eigen_index(others_));
     for (Node node = 1; node < nodes(); ++node)
       if (state_of_[node] != none) {
-        const Eigen::Index row = index(state_of_[node]);
+        const Eigen::Index row = eigen_index(state_of_[node]);
         into(row, row) = 1.0 / capacitance_[node];
-        into.row(row).tail(index(others_)) =
-            -of_held_.row(row).tail(index(others_)) * by_others_ / capacitance_[node];
+        into.row(row).tail(eigen_index(others_)) =
+            -of_held_.row(row).tail(eigen_index(others_)) * by_others_ / capacitance_[node];
       }
     for (const Amplifier& one : amplifiers_) {
-      const double w = radians(*one.opamp.bandwidth);
+      const double w = angular_frequency(*one.opamp.bandwidth);
       for (const auto& [input, factor] : inputs(one)) {
         const auto [node, sign] = counted(input);
         if (other_of_[node] != none)
-          into.row(index(one.state)).tail(index(others_)) +=
-              w * factor * sign * by_others_.row(index(other_of_[node]));
+          into.row(eigen_index(one.state)).tail(eigen_index(others_)) +=
+              w * factor * sign * by_others_.row(eigen_index(other_of_[node]));
       }
     }
     return into;
@@ -304,25 +305,25 @@ class Stamps {
 
   /// Kirchhoff: G_hh v_h + G_ho v_o + G_hx x = i_h - C v_h'.
   void add_node_row(Node node, Eigen::MatrixXd& a, Eigen::VectorXd& b) const {
-    const Eigen::Index row = index(state_of_[node]);
-    a.row(row) =
-        -(of_held_.row(row).head(index(states_)) + of_held_.row(row).tail(index(others_)) * e_) /
-        capacitance_[node];
-    b(row) = (into_held_(row) - of_held_.row(row).tail(index(others_)).dot(constant_)) /
+    const Eigen::Index row = eigen_index(state_of_[node]);
+    a.row(row) = -(of_held_.row(row).head(eigen_index(states_)) +
+                   of_held_.row(row).tail(eigen_index(others_)) * e_) /
+                 capacitance_[node];
+    b(row) = (into_held_(row) - of_held_.row(row).tail(eigen_index(others_)).dot(constant_)) /
              capacitance_[node];
   }
 
   void add_amplifier_rows(const Amplifier& one, Eigen::MatrixXd& a, Eigen::VectorXd& b) const {
-    const Eigen::Index x = index(one.state);
-    const double w = radians(*one.opamp.bandwidth);
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(index(states_));
+    const Eigen::Index x = eigen_index(one.state);
+    const double w = angular_frequency(*one.opamp.bandwidth);
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(eigen_index(states_));
     double rest = w * one.opamp.offset.value_or(0.0);
     for (const auto& [input, factor] : inputs(one)) add_voltage(input, w * factor, row, rest);
     row(x) -= w / one.opamp.dc_gain();
     a.row(x) = row;
     b(x) = rest;
     if (one.opamp.second_pole) {
-      const double second = radians(*one.opamp.second_pole);
+      const double second = angular_frequency(*one.opamp.second_pole);
       a(x + 1, x) = second;
       a(x + 1, x + 1) = -second;
     }
@@ -341,12 +342,12 @@ class Stamps {
     const auto [node, sign] = counted(at);
     factor *= sign;
     if (sign_[node] != 0.0) {
-      row(index(output_state(amplifiers_[source_[node]]))) += factor * sign_[node];
+      row(eigen_index(output_state(amplifiers_[source_[node]]))) += factor * sign_[node];
     } else if (state_of_[node] != none) {
-      row(index(state_of_[node])) += factor;
+      row(eigen_index(state_of_[node])) += factor;
     } else {
-      row += factor * e_.row(index(other_of_[node]));
-      rest += factor * constant_(index(other_of_[node]));
+      row += factor * e_.row(eigen_index(other_of_[node]));
+      rest += factor * constant_(eigen_index(other_of_[node]));
     }
   }
 

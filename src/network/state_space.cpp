@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "network/angular_frequency.hpp"
 #include "network/stamps.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/lyapunov.hpp"
@@ -74,10 +74,9 @@ OutputNoise output_noise(const FlatCircuit& circuit, double kelvin, double lowes
   };
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(a.rows(), a.cols());
   return {at_outputs(equation.solve(noise.thermal)), at_outputs(equation.solve(noise.amplifiers)),
-          at_outputs(
-              noise.flicker.isZero(0.0)
-                  ? none
-                  : equation.solve_flicker(noise.flicker, 2.0 * std::numbers::pi * lowest_hertz))};
+          at_outputs(noise.flicker.isZero(0.0)
+                         ? none
+                         : equation.solve_flicker(noise.flicker, angular_frequency(lowest_hertz)))};
 }
 
 }  // namespace tactile_net

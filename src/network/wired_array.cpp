@@ -1,8 +1,9 @@
 #include "network/wired_array.hpp"
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
+#include <optional>
 #include <stdexcept>
+
+#include "numeric/sparse_elimination.hpp"
 
 namespace tactile_net {
 namespace {
@@ -30,11 +31,10 @@ class Crossings {
     for (const ArrayCell& cell : cells)
       add(on_row(cell.row, cell.line), on_line(cell.row, cell.line), cell.siemens);
 
-    const auto size = static_cast<Eigen::Index>(2 * rows * lines);
-    Eigen::SparseMatrix<double> network(size, size);
+    Eigen::SparseMatrix<double> network(size(), size());
     network.setFromTriplets(entries.begin(), entries.end());
-    factors_.compute(network);
-    if (factors_.info() != Eigen::Success)
+    factors_.emplace(network);
+    if (!factors_->regular())
       throw std::domain_error("the network of an array's lines has no answer");
   }
 
@@ -48,9 +48,9 @@ class Crossings {
     const std::size_t ends = rows_ + lines_ - first;
     Matrix seen{count, ends, std::vector<double>(count * ends)};
     for (std::size_t k = 0; k < count; ++k) {
-      Eigen::VectorXd current = Eigen::VectorXd::Zero(factors_.rows());
+      Eigen::VectorXd current = Eigen::VectorXd::Zero(size());
       current(end(k)) = wire_;
-      const Eigen::VectorXd volts = factors_.solve(current);
+      const Eigen::VectorXd volts = factors_->solve(current);
       for (std::size_t other = 0; other < ends; ++other)
         if (first + other != k) seen(k, other) = wire_ * volts(end(first + other));
     }
@@ -58,6 +58,7 @@ class Crossings {
   }
 
  private:
+  [[nodiscard]] Eigen::Index size() const { return static_cast<Eigen::Index>(2 * rows_ * lines_); }
   [[nodiscard]] Eigen::Index on_row(std::size_t i, std::size_t c) const {
     return static_cast<Eigen::Index>(i * lines_ + c);
   }
@@ -68,7 +69,7 @@ class Crossings {
   std::size_t rows_ = 0;
   std::size_t lines_ = 0;
   double wire_ = 0.0;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+  std::optional<SparseLdl> factors_;
 };
 
 }  // namespace

@@ -16,6 +16,8 @@ Cholesky::~Cholesky() = default;
 
 bool Cholesky::is_positive_definite() const noexcept { return factors_->info() == Eigen::Success; }
 
+double Cholesky::reciprocal_condition() const { return factors_->rcond(); }
+
 void Cholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const { factors_->solveInPlace(x); }
 
 Eigen::MatrixXd Cholesky::solve_lower(const Eigen::MatrixXd& x) const {

@@ -16,6 +16,7 @@ class Cholesky {
   ~Cholesky();
 
   [[nodiscard]] bool is_positive_definite() const noexcept;
+  [[nodiscard]] double reciprocal_condition() const;  ///< estimated, in the 1-norm
   /// x = A^-1 x, column by column. @pre  A is positive definite
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const;
   /// L^-1 x.

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "numeric/products.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
@@ -19,6 +20,18 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 [[nodiscard]] inline Eigen::Map<const Eigen::VectorXd> as_eigen(
     std::span<const double> values) noexcept {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+[[nodiscard]] inline std::span<double> as_span(Eigen::VectorXd& values) noexcept {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+[[nodiscard]] inline std::span<const double> as_span(const Eigen::VectorXd& values) noexcept {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+[[nodiscard]] constexpr Eigen::Index eigen_index(std::size_t index) noexcept {
+  return static_cast<Eigen::Index>(index);
 }
 
 [[nodiscard]] inline Matrix from_eigen(const RowMajor& matrix) {

@@ -1,5 +1,5 @@
 /// @file
-/// The check of every frame. Private.
+/// Numbers that are finite, and the one that is not. Private.
 #pragma once
 
 #include <bit>
@@ -8,6 +8,8 @@
 #include <span>
 
 namespace tactile_net {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Whether |value| <= limit for every value, which NaN is not.
 ///

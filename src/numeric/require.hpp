@@ -11,6 +11,11 @@
 
 namespace tactile_net {
 
+/// @throw std::invalid_argument  with the rule as its text, unless `holds`
+inline void require(bool holds, const std::string& rule) {
+  if (!holds) throw std::invalid_argument(rule);
+}
+
 /// @param rule   completes "FIELD must ...": "be > 0"
 /// @param value  any arithmetic type
 /// @throw std::invalid_argument  unless `holds`

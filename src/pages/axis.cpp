@@ -7,19 +7,19 @@
 
 namespace tactile_net::pages {
 
-std::vector<double> Axis::operator()(std::vector<double> values) const {
+std::vector<double> PlotAxis::operator()(std::vector<double> values) const {
   if (factor != 1.0)
     for (double& value : values) value *= factor;
   return values;
 }
 
-Axis axis(const Scene& scene, const std::string& what, Dimension dimension,
-          std::initializer_list<const std::vector<double>*> values) {
+PlotAxis axis(const Scene& scene, const std::string& what, Dimension dimension,
+              std::initializer_list<const std::vector<double>*> values) {
   return axis(scene.units, what, dimension, values);
 }
 
-Axis axis(const std::optional<Units>& units, const std::string& what, Dimension dimension,
-          std::initializer_list<const std::vector<double>*> values) {
+PlotAxis axis(const std::optional<Units>& units, const std::string& what, Dimension dimension,
+              std::initializer_list<const std::vector<double>*> values) {
   double largest = 0.0;
   for (const std::vector<double>* some : values)
     for (const double value : *some)

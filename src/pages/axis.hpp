@@ -12,7 +12,7 @@
 namespace tactile_net::pages {
 
 /// A label with its unit, and what the axis' values are multiplied by.
-struct Axis {
+struct PlotAxis {
   std::string label{};  ///< "traction [kPa]"; without [units] "traction [unit of E]"
   double factor = 1.0;
 
@@ -20,11 +20,11 @@ struct Axis {
 };
 
 /// With the prefix that suits the largest of all `values`; those that are not finite do not count.
-[[nodiscard]] Axis axis(const Scene& scene, const std::string& what, Dimension dimension,
-                        std::initializer_list<const std::vector<double>*> values);
+[[nodiscard]] PlotAxis axis(const Scene& scene, const std::string& what, Dimension dimension,
+                            std::initializer_list<const std::vector<double>*> values);
 
-[[nodiscard]] Axis axis(const std::optional<Units>& units, const std::string& what,
-                        Dimension dimension,
-                        std::initializer_list<const std::vector<double>*> values);
+[[nodiscard]] PlotAxis axis(const std::optional<Units>& units, const std::string& what,
+                            Dimension dimension,
+                            std::initializer_list<const std::vector<double>*> values);
 
 }  // namespace tactile_net::pages

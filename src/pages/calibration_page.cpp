@@ -8,6 +8,7 @@
 
 #include "pages/axis.hpp"
 #include "pages/parts.hpp"
+#include "pages/pixel_text.hpp"
 #include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -40,9 +41,9 @@ Figure press_figure(const lab::SceneCalibration& found, std::size_t p, std::size
     before.push_back(measured.back() - noise * fit.residuals_before(p, j));
     after.push_back(measured.back() - noise * fit.residuals(p, j));
   }
-  const Axis along = found.is_skin() ? Axis{"taxel, row after row"}
-                                     : axis(found.units(), "position", Dimension::length, {&y});
-  const Axis up =
+  const PlotAxis along = found.is_skin() ? PlotAxis{"taxel, row after row"}
+                                         : axis(found.units(), "position", Dimension::length, {&y});
+  const PlotAxis up =
       axis(found.units(), channel.name, dimension_of(traits(channel.quantity).kind), {&measured});
   Plot plot{"Press " + std::to_string(fit.presses[p].number), along.label, up.label, along(y), {}};
   plot.curves.push_back({"nominal", up(before), 2});
@@ -85,8 +86,6 @@ Figure profile_figure(const lab::SceneCalibration& found) {
           "Where the two lines agree, the standard deviation tells all.",
           std::move(plot)};
 }
-
-std::string px(double value) { return fixed(value, 1); }
 
 /// Every gain with one standard deviation to each side, over what the scene states.
 Figure gains_figure(const lab::SceneCalibration& found) {

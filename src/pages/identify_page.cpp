@@ -81,7 +81,7 @@ Plot deviation_plot(const Scene& scene, const lab::Survey& survey, Traction comp
   std::vector<double> wavelengths;
   for (const Resolution& resolution : survey.own.resolutions)
     if (shown(resolution)) wavelengths.push_back(resolution.wavelength);
-  const Axis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
+  const PlotAxis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
   Plot plot{std::string(component == Traction::normal ? "Normal" : "Tangential") +
                 " traction: what noise hides",
             along.label,
@@ -155,7 +155,7 @@ Plot sight_plot(const Scene& scene, const std::vector<const lab::SensorChoice*>&
   std::vector<double> wavelengths;
   for (const Resolution& resolution : choices.front()->resolutions)
     if (std::isfinite(resolution.wavelength)) wavelengths.push_back(resolution.wavelength);
-  const Axis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
+  const PlotAxis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
   Plot plot{"", along.label, "standard deviation / ripple", along(wavelengths), {}};
   for (const lab::SensorChoice* choice : choices)
     for (const Traction component : {Traction::normal, Traction::tangential}) {

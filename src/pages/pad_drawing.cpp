@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "pages/pixel_text.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
 #include "tactile_net/lab/interior.hpp"
-#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -18,8 +18,6 @@ namespace tactile_net::pages {
 namespace {
 
 using drawing::element;
-
-std::string px(double value) { return fixed(value, 1); }
 
 std::string letter(double x, double y, std::string_view words) {
   return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\">" + std::string(words) + "</text>\n";
@@ -56,40 +54,42 @@ std::string words_below(const Scene& scene) {
 
 }  // namespace
 
-PadFrame pad_frame(const Scene& scene) {
-  PadFrame frame;
+PadLayout pad_layout(const Scene& scene) {
+  PadLayout layout;
   const Surface places = surface(scene);
-  frame.middle = places.centre;
-  frame.scale = frame.width / (2.0 * places.half_width());
-  frame.bottom = lab::interior_depth(scene);
-  frame.thickness = std::clamp(frame.scale * frame.bottom, 90.0, 420.0);
-  frame.height = frame.surface + frame.thickness + 4.0;
-  return frame;
+  layout.middle = places.centre;
+  layout.scale = layout.width / (2.0 * places.half_width());
+  layout.bottom = lab::interior_depth(scene);
+  layout.thickness = std::clamp(layout.scale * layout.bottom, 90.0, 420.0);
+  layout.height = layout.surface + layout.thickness + 4.0;
+  return layout;
 }
 
 std::string draw_pad(const Scene& scene, std::string_view inside, std::string_view above) {
-  const PadFrame frame = pad_frame(scene);
-  const double top = above.empty() ? frame.surface - 40.0 : 0.0;
-  const auto depth = [&](double x) { return frame.surface + frame.thickness * x / frame.bottom; };
+  const PadLayout layout = pad_layout(scene);
+  const double top = above.empty() ? layout.surface - 40.0 : 0.0;
+  const auto depth = [&](double x) {
+    return layout.surface + layout.thickness * x / layout.bottom;
+  };
   std::string svg = "<svg class=\"section\" viewBox=\"-34 " + px(top) + " 1078 " +
-                    px(frame.height - top) +
+                    px(layout.height - top) +
                     "\" role=\"img\" aria-label=\"Section of the pad: taxels below the surface" +
                     (above.empty() ? "" : ", tractions on top") + "\">\n";
-  svg += "<rect class=\"pad\" x=\"0\" y=\"" + px(frame.surface) + "\" width=\"1000\" height=\"" +
-         px(frame.thickness) + "\"/>\n";
+  svg += "<rect class=\"pad\" x=\"0\" y=\"" + px(layout.surface) + "\" width=\"1000\" height=\"" +
+         px(layout.thickness) + "\"/>\n";
   svg += inside;
   const double radius = std::clamp(300.0 / static_cast<double>(scene.sensor.count), 1.2, 4.0);
   std::set<std::pair<double, double>> drawn;  // several quantities may be read at one place
   for (const Site& site : sites(scene.sensor))
     if (drawn.emplace(site.y, site.depth).second) {
-      const double half = std::max(0.5 * site.width * frame.scale, radius);
-      svg += "<rect class=\"taxel\" x=\"" + px(frame.at(site.y) - half) + "\" y=\"" +
+      const double half = std::max(0.5 * site.width * layout.scale, radius);
+      svg += "<rect class=\"taxel\" x=\"" + px(layout.at(site.y) - half) + "\" y=\"" +
              px(depth(site.depth) - radius) + "\" width=\"" + px(2.0 * half) + "\" height=\"" +
              px(2.0 * radius) + "\" rx=\"" + px(radius) + "\"/>";
     }
-  const double y = frame.surface;
+  const double y = layout.surface;
   svg += '\n' + line("surface", y);
-  if (scene.material.layer) svg += line("base", y + frame.thickness);
+  if (scene.material.layer) svg += line("base", y + layout.thickness);
   svg += "<g class=\"axis\"><path d=\"M-12 " + px(y) + "v46m-5 -9l5 9l5 -9\"/><path d=\"M968 " +
          px(y - 8.0) + "h40m-9 -5l9 5l-9 5\"/></g>\n" + letter(-20.0, y + 76.0, "x") +
          letter(1016.0, y - 1.0, "y");
@@ -106,23 +106,23 @@ std::string draw_stress(const Scene& scene, const PadLoad& load) {
   std::vector<std::uint8_t> pixels;
   for (const double stress : lab::interior_stress(kernels, load.normal, load.tangential))
     pixels.push_back(drawing::diverging_index(stress / most));
-  const PadFrame frame = pad_frame(scene);
-  return "<image x=\"0\" y=\"" + px(frame.surface) + "\" width=\"1000\" height=\"" +
-         px(frame.thickness) + "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
+  const PadLayout layout = pad_layout(scene);
+  return "<image x=\"0\" y=\"" + px(layout.surface) + "\" width=\"1000\" height=\"" +
+         px(layout.thickness) + "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
          drawing::base64(
              drawing::png(count, rows, pixels, drawing::diverging({192, 57, 43}, {33, 102, 172}))) +
          "\"/>\n";
 }
 
 std::string draw_load(const Scene& scene, const PadLoad& load) {
-  const PadFrame frame = pad_frame(scene);
+  const PadLayout layout = pad_layout(scene);
   const double most = largest(load.normal);
   if (!(most > 0.0)) return {};
   const Surface places = surface(scene);
-  const auto x = [&](std::size_t i) { return frame.at(places.position(i)); };
-  std::string area = "M0 " + px(frame.surface);
+  const auto x = [&](std::size_t i) { return layout.at(places.position(i)); };
+  std::string area = "M0 " + px(layout.surface);
   for (std::size_t i = 0; i < load.normal.size(); ++i)
-    area += 'L' + px(x(i)) + ' ' + px(frame.surface - 85.0 * load.normal[i] / most);
+    area += 'L' + px(x(i)) + ' ' + px(layout.surface - 85.0 * load.normal[i] / most);
   std::string arrows;
   const double drag = largest(load.tangential);
   const std::size_t every = (load.tangential.size() + 40) / 41;
@@ -130,10 +130,10 @@ std::string draw_load(const Scene& scene, const PadLoad& load) {
     const double length = 36.0 * load.tangential[i] / drag;
     const double head = std::copysign(std::min(6.0, std::abs(length)), length);
     if (std::abs(length) < 1.5) continue;
-    arrows += 'M' + px(x(i)) + ' ' + px(frame.surface - 5.0) + 'h' + px(length) + 'm' + px(-head) +
+    arrows += 'M' + px(x(i)) + ' ' + px(layout.surface - 5.0) + 'h' + px(length) + 'm' + px(-head) +
               " -4l" + px(head) + " 4l" + px(-head) + " 4";
   }
-  return "<path class=\"pressure\" d=\"" + area + "L1000 " + px(frame.surface) + "Z\"/>" +
+  return "<path class=\"pressure\" d=\"" + area + "L1000 " + px(layout.surface) + "Z\"/>" +
          (arrows.empty() ? "" : "<path class=\"drag\" d=\"" + arrows + "\"/>") + '\n';
 }
 

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/unit_text.hpp"
 
 namespace tactile_net::pages {

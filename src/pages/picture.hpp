@@ -8,17 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "pages/pixel_text.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/grasp/vector2.hpp"
-#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::pages {
 
 inline constexpr double longest_arrow = 130.0;
 inline constexpr double cone_length = 90.0;
 inline constexpr double text_size = 18.0;
-
-[[nodiscard]] inline std::string px(double value) { return fixed(value, 1); }
 
 /// Collects marks and the box they fill; Y points up outside, down inside.
 class Picture {

@@ -42,9 +42,9 @@ std::string framed(std::string_view picture, std::string_view caption,
 }
 
 /// A figure over time, with the cursor that the slider moves.
-std::string over_time(const RecordingOverview& overview, const Range& range, const ScaledUnit& unit,
-                      std::string_view label, std::string_view type, const std::string& inside,
-                      std::string_view caption) {
+std::string figure_over_time(const RecordingOverview& overview, const Range& range,
+                             const ScaledUnit& unit, std::string_view label, std::string_view type,
+                             const std::string& inside, std::string_view caption) {
   const auto& groups = overview.groups;
   return framed(
       stretched_picture(groups.size(), range, unit, label, "over-time " + std::string(type),
@@ -95,7 +95,7 @@ std::string heat_maps(const RecordingOverview& overview) {
                : std::numeric_limits<double>::quiet_NaN();
   });
   std::string html = element("h2", "Normal traction, y over time");
-  html += over_time(
+  html += figure_over_time(
       overview, y, unit, "Heat map of the normal traction over time", "",
       map_of(overview, Traction::normal) + path_of(overview.groups.size(), y, centre, "centre"),
       "Full blue presses with " + traction(Traction::normal) +
@@ -104,10 +104,10 @@ std::string heat_maps(const RecordingOverview& overview) {
           "shows that part of all of them, a double click everything again.");
   if (!overview.tangential()) return html;
   return html + element("h2", "Tangential traction, y over time") +
-         over_time(overview, y, unit, "Heat map of the tangential traction over time", "low",
-                   map_of(overview, Traction::tangential),
-                   "Orange drags along +y, purple along -y; full colour at " +
-                       traction(Traction::tangential) + ".");
+         figure_over_time(overview, y, unit, "Heat map of the tangential traction over time", "low",
+                          map_of(overview, Traction::tangential),
+                          "Orange drags along +y, purple along -y; full colour at " +
+                              traction(Traction::tangential) + ".");
 }
 
 double double_or_nan(const FrameGroup& group, double NoiseEstimate::*which) {
@@ -160,10 +160,11 @@ std::string forces(const RecordingOverview& overview) {
          std::string(overview.tangential() ? ", <span class=\"key-tangential\">tangential</span>"
                                            : "") +
          "</h2>\n" +
-         over_time(overview, range, unit_of(overview.scene, Dimension::force, range),
-                   "Force over time with bands", "", inside,
-                   "Bands are two standard deviations, of noise and smoothing together; where a "
-                   "point stands for several frames, they reach over all of these.");
+         figure_over_time(
+             overview, range, unit_of(overview.scene, Dimension::force, range),
+             "Force over time with bands", "", inside,
+             "Bands are two standard deviations, of noise and smoothing together; where a "
+             "point stands for several frames, they reach over all of these.");
 }
 
 std::string residuals(const RecordingOverview& overview) {
@@ -183,15 +184,16 @@ std::string residuals(const RecordingOverview& overview) {
              [](const FrameGroup& g) { return double_or_nan(g, &NoiseEstimate::residual_rms); }),
       "residual");
   return element("h2", "What the tractions leave unexplained") +
-         over_time(overview, range,
-                   unit_of(overview.scene, report::residual_dimension(overview.scene), range),
-                   "Residual over time", "low", inside,
-                   "Root mean square of a reading's residual" +
-                       std::string(stated ? "; the blue line is the noise that the scene states. "
-                                            "Above it the pad, the depth or the calibration is "
-                                            "not as stated"
-                                          : ", which stands for the noise") +
-                       ".");
+         figure_over_time(
+             overview, range,
+             unit_of(overview.scene, report::residual_dimension(overview.scene), range),
+             "Residual over time", "low", inside,
+             "Root mean square of a reading's residual" +
+                 std::string(stated ? "; the blue line is the noise that the scene states. "
+                                      "Above it the pad, the depth or the calibration is "
+                                      "not as stated"
+                                    : ", which stands for the noise") +
+                 ".");
 }
 
 /// "border", "ok; misfit": of the answers, and of the readings of the frame shown.
@@ -218,14 +220,14 @@ std::string verdicts(const RecordingOverview& overview) {
     i = end;
   }
   return element("h2", "Which frames to trust") +
-         over_time(overview, {}, {}, "Verdict of every frame", "strip", inside,
-                   "Red: at least one frame here is not to be trusted.") +
+         figure_over_time(overview, {}, {}, "Verdict of every frame", "strip", inside,
+                          "Red: at least one frame here is not to be trusted.") +
          drawing::html_list(distrusted_in_words(overview));
 }
 
 std::string one_frame(const RecordingOverview& overview) {
   const Scene& scene = overview.scene;
-  const PadFrame pad = pad_frame(scene);
+  const PadLayout pad = pad_layout(scene);
   const std::string inside = "<image id=\"inside\" x=\"0\" y=\"" + fixed(pad.surface, 1) +
                              "\" width=\"1000\" height=\"" + fixed(pad.thickness, 1) +
                              "\" preserveAspectRatio=\"none\"/>\n";

@@ -45,10 +45,10 @@ using report::rule_used;
 using report::sensor_in_words;
 using report::truth_in_words;
 
-constexpr std::string_view answer = "answer";
-constexpr std::string_view choice = "choice";
-constexpr std::string_view readings = "readings";
-constexpr std::string_view over_time = "over time";
+constexpr std::string_view answer_section = "answer";
+constexpr std::string_view choice_section = "choice";
+constexpr std::string_view readings_section = "readings";
+constexpr std::string_view over_time_section = "over time";
 
 /// The methods that found the same, as one label: "tikhonov = closed_form".
 std::string label_of(const lab::Experiment& experiment, const lab::Agreement& group) {
@@ -64,7 +64,7 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
                    const std::string& title, const std::vector<double>& truth) {
   const Scene& scene = experiment.scene;
   const std::vector<double> places = positions(surface(scene));
-  const Axis along = axis(scene, "y", Dimension::length, {&places});
+  const PlotAxis along = axis(scene, "y", Dimension::length, {&places});
   std::vector<double> all = truth;
   std::vector<double> apart;
   for (const lab::MethodResult& result : experiment.results)
@@ -72,8 +72,8 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
       all.push_back((result.*which).traction[i]);
       apart.push_back(all.back() - truth[i]);
     }
-  const Axis traction = axis(scene, "traction", Dimension::stress, {&all});
-  const Axis off = axis(scene, "answer - truth", Dimension::stress, {&apart});
+  const PlotAxis traction = axis(scene, "traction", Dimension::stress, {&all});
+  const PlotAxis off = axis(scene, "answer - truth", Dimension::stress, {&apart});
   Plot found{title + " traction", along.label, traction.label, along(places), {}};
   Plot error{title + " traction: error", along.label, off.label, along(places), {}};
   std::size_t colour = 0;
@@ -96,7 +96,7 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
   found.curves.push_back({"truth", traction(truth), 0, true});  // last: on top
   figures.push_back(
       {file,
-       std::string(answer),
+       std::string(answer_section),
        "The truth" +
            std::string(scene.reconstruct.surface.basis == SurfaceBasis::taxels ? " at the taxels"
                                                                                : "") +
@@ -109,7 +109,7 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
        {},
        {},
        "tall"});
-  figures.push_back({file + "-error", std::string(answer),
+  figures.push_back({file + "-error", std::string(answer_section),
                      "Each answer minus the truth. Swings at a contact's edge that die away from "
                      "it are smoothing, and a smaller alpha narrows them; a ripple of one size all "
                      "along the array is noise, and a larger alpha lowers it.",
@@ -140,7 +140,7 @@ Figure rules_figure(const AlphaSweep& sweep, std::optional<AlphaRule> used) {
     drawn.width = curve.rule == used ? 4.0 : 1.5;
     plot.curves.push_back(std::move(drawn));
   }
-  return {"alpha", std::string(choice),
+  return {"alpha", std::string(choice_section),
           "Every rule's criterion over alpha, each scaled to run from 0 to 1; a rule chooses where "
           "its own curve is lowest, at the value in the key; the thick one was used. A flat valley "
           "means that other values do as well; valleys far apart mean that the rules disagree.",
@@ -156,8 +156,8 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
     return course.tractions[frame * stride + taxel];
   };
   const std::vector<double> places = positions(surface(scene));
-  const Axis along = axis(scene, "y", Dimension::length, {&places});
-  const Axis traction = axis(scene, "traction", Dimension::stress, {&course.tractions});
+  const PlotAxis along = axis(scene, "y", Dimension::length, {&places});
+  const PlotAxis traction = axis(scene, "traction", Dimension::stress, {&course.tractions});
   Plot plot{"Normal traction", "time [s]", traction.label, course.time, {}};
   std::vector<double> peaks(frames);
   for (std::size_t i = 0; i < n; ++i) {
@@ -178,7 +178,7 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
       scene.units ? report::axis_unit(scene, Dimension::length, half) : ScaledUnit{};
   const auto clock = [&](std::size_t frame) { return brief(course.time[frame], 4) + " s"; };
   return {.name = "traction-over-time",
-          .section = std::string(over_time),
+          .section = std::string(over_time_section),
           .caption = "The normal traction that " + std::string(name(course.method)) +
                      " finds, y over time: full blue presses with " +
                      in_unit(scene, Dimension::stress, largest) + " or more" +
@@ -208,7 +208,7 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
   const std::vector<double> pressed = of(course.truth, &Resultant::normal);
   const std::vector<double> found_drag = of(course.found, &Resultant::tangential);
   const std::vector<double> drag = of(course.truth, &Resultant::tangential);
-  const Axis force = axis(scene, "force", Dimension::force, {&found, &pressed});
+  const PlotAxis force = axis(scene, "force", Dimension::force, {&found, &pressed});
   Plot forces{"Force over time", "time [s]", force.label, course.time, {}};
   forces.curves.push_back({method + ", normal", force(found), 1});
   if (course.tangential) forces.curves.push_back({method + ", tangential", force(found_drag), 2});
@@ -218,7 +218,7 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
     forces.curves.push_back({"truth, tangential", force(drag), 3});
     forces.curves.back().dashed = true;
   }
-  figures.push_back({"force-over-time", std::string(over_time),
+  figures.push_back({"force-over-time", std::string(over_time_section),
                      "What presses on the array (dashed) and what " + method +
                          " finds in every frame by itself. Where a line leaves its dashes by more "
                          "than its own ripple, an effect that the method does not know of is at "
@@ -237,14 +237,14 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
     return values;
   };
   const std::vector<double> places = positions(surface(scene));
-  const Axis along = axis(scene, "y", Dimension::length, {&places});
+  const PlotAxis along = axis(scene, "y", Dimension::length, {&places});
   Plot centre{"Centre of pressure over time", "time [s]", along.label, course.time, {}};
   centre.y_at_least = scene.sensor.pitch * along.factor;
   centre.curves.push_back({method, along(centres(course.found)), 1});
   centre.curves.push_back({"truth", along(centres(course.truth)), 0});
   centre.curves.back().dashed = true;
   figures.push_back(
-      {"centre-over-time", std::string(over_time),
+      {"centre-over-time", std::string(over_time_section),
        "Where the force acts, while it is more than a twentieth of its largest: below "
        "that noise alone decides. Dashed: the truth.",
        std::move(centre)});
@@ -254,7 +254,7 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
 void add_readings(std::vector<Figure>& figures, const lab::Experiment& experiment) {
   const Scene& scene = experiment.scene;
   const std::vector<double> all = positions(scene.sensor);
-  const Axis along = axis(scene, "y", Dimension::length, {&all});
+  const PlotAxis along = axis(scene, "y", Dimension::length, {&all});
   const std::vector<Site> where = sites(scene.sensor);
   for (const Channel& channel : channels(scene.sensor)) {
     std::vector<double> places;
@@ -265,10 +265,10 @@ void add_readings(std::vector<Figure>& figures, const lab::Experiment& experimen
     }
     const std::string quantity(name(channel.quantity));
     const bool strain = quantity.starts_with("strain");
-    const Axis reading =
+    const PlotAxis reading =
         axis(scene, quantity, strain ? Dimension::none : Dimension::stress, {&values});
     figures.push_back({"readings-" + channel.name,
-                       std::string(readings),
+                       std::string(readings_section),
                        "What the taxels read: all that the methods are given. Where it has not "
                        "died away at the array's ends, a part of the load's trace is missed.",
                        {channel.name + " at depth " + report::depths_in_words(scene, channel),
@@ -285,7 +285,7 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
   std::vector<Figure> figures = {pad_figure(
       experiment.scene, {truth.normal, truth.tangential},
       truth.tangential.empty() ? "the contacts' pressure" : "the contacts' pressure and drag",
-      answer, "truth.csv")};
+      answer_section, "truth.csv")};
   add_component(figures, experiment, &lab::MethodResult::normal, "normal", "Normal", truth.normal);
   const bool tangential = std::any_of(
       experiment.results.begin(), experiment.results.end(),
@@ -348,15 +348,15 @@ Page report_html(const lab::Experiment& experiment, const Made& made) {
       html += element("p", std::string(name(result.method)) + ": " + failure, "bad");
   html += paragraphs(in_words(experiment.frame), "note");
   if (!page.missing.empty()) html += element("p", page.missing, "note");
-  html += figures.html(answer);
+  html += figures.html(answer_section);
   html += methods_section(experiment);
-  html += titled(figures, "Over time", over_time);
+  html += titled(figures, "Over time", over_time_section);
   if (experiment.sweep) {
     html += element("h2", "The choice of alpha");
     html += element("p", "Every rule on these readings; " + rule_used(experiment) + ".");
-    html += verdict_table(rule_cells(*experiment.sweep)) + figures.html(choice);
+    html += verdict_table(rule_cells(*experiment.sweep)) + figures.html(choice_section);
   }
-  html += titled(figures, "The readings", readings);
+  html += titled(figures, "The readings", readings_section);
   if (experiment.relaxation) html += network_section(*experiment.relaxation);
   html += colophon("The scene, the files, the command", scene_html(scene), page.files, made);
   page.html = page_html(scene.file + " - tactile-net", html);

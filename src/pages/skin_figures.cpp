@@ -20,7 +20,7 @@ using drawing::element;
 using drawing::figure_html;
 using Values = std::vector<double>;
 
-double largest(std::span<const double> values) {
+double largest_finite(std::span<const double> values) {
   double most = 0.0;
   for (const double value : values)
     if (std::isfinite(value)) most = std::max(most, std::abs(value));
@@ -39,7 +39,7 @@ double largest_drag(const Values& values, const SkinGrid& grid) {
 
 void take(Scales& scales, const Values& values, const SkinGrid& grid) {
   const auto p = lab::component(values, grid, SkinTraction::normal);
-  scales.pressure = std::max(scales.pressure, largest(p));
+  scales.pressure = std::max(scales.pressure, largest_finite(p));
   scales.drag = std::max(scales.drag, largest_drag(values, grid));
   scales.negative =
       scales.negative || *std::min_element(p.begin(), p.end()) < -0.03 * scales.pressure;
@@ -101,7 +101,7 @@ std::string readings_figure(const lab::SkinExperiment& experiment) {
   for (const SkinChannel& channel : channels(scene.sensor)) {
     const auto values =
         std::span<const double>(experiment.frame.readings).subspan(channel.first, channel.count);
-    const double most = largest(values);
+    const double most = largest_finite(values);
     if (!(most > 0.0)) continue;
     const std::string depth = report::in_unit(scene.units, Dimension::length, channel.depth);
     pictures += "<div>" +
@@ -164,7 +164,7 @@ std::string errors_figure(const lab::SkinExperiment& experiment) {
   std::vector<std::string> pictures;
   const auto add = [&](const std::string& title, std::span<const double> values,
                        MapColours colours) {
-    const double most = largest(values);
+    const double most = largest_finite(values);
     if (!(most > 0.0)) return;
     pictures.push_back(
         map_picture(units, grid, title, title,
@@ -205,7 +205,7 @@ std::string sections_figure(const lab::SkinExperiment& experiment) {
       "tractions.csv", "skin");
 }
 
-std::string pad_figure(const lab::SkinExperiment& experiment) {
+std::string pad_section_figure(const lab::SkinExperiment& experiment) {
   return figure_html(
       "pad", pad_picture(experiment),
       std::string("The pad to scale, cut along y through the peak. On top what presses and "
@@ -241,7 +241,7 @@ std::string judgement(const lab::SkinExperiment& experiment) {
 
 std::string frame_html(const lab::SkinExperiment& experiment) {
   return tractions_figure(experiment) + sections_figure(experiment) + errors_figure(experiment) +
-         pad_figure(experiment) + judgement(experiment);
+         pad_section_figure(experiment) + judgement(experiment);
 }
 
 }  // namespace tactile_net::pages

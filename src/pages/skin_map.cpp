@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "pages/pixel_text.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -48,8 +49,6 @@ Stops stops_of(MapColours colours) {
   if (colours == MapColours::sizes) return {sizes_light, sizes_dark};
   return {signed_light, signed_dark};
 }
-
-std::string px(double value) { return fixed(value, 1); }
 
 /// Along a map's longer side, at most: of more cells some share a pixel, and pages stay small.
 constexpr std::size_t most_pixels = 160;

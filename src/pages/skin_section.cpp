@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "pages/pixel_text.hpp"
 #include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
-#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/skin/forward.hpp"
 
@@ -19,8 +19,6 @@ namespace tactile_net::pages {
 namespace {
 
 using drawing::element;
-
-std::string px(double value) { return fixed(value, 1); }
 
 /// One component along a line of cells.
 std::vector<double> along_line(const std::vector<double>& values, const SkinGrid& grid,

@@ -12,8 +12,8 @@
 namespace tactile_net::pages {
 namespace {
 
-constexpr double hand_size = 300.0;  // of the hand's longest side, in the picture's units
-constexpr double pixels = 0.85;      // on the page, per unit: all views to one scale
+constexpr double view_size = 300.0;       // of the hand's longest side, in the picture's units
+constexpr double pixels_per_unit = 0.85;  // on the page: all views to one scale
 
 /// Where one looks from: two of the hand's axes on the paper, the third towards the eye.
 struct View {
@@ -32,7 +32,7 @@ const std::array<View, 3>& views() {
   return all;
 }
 
-struct Scales {
+struct HandScales {
   double length;
   double force;
 };
@@ -51,7 +51,7 @@ std::vector<Vector3> places_of(const lab::SpaceGraspResult& grasp) {
   return all;
 }
 
-Scales scales_of(const lab::SpaceGraspResult& grasp) {
+HandScales scales_of(const lab::SpaceGraspResult& grasp) {
   const std::vector<Vector3> places = places_of(grasp);
   double size = 0.0;
   for (const View& view : views())
@@ -73,7 +73,7 @@ Scales scales_of(const lab::SpaceGraspResult& grasp) {
   grow(grasp.measured);
   grow(grasp.held);
   if (grasp.hand.load) force = std::max(force, length(grasp.hand.load->force));
-  return {hand_size / (size > 0.0 ? size : 1.0), longest_arrow / force};
+  return {view_size / (size > 0.0 ? size : 1.0), longest_arrow / force};
 }
 
 /// The outline of points, counter-clockwise (Andrew's monotone chain).
@@ -97,7 +97,7 @@ std::vector<Vector2> hull(std::vector<Vector2> points) {
 
 class Sheet {
  public:
-  Sheet(const lab::SpaceGraspResult& grasp, const View& view, const Scales& scales)
+  Sheet(const lab::SpaceGraspResult& grasp, const View& view, const HandScales& scales)
       : grasp_(grasp), view_(view), scales_(scales), picture_(scales.length) {}
 
   std::string draw(bool with_scales) {
@@ -116,7 +116,7 @@ class Sheet {
     if (with_scales) draw_scales(picture_, scales_.length, scales_.force, grasp_.hand.si);
     return "<div><p class=\"quiet\">" + view_.title + "</p>" +
            picture_.finish(view_.title + ": the hand, its contacts and the forces on the object",
-                           pixels) +
+                           pixels_per_unit) +
            "</div>";
   }
 
@@ -240,7 +240,7 @@ class Sheet {
 
   const lab::SpaceGraspResult& grasp_;
   const View& view_;
-  Scales scales_;
+  HandScales scales_;
   Picture picture_;
 
   struct Label {
@@ -254,7 +254,7 @@ class Sheet {
 }  // namespace
 
 std::string draw_hand(const lab::SpaceGraspResult& grasp) {
-  const Scales scales = scales_of(grasp);
+  const HandScales scales = scales_of(grasp);
   std::string html = "<div class=\"views\">";
   for (const View& view : views())
     html += Sheet(grasp, view, scales).draw(&view == &views().front());

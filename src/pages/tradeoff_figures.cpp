@@ -20,8 +20,6 @@ using drawing::Figure;
 using drawing::Plot;
 using report::in_words;
 
-constexpr study::ErrorOf to_solution = &study::WorkPoint::error_to_solution;
-constexpr study::ErrorOf to_truth = &study::WorkPoint::error_to_truth;
 constexpr double least_error = 1e-16;  // zero has no place on a logarithmic axis
 
 double drawn(double error) { return std::max(error, least_error); }
@@ -123,7 +121,8 @@ Plot plot_of(std::string title, std::string x_label, std::string y_label,
   return plot;
 }
 
-Curve level_line(const std::string& label, double from, double to, double seconds, bool dashed) {
+Curve constant_time_curve(const std::string& label, double from, double to, double seconds,
+                          bool dashed) {
   Curve line;
   line.label = label;
   line.x = {from, to};
@@ -139,7 +138,7 @@ std::vector<Curve> circuit_curves(const study::Study& study,
     if (point.time_of == study::TimeOf::settling && point.measured() &&
         point.curve.bandwidth.value_or(study::compared_bandwidth) == study::compared_bandwidth)
       shown.push_back(point);
-  std::vector<Curve> curves = curves_of(shown, to_solution, study::TimeOf::settling);
+  std::vector<Curve> curves = curves_of(shown, study::to_solution, study::TimeOf::settling);
   if (curves.empty()) return curves;
   for (const study::StudySection& section : study.sections)
     for (const study::PartsFloor& floor : section.floors) {
@@ -152,7 +151,8 @@ std::vector<Curve> circuit_curves(const study::Study& study,
                                 curves, colour_of(shown, *circuit)));
     }
   if (const auto frame = study::fastest_frame(points))
-    curves.push_back(level_line("arithmetic here, " + duration(*frame), 1e-4, 1.0, *frame, false));
+    curves.push_back(
+        constant_time_curve("arithmetic here, " + duration(*frame), 1e-4, 1.0, *frame, false));
   return curves;
 }
 
@@ -169,11 +169,11 @@ std::vector<Curve> crossover_curves(const study::Study& study,
   }
   const auto frame = study::fastest_frame(points);
   if (curves.empty() || !frame) return curves;
-  curves.push_back(level_line("this machine", 1e6, 100e6, *frame, false));
+  curves.push_back(constant_time_curve("this machine", 1e6, 100e6, *frame, false));
   if (study.clock > 0.0)
     for (const double clock : {400e6, 100e6}) {
-      Curve line = level_line("a controller of " + brief(clock / 1e6) + " MHz", 1e6, 100e6,
-                              *frame * study.clock / clock, true);
+      Curve line = constant_time_curve("a controller of " + brief(clock / 1e6) + " MHz", 1e6, 100e6,
+                                       *frame * study.clock / clock, true);
       line.colour = clock > 200e6 ? 5 : 0;
       curves.push_back(std::move(line));
     }
@@ -190,7 +190,7 @@ Figure truth_figure(const study::Study& study, const std::vector<study::WorkPoin
   const double exact = study.input.solution_error;
   std::vector<Bar> bars;
   std::size_t same = 0;
-  std::vector<Curve> curves = curves_of(points, to_truth, study::TimeOf::frame);
+  std::vector<Curve> curves = curves_of(points, study::to_truth, study::TimeOf::frame);
   const study::WorkCurve constrained{.family = study::WorkCurve::Family::friction_cone};
   const study::WorkCurve surfaces{.family = study::WorkCurve::Family::coarser_surface};
   for (const study::WorkPoint& point : points)
@@ -263,7 +263,7 @@ std::vector<Curve> size_curves(const std::vector<study::WorkPoint>& points) {
     low = std::min(low, curve.x.front());
     high = std::max(high, curve.x.back());
   }
-  curves.push_back(level_line("a loop of 1 kHz", low, high, 1e-3, true));
+  curves.push_back(constant_time_curve("a loop of 1 kHz", low, high, 1e-3, true));
   return curves;
 }
 
@@ -312,10 +312,10 @@ std::vector<Figure> tradeoff_figures(const study::Study& study) {
     figures.push_back({std::move(file), std::move(section), std::move(caption), std::move(plot)});
   };
 
-  std::vector<Curve> frames = curves_of(points, to_solution, study::TimeOf::frame, true);
+  std::vector<Curve> frames = curves_of(points, study::to_solution, study::TimeOf::frame, true);
   if (!frames.empty()) {
     frames.push_back(border(noise, input.noise_floor, frames, 0));
-    frames.push_back(front_curve(points, to_solution, study::TimeOf::frame));
+    frames.push_back(front_curve(points, study::to_solution, study::TimeOf::frame));
   }
   Plot plot = plot_of("Time over error against the exact solution", "|f - f*| / |f*|",
                       "time of a frame [s]", std::move(frames));
@@ -370,7 +370,7 @@ std::vector<Figure> tradeoff_figures(const study::Study& study) {
       "The way there: readings of the scene's contacts by the integral, with panels of more and "
       "more points, and by the thesis' discrete sum, against the integral itself.",
       plot_of("Forward model: error of the readings", "|g - g exact| / |g exact|", "time [s]",
-              curves_of(points, to_truth, study::TimeOf::forward)),
+              curves_of(points, study::to_truth, study::TimeOf::forward)),
       "forward");
   return figures;
 }

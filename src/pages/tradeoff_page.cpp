@@ -26,8 +26,6 @@ using report::material_in_words;
 using report::sensor_in_words;
 using report::time_in_words;
 
-constexpr study::ErrorOf to_solution = &study::WorkPoint::error_to_solution;
-
 std::vector<std::vector<std::string>> simulator_cells(const study::Study& study) {
   std::vector<std::vector<std::string>> rows = {{"realisation", "ngspice", "difference"}};
   for (const study::WorkPoint& point : study.points())
@@ -50,7 +48,8 @@ std::vector<std::vector<std::string>> front_cells(const study::Study& study) {
   const auto or_dash = [](const std::optional<double>& value) {
     return value ? brief(*value) : std::string("-");
   };
-  for (const std::size_t i : study::pareto_front(points, to_solution, study::TimeOf::frame)) {
+  for (const std::size_t i :
+       study::pareto_front(points, study::to_solution, study::TimeOf::frame)) {
     const study::WorkPoint& point = points[i];
     rows.push_back({in_words(point), duration(point.seconds),
                     duration(point.seconds_low) + " ... " + duration(point.seconds_high),

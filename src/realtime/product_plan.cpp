@@ -10,29 +10,31 @@
 namespace tactile_net {
 namespace {
 
-void require(bool holds, const char* rule) {
+void require_of_product(bool holds, const char* rule) {
   if (!holds) throw std::invalid_argument(std::string("product plan: ") + rule);
 }
 
 void check_signs(const std::vector<std::int8_t>& signs, std::size_t size) {
-  require(!signs.empty() && size % signs.size() == 0,
-          "parity needs the signs of blocks of equal length");
-  require(std::all_of(signs.begin(), signs.end(), [](int sign) { return sign == 1 || sign == -1; }),
-          "a block's sign must be 1 or -1");
+  require_of_product(!signs.empty() && size % signs.size() == 0,
+                     "parity needs the signs of blocks of equal length");
+  require_of_product(
+      std::all_of(signs.begin(), signs.end(), [](int sign) { return sign == 1 || sign == -1; }),
+      "a block's sign must be 1 or -1");
 }
 
 /// @param may_be_empty  a class of a narrow grid may have no place
 void check_values(const Factor& factor, Precision precision, bool may_be_empty) {
   const bool empty = factor.rows == 0 || factor.columns == 0;
-  require((empty && may_be_empty && factor.values.empty()) ||
-              (!empty && factor.values.size() / factor.columns == factor.rows &&
-               factor.values.size() % factor.columns == 0),
-          "a factor needs rows x columns values, at least one");
+  require_of_product((empty && may_be_empty && factor.values.empty()) ||
+                         (!empty && factor.values.size() / factor.columns == factor.rows &&
+                          factor.values.size() % factor.columns == 0),
+                     "a factor needs rows x columns values, at least one");
   for (const double value : factor.values) {
-    require(std::isfinite(value), "a factor is not finite");
+    require_of_product(std::isfinite(value), "a factor is not finite");
     if (precision == Precision::float32)
-      require(std::abs(value) <= 0x1p20 && static_cast<double>(static_cast<float>(value)) == value,
-              "a factor of precision float32 needs floats of at most 2^20");
+      require_of_product(
+          std::abs(value) <= 0x1p20 && static_cast<double>(static_cast<float>(value)) == value,
+          "a factor of precision float32 needs floats of at most 2^20");
   }
 }
 
@@ -45,38 +47,41 @@ bool is_transform_size(std::size_t size) {
 
 /// After the signs.
 void check_convolution(const ProductPlan& plan) {
-  require(plan.precision == Precision::float64 && plan.scale == 1.0,
-          "fft needs precision float64 and scale 1");
+  require_of_product(plan.precision == Precision::float64 && plan.scale == 1.0,
+                     "fft needs precision float64 and scale 1");
   const std::size_t n = plan.rows / plan.row_signs.size();
-  require(plan.columns / plan.column_signs.size() == n, "fft needs blocks of one length");
-  require(is_transform_size(plan.transform_size) && plan.transform_size >= n,
-          "the transform's size must be even, at least a block's, < 2^30, and without a prime "
-          "factor above 7");
+  require_of_product(plan.columns / plan.column_signs.size() == n,
+                     "fft needs blocks of one length");
+  require_of_product(
+      is_transform_size(plan.transform_size) && plan.transform_size >= n,
+      "the transform's size must be even, at least a block's, < 2^30, and without a prime "
+      "factor above 7");
   const std::size_t bins = plan.transform_size / 2 + 1;
   const std::size_t blocks = plan.row_signs.size() * plan.column_signs.size();
-  require(plan.spectra.size() % bins == 0 && plan.spectra.size() / bins == blocks,
-          "fft needs a spectrum for each block");
-  require(std::all_of(plan.spectra.begin(), plan.spectra.end(),
-                      [](double value) { return std::isfinite(value); }),
-          "a spectrum is not finite");
+  require_of_product(plan.spectra.size() % bins == 0 && plan.spectra.size() / bins == blocks,
+                     "fft needs a spectrum for each block");
+  require_of_product(std::all_of(plan.spectra.begin(), plan.spectra.end(),
+                                 [](double value) { return std::isfinite(value); }),
+                     "a spectrum is not finite");
 }
 
 void check_grid(const GridBlocks& grid, std::size_t size) {
   constexpr std::size_t most = std::size_t{1} << 32;  // places are counted in 32 bits
-  require(grid.rows > 0 && grid.columns > 0 && grid.rows < most && grid.columns < most &&
-              size < most && !grid.signs_y.empty() && grid.signs_y.size() == grid.signs_z.size(),
-          "reflections need grids, and two signs for each block");
-  require(grid.rows * grid.columns <= size && grid.size() == size,
-          "the grids do not fit the product's size");
+  require_of_product(grid.rows > 0 && grid.columns > 0 && grid.rows < most && grid.columns < most &&
+                         size < most && !grid.signs_y.empty() &&
+                         grid.signs_y.size() == grid.signs_z.size(),
+                     "reflections need grids, and two signs for each block");
+  require_of_product(grid.rows * grid.columns <= size && grid.size() == size,
+                     "the grids do not fit the product's size");
   for (const auto* signs : {&grid.signs_y, &grid.signs_z}) check_signs(*signs, size);
   if (grid.partners.empty()) return;
-  require(grid.rows == grid.columns && grid.partners.size() == grid.signs_y.size(),
-          "partners need square grids, and one for each block");
+  require_of_product(grid.rows == grid.columns && grid.partners.size() == grid.signs_y.size(),
+                     "partners need square grids, and one for each block");
   for (std::size_t b = 0; b < grid.partners.size(); ++b) {
     const std::size_t other = grid.partners[b];
-    require(other < grid.partners.size() && grid.partners[other] == b &&
-                grid.signs_y[other] == grid.signs_z[b],
-            "partners must be mutual, and their signs exchanged");
+    require_of_product(other < grid.partners.size() && grid.partners[other] == b &&
+                           grid.signs_y[other] == grid.signs_z[b],
+                       "partners must be mutual, and their signs exchanged");
   }
 }
 
@@ -89,12 +94,12 @@ ClassesOf classes_of(const ProductPlan& plan) {
   if (has_reflections(plan.structure)) {
     check_grid(plan.row_grid, plan.rows);
     check_grid(plan.column_grid, plan.columns);
-    require(plan.row_grid.partners.empty() == plan.column_grid.partners.empty(),
-            "partners are of both sides or of none");
+    require_of_product(plan.row_grid.partners.empty() == plan.column_grid.partners.empty(),
+                       "partners are of both sides or of none");
     return {class_sizes(plan.column_grid), class_sizes(plan.row_grid)};
   }
-  require(plan.row_grid.size() == 0 && plan.column_grid.size() == 0,
-          "grids belong to reflections alone");
+  require_of_product(plan.row_grid.size() == 0 && plan.column_grid.size() == 0,
+                     "grids belong to reflections alone");
   if (!has_parity(plan.structure)) return {{plan.columns}, {plan.rows}};
   check_signs(plan.row_signs, plan.rows);
   check_signs(plan.column_signs, plan.columns);
@@ -157,22 +162,23 @@ std::vector<std::size_t> class_sizes(const GridBlocks& grid) {
 }
 
 void check(const ProductPlan& plan) {
-  require(plan.structure <= Structure::reflections_low_rank && plan.precision <= Precision::float32,
-          "structure or precision is unknown");
-  require(plan.rows > 0 && plan.columns > 0, "sizes must be > 0");
-  require(plan.scale > 0.0 && std::isfinite(plan.scale), "scale must be > 0 and finite");
+  require_of_product(
+      plan.structure <= Structure::reflections_low_rank && plan.precision <= Precision::float32,
+      "structure or precision is unknown");
+  require_of_product(plan.rows > 0 && plan.columns > 0, "sizes must be > 0");
+  require_of_product(plan.scale > 0.0 && std::isfinite(plan.scale), "scale must be > 0 and finite");
   const auto [in, out] = classes_of(plan);
   if (plan.structure == Structure::fft) check_convolution(plan);
   const std::size_t per_class = is_low_rank(plan.structure) ? 2 : 1;
-  require(plan.factors.size() == in.size() * per_class, "wrong number of factors");
+  require_of_product(plan.factors.size() == in.size() * per_class, "wrong number of factors");
   for (const Factor& factor : plan.factors)
     check_values(factor, plan.precision, has_reflections(plan.structure));
   for (std::size_t c = 0; c < in.size(); ++c) {
     const Factor& first = plan.factors[c * per_class];
     const Factor& last = plan.factors[c * per_class + per_class - 1];
-    require(first.columns == in[c] && last.rows == out[c] &&
-                (per_class == 1 || first.rows == last.columns),
-            "the factors' sizes do not fit");
+    require_of_product(first.columns == in[c] && last.rows == out[c] &&
+                           (per_class == 1 || first.rows == last.columns),
+                       "the factors' sizes do not fit");
   }
 }
 

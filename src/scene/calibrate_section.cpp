@@ -16,16 +16,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A standard deviation; inf is a number here: nothing is known.
-constexpr Rule deviation{"must be >= 0", [](double x) noexcept { return x >= 0.0; }};
-
-struct Key {
+struct DeviationKey {
   std::string_view name;
   double CalibrationOptions::*member;
 };
-constexpr std::array keys = {Key{"gain_sd", &CalibrationOptions::gain_sd},
-                             Key{"mean_gain_sd", &CalibrationOptions::mean_gain_sd},
-                             Key{"half_width_sd", &CalibrationOptions::half_width_sd}};
+constexpr std::array deviation_keys = {
+    DeviationKey{"gain_sd", &CalibrationOptions::gain_sd},
+    DeviationKey{"mean_gain_sd", &CalibrationOptions::mean_gain_sd},
+    DeviationKey{"half_width_sd", &CalibrationOptions::half_width_sd}};
 
 constexpr std::array sharings = {GainSharing::reading, GainSharing::taxel, GainSharing::channel};
 
@@ -36,7 +34,7 @@ double sd_of(const Value& value, const Unit& unit, double otherwise) {
     value.misfit("must be a standard deviation, or \"unknown\"", "0 is exact");
     return otherwise;
   }
-  return value.number(deviation, unit).value_or(otherwise);
+  return value.number(not_negative, unit).value_or(otherwise);
 }
 
 }  // namespace
@@ -53,7 +51,7 @@ CalibrationOptions read_calibrate(Table table, const Units& units, bool has_laye
       options.set_sd(parameter, sd_of(*value, unit, options.sd(parameter)));
   }
   if (of_skin) options.shift_z_sd = options.shift_sd;
-  for (const Key& key : keys)
+  for (const DeviationKey& key : deviation_keys)
     if (const auto value = table.value(key.name))
       options.*key.member = sd_of(*value, {}, options.*key.member);
   if (const auto value = table.value("gains")) {

@@ -35,7 +35,7 @@ std::string list_of(const std::vector<double>& values, const std::vector<double>
   return text + "]";
 }
 
-const std::optional<Units>& units_of(const AnyScene& scene) {
+const std::optional<Units>& stated_units(const AnyScene& scene) {
   return std::visit([](const auto& one) -> const std::optional<Units>& { return one.units; },
                     scene);
 }
@@ -43,7 +43,7 @@ const std::optional<Units>& units_of(const AnyScene& scene) {
 std::string calibration_table(const AnyScene& scene, const PressLog& log, const PressFit& fit,
                               std::string_view from) {
   const SensorScale raw = sensor_scale(scene, fit);
-  const std::optional<Units>& units = units_of(scene);
+  const std::optional<Units>& units = stated_units(scene);
   std::string text =
       "[calibration]  # number = gains * reading + offsets, by tactile-net calibrate\n";
   if (fit.verdict != FitVerdict::ok)
@@ -283,7 +283,7 @@ std::string calibrated_scene(std::string_view toml, const AnyScene& nominal, con
     if (node != nullptr && is_found(value.verdict))
       edited.replace(*node, rounded(unit.from_si(value.value), unit.from_si(value.sd)));
   };
-  const Units units = units_of(nominal).value_or(Units{});
+  const Units units = stated_units(nominal).value_or(Units{});
   if (const toml::table* sensor = root["sensor"].as_table(); sensor != nullptr)
     std::visit([&](const auto& one) { put_sensor(*sensor, one, fit, units, edited); }, nominal);
   if (const toml::node* pitch = root.at_path("sensor.pitch").node();

@@ -10,12 +10,12 @@
 namespace tactile_net {
 namespace {
 
-constexpr std::string_view reading = "reading";
+constexpr std::string_view reading_column = "reading";
 
 void check_header(const CsvTable::Row& header, std::span<const std::string_view> known) {
   for (const std::string& name : header.fields) {
-    if (name != reading && std::find(known.begin(), known.end(), name) == known.end()) {
-      std::string all(reading);
+    if (name != reading_column && std::find(known.begin(), known.end(), name) == known.end()) {
+      std::string all(reading_column);
       for (const std::string_view one : known) all += ", " + std::string(one);
       throw error_in_line(header.line, "a column has another name than " + all);
     }
@@ -38,7 +38,7 @@ CalibrationColumns read_calibration_file(const std::filesystem::path& path,
     for (std::size_t k = 0; k < fields.size(); ++k) {
       const std::string& name = table.header.fields[k];
       double number = 0.0;
-      if (name == reading) {
+      if (name == reading_column) {
         if (fields[k] != readings[i])
           throw error_in_line(line, "this row is that of " + readings[i]);
       } else if (!read_number(fields[k], number) || !std::isfinite(number)) {

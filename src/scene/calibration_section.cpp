@@ -22,7 +22,7 @@ constexpr Rule not_zero{"must not be 0", [](double x) noexcept { return x != 0.0
 constexpr std::size_t most_kept = std::size_t{1} << 23;
 
 /// What the sensor's calibration says of every reading, and how it is written.
-struct Column {
+struct Coefficient {
   std::string_view name;
   std::vector<double> Calibration::*member;
   Rule rule;
@@ -30,18 +30,19 @@ struct Column {
   double absent;  // what it is where nothing says it
 };
 
-constexpr std::array columns = {Column{"gain", &Calibration::gain, not_zero, true, 1.0},
-                                Column{"baseline", &Calibration::baseline, any_number, false, 0.0},
-                                Column{"offset", &Calibration::offset, any_number, true, 0.0}};
+constexpr std::array coefficients = {
+    Coefficient{"gain", &Calibration::gain, not_zero, true, 1.0},
+    Coefficient{"baseline", &Calibration::baseline, any_number, false, 0.0},
+    Coefficient{"offset", &Calibration::offset, any_number, true, 0.0}};
 
 /// What `calibrate` writes: number = gains * reading + offsets, with gains near 1 whatever the
 /// units.
-constexpr Column sensor_gains{"gains", &Calibration::gain, not_zero, false, 1.0};
-constexpr Column sensor_offsets{"offsets", &Calibration::baseline, any_number, false, 0.0};
+constexpr Coefficient sensor_gains{"gains", &Calibration::gain, not_zero, false, 1.0};
+constexpr Coefficient sensor_offsets{"offsets", &Calibration::baseline, any_number, false, 0.0};
 
-class Reader {
+class CalibrationReader {
  public:
-  explicit Reader(const CalibratedReadings& readings)
+  explicit CalibrationReader(const CalibratedReadings& readings)
       : names_(readings.names), units_(readings.units), quantities_(readings.quantities) {}
 
   /// How many readings there are; 0: the sensor was not understood.
@@ -50,15 +51,15 @@ class Reader {
     return std::any_of(units_.begin(), units_.end(),
                        [](const Unit& unit) { return !unit.is_si(); });
   }
-  [[nodiscard]] Unit unit(const Column& column, std::size_t reading) const {
-    return column.has_unit ? units_[reading] : Unit{};
+  [[nodiscard]] Unit unit(const Coefficient& coefficient, std::size_t reading) const {
+    return coefficient.has_unit ? units_[reading] : Unit{};
   }
 
   [[nodiscard]] Calibration without_table() const {
     Calibration calibration;
-    for (const Column& column : columns)
+    for (const Coefficient& coefficient : coefficients)
       for (std::size_t i = 0; i < units_.size(); ++i)
-        (calibration.*column.member).push_back(unit(column, i).to_si(column.absent));
+        (calibration.*coefficient.member).push_back(unit(coefficient, i).to_si(coefficient.absent));
     return calibration;
   }
 
@@ -70,32 +71,34 @@ class Reader {
   }
 
   /// One number for all readings, one for each quantity, or one for each reading.
-  void read(const Value& value, const Column& column, std::vector<double>& numbers) const {
+  void read(const Value& value, const Coefficient& coefficient,
+            std::vector<double>& numbers) const {
     if (value.is_table())
-      read_quantities(*value.table(), column, numbers);
+      read_quantities(*value.table(), coefficient, numbers);
     else if (value.is_list())
-      read_list(value, column, numbers);
+      read_list(value, coefficient, numbers);
     else
       for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto number = value.number(column.rule, unit(column, i));
+        const auto number = value.number(coefficient.rule, unit(coefficient, i));
         if (!number) return;
         numbers[i] = *number;
       }
   }
 
   void read(const CalibrationColumns& from, const Value& file, Calibration& calibration) const {
-    for (const Column& column : columns) {
-      const auto found = from.find(column.name);
+    for (const Coefficient& coefficient : coefficients) {
+      const auto found = from.find(coefficient.name);
       if (found == from.end()) continue;
       for (std::size_t i = 0; i < found->second.size(); ++i) {
-        const double number = unit(column, i).to_si(found->second[i]);
-        if (!column.rule.holds(number) || !std::isfinite(number)) {
-          file.problem("names a file whose " + std::string(column.name) + " of reading " +
-                       std::to_string(i) + ' ' +
-                       std::string(column.rule.holds(number) ? "is too large" : column.rule.text));
+        const double number = unit(coefficient, i).to_si(found->second[i]);
+        if (!coefficient.rule.holds(number) || !std::isfinite(number)) {
+          file.problem(
+              "names a file whose " + std::string(coefficient.name) + " of reading " +
+              std::to_string(i) + ' ' +
+              std::string(coefficient.rule.holds(number) ? "is too large" : coefficient.rule.text));
           return;
         }
-        (calibration.*column.member)[i] = number;
+        (calibration.*coefficient.member)[i] = number;
       }
     }
   }
@@ -123,7 +126,8 @@ class Reader {
   }
 
  private:
-  void read_list(const Value& value, const Column& column, std::vector<double>& numbers) const {
+  void read_list(const Value& value, const Coefficient& coefficient,
+                 std::vector<double>& numbers) const {
     const auto list = value.list("numbers");
     if (list->size() != numbers.size()) {
       value.problem("must have one value per reading, channel after channel: " +
@@ -134,20 +138,22 @@ class Reader {
     }
     std::size_t misfits = 0;
     for (std::size_t i = 0; i < numbers.size() && misfits < most_misfits; ++i)
-      if (const auto number = (*list)[i].number(column.rule, unit(column, i)))
+      if (const auto number = (*list)[i].number(coefficient.rule, unit(coefficient, i)))
         numbers[i] = *number;
       else
         ++misfits;
   }
 
-  void read_quantities(Table table, const Column& column, std::vector<double>& numbers) const {
+  void read_quantities(Table table, const Coefficient& coefficient,
+                       std::vector<double>& numbers) const {
     for (const std::string_view quantity : names_) {
       const auto value =
           table.required(quantity, "the table names every quantity that sensor.reads does");
       if (!value) continue;
       const auto first = std::find(quantities_.begin(), quantities_.end(), quantity);
-      const auto number = value->number(
-          column.rule, unit(column, static_cast<std::size_t>(first - quantities_.begin())));
+      const auto number =
+          value->number(coefficient.rule,
+                        unit(coefficient, static_cast<std::size_t>(first - quantities_.begin())));
       for (std::size_t i = 0; i < numbers.size(); ++i)
         if (quantities_[i] == quantity) numbers[i] = number.value_or(1.0);
     }
@@ -175,7 +181,7 @@ void read_origin(Table& table) {
     }
 }
 
-/// The columns of a file beside the scene.
+/// Coefficients in the columns of a file beside the scene.
 CalibrationColumns columns_of(const Value& value, const std::filesystem::path& folder,
                               std::span<const std::string> readings) {
   const References references{folder.empty() ? "." : folder};
@@ -189,9 +195,9 @@ CalibrationColumns columns_of(const Value& value, const std::filesystem::path& f
                  "a scene from somewhere else could have any file read");
     return {};
   }
-  std::array<std::string_view, columns.size()> names;
-  std::transform(columns.begin(), columns.end(), names.begin(),
-                 [](const Column& column) { return column.name; });
+  std::array<std::string_view, coefficients.size()> names;
+  std::transform(coefficients.begin(), coefficients.end(), names.begin(),
+                 [](const Coefficient& coefficient) { return coefficient.name; });
   try {
     return read_calibration_file(references.folder / file, names, readings);
   } catch (const std::runtime_error& error) {
@@ -206,7 +212,7 @@ CalibrationColumns columns_of(const Value& value, const std::filesystem::path& f
 std::optional<Calibration> read_calibration(const std::optional<Table>& given,
                                             const std::filesystem::path& folder,
                                             const CalibratedReadings& readings) {
-  const Reader reader(readings);
+  const CalibrationReader reader(readings);
   if (!given) return reader.any_unit() ? std::optional(reader.without_table()) : std::nullopt;
   Table table = *given;
   Calibration calibration = reader.without_table();
@@ -216,13 +222,13 @@ std::optional<Calibration> read_calibration(const std::optional<Table>& given,
     from = columns_of(*file, folder, readings.ids);
     reader.read(from, *file, calibration);
   }
-  for (const Column& column : columns) {
-    const auto value = table.value(column.name);
+  for (const Coefficient& coefficient : coefficients) {
+    const auto value = table.value(coefficient.name);
     if (!value) continue;
-    if (from.contains(column.name))
+    if (from.contains(coefficient.name))
       value->problem("stands in calibration.file too", "keep one of the two");
     else if (reader.known())
-      reader.read(*value, column, calibration.*column.member);
+      reader.read(*value, coefficient, calibration.*coefficient.member);
   }
   if (const auto frames = table.value("baseline_frames")) {
     if (table.value("baseline") || from.contains("baseline"))

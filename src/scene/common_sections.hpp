@@ -39,10 +39,6 @@ struct Read {
   bool timed = false;  ///< there is a table [time]
 };
 
-[[nodiscard]] inline std::optional<Table> table_of(const std::optional<Value>& value) {
-  return value ? value->table() : std::nullopt;
-}
-
 /// The words of an enum, in the order of its list.
 template <typename Enum, std::size_t size>
 [[nodiscard]] std::array<std::string_view, size> names_of(const std::array<Enum, size>& all) {

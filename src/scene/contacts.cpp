@@ -14,7 +14,7 @@ namespace {
 
 // Shape's names in its order, then the one that is no indenter.
 constexpr std::array<std::string_view, 4> shape_names = {"cylinder", "punch", "wedge", "tractions"};
-constexpr std::size_t tractions = 3;
+constexpr std::size_t tractions_index = 3;
 
 constexpr auto rigid_keys = {"center", "half_width", "force", "friction", "trajectory"};
 constexpr auto sampled_keys = {"normal", "tangential"};
@@ -71,11 +71,6 @@ std::vector<KnotValues> read_knots(const Value& trajectory) {
     knots.push_back(std::move(knot));
   }
   return knots;
-}
-
-double number_or(const std::optional<Value>& value, const Rule& rule, double otherwise,
-                 const Unit& unit = {}) {
-  return value ? value->number(rule, unit).value_or(otherwise) : otherwise;
 }
 
 /// What is wrong counts as harmless: a half width of 0.
@@ -192,7 +187,7 @@ SampledTractions read_tractions(Table& table, const SensorArray& array, const Un
 }
 
 /// Without a shape nothing can be said about the other keys but that they exist.
-void pass_over(Table& table) {
+void pass_over_contact(Table& table) {
   for (const std::string_view key : rigid_keys) (void)table.value(key);
   for (const std::string_view key : sampled_keys) (void)table.value(key);
   (void)table.value("edge");
@@ -207,8 +202,8 @@ void read_contacts(std::vector<Table> tables, const Read& read, Scene& scene) {
     const auto index = shape ? shape->one_of("shape", shape_names) : std::nullopt;
     ContactTrajectory trajectory;
     if (!index)
-      pass_over(table);
-    else if (*index == tractions)
+      pass_over_contact(table);
+    else if (*index == tractions_index)
       scene.contacts.emplace_back(read_tractions(table, scene.sensor, read.units.stress));
     else
       scene.contacts.emplace_back(

@@ -27,7 +27,7 @@ constexpr FileKind hand_file{"hand",
                              "{ center, half_width } and "
                              "contact = { normal, tangential, center }"};
 
-Vector2 vector_of(const std::optional<Value>& value) {
+Vector2 plane_vector_of(const std::optional<Value>& value) {
   if (!value) return {};
   const auto list = value->list("numbers");
   if (!list) return {};
@@ -48,7 +48,7 @@ double read_center(Table& table, std::optional<double> half_width) {
   return center.value_or(0.0);
 }
 
-constexpr std::string_view kinds =
+constexpr std::string_view contact_kinds =
     "a contact is a scene, tractions, a resultant, or a center alone";
 
 constexpr Keys resultant_keys = {"normal",           "tangential",           "center",
@@ -60,8 +60,8 @@ TractionFile read_traction_file(Table& table, const Value& tractions,
   file.pitch = number_or(table.required("pitch", "the distance of the taxels: pitch = 0.5e-3"),
                          positive, 1.0);
   file.frame = read_frame(table);
-  refuse_others(table, "contact.tractions", resultant_keys, kinds);
-  refuse_others(table, "contact.tractions", {"readings"}, kinds);
+  refuse_others(table, "contact.tractions", resultant_keys, contact_kinds);
+  refuse_others(table, "contact.tractions", {"readings"}, contact_kinds);
   return file;
 }
 
@@ -85,9 +85,9 @@ FingertipForce read_resultant(Table& table, const Value& normal, const ContactPl
 
 /// A contact whose place is in the hand's file.
 ContactSource read_place(Table& table, std::optional<double> half_width) {
-  refuse_others(table, "a contact without scene", {"readings"}, kinds);
-  refuse_others(table, "a contact without tractions", {"pitch"}, kinds);
-  refuse_others(table, "a contact without a file", {"frame"}, kinds);
+  refuse_others(table, "a contact without scene", {"readings"}, contact_kinds);
+  refuse_others(table, "a contact without tractions", {"pitch"}, contact_kinds);
+  refuse_others(table, "a contact without a file", {"frame"}, contact_kinds);
   ContactPlace place;
   place.centre = read_center(table, half_width);
   place.deviation = number_or(table.value("center_deviation"), not_negative, 0.0);
@@ -103,8 +103,8 @@ ContactSource read_contact(Table table, std::optional<double> half_width,
   ContactSource source;
   if (const auto scene = table.value("scene")) {
     source = read_fingertip_scene(table, *scene, references);
-    refuse_others(table, "contact.scene", resultant_keys, kinds);
-    refuse_others(table, "contact.scene", {"tractions", "pitch"}, kinds);
+    refuse_others(table, "contact.scene", resultant_keys, contact_kinds);
+    refuse_others(table, "contact.scene", {"tractions", "pitch"}, contact_kinds);
   } else if (const auto tractions = table.value("tractions")) {
     source = read_traction_file(table, *tractions, references);
   } else {
@@ -180,7 +180,7 @@ void refuse_straight(const HandFinger& result, const Value& angles) {
                    "bend finger '" + finger.name + "'");
 }
 
-std::vector<std::string> names_of(std::span<const HandFinger> fingers) {
+std::vector<std::string> finger_names(std::span<const HandFinger> fingers) {
   std::vector<std::string> names;
   for (const HandFinger& finger : fingers) names.push_back(finger.finger.name);
   return names;
@@ -190,8 +190,9 @@ HandFinger read_finger(Table table, double radian, const References& references,
                        std::span<const HandFinger> before) {
   HandFinger result;
   Finger& finger = result.finger;
-  finger.name = read_name(table, names_of(before));
-  finger.base = vector_of(table.required("base", "the first joint's place: base = [-0.03, 0.0]"));
+  finger.name = read_name(table, finger_names(before));
+  finger.base =
+      plane_vector_of(table.required("base", "the first joint's place: base = [-0.03, 0.0]"));
   finger.direction = radian * number_or(table.value("direction"), any_number, 0.0);
   finger.links = read_links(table);
   const auto angles = table.required(
@@ -250,7 +251,7 @@ void read_hand_tables(Table& root, const References& references, Hand& hand) {
     }
   if (const auto load = table_of(root.value("load")))
     hand.load = read_load<ExternalLoad>(
-        *load, "where the force acts: point = [0.0, 0.08]", vector_of,
+        *load, "where the force acts: point = [0.0, 0.08]", plane_vector_of,
         [](const auto& torque) { return number_or(torque, any_number, 0.0); });
   if (const auto grasp = table_of(root.value("grasp"))) read_grasp(*grasp, hand);
   root.finish();

@@ -6,14 +6,6 @@
 
 namespace tactile_net::hand_parts {
 
-std::optional<Table> table_of(const std::optional<Value>& value) {
-  return value ? value->table() : std::nullopt;
-}
-
-double number_or(const std::optional<Value>& value, const Rule& rule, double otherwise) {
-  return value ? value->number(rule).value_or(otherwise) : otherwise;
-}
-
 std::filesystem::path path_of(const Value& value, const References& references) {
   const std::string text = value.text().value_or("-");
   if (text.empty())

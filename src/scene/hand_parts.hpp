@@ -15,10 +15,6 @@
 
 namespace tactile_net::hand_parts {
 
-[[nodiscard]] std::optional<Table> table_of(const std::optional<Value>& value);
-[[nodiscard]] double number_or(const std::optional<Value>& value, const Rule& rule,
-                               double otherwise);
-
 inline constexpr Rule share{"must be > 0 and <= 1",
                             [](double x) noexcept { return x > 0.0 && x <= 1.0; }};
 

@@ -23,19 +23,19 @@ namespace {
 
 constexpr Named<ForwardModel> forward_models[] = {{ForwardModel::sampled, "sampled"},
                                                   {ForwardModel::exact, "exact"}};
-constexpr Named<Method> methods[] = {{Method::dft, "dft"},
-                                     {Method::tikhonov, "tikhonov"},
-                                     {Method::closed_form, "closed_form"},
-                                     {Method::network, "network"}};
+constexpr Named<Method> method_names[] = {{Method::dft, "dft"},
+                                          {Method::tikhonov, "tikhonov"},
+                                          {Method::closed_form, "closed_form"},
+                                          {Method::network, "network"}};
 
 }  // namespace
 
 std::string_view name(ForwardModel model) noexcept { return name_in<forward_models>(model); }
 
-std::string_view name(Method method) noexcept { return name_in<methods>(method); }
+std::string_view name(Method method) noexcept { return name_in<method_names>(method); }
 
 std::optional<Method> method_named(std::string_view text) noexcept {
-  return named_in<methods>(text);
+  return named_in<method_names>(text);
 }
 
 std::size_t unknowns(const Scene& scene) {

@@ -72,7 +72,7 @@ double creeping_share(const SensedScene& scene) {
 
 // The order of the signal path: what loads the pad, the pad itself, the taxels and the wires
 // between them, the amplifiers, the converter, and what is broken for good.
-const std::array table = {
+const std::array effects_in_order = {
     SceneEffect{"friction", [](const SensedScene& scene) { return scene.drags; }, nullptr,
                 [](const SensedScene&) -> std::string {
                   return "contacts drag the surface: a second field of tractions";
@@ -185,6 +185,6 @@ const std::array table = {
 
 }  // namespace
 
-std::span<const SceneEffect> scene_effects() { return table; }
+std::span<const SceneEffect> scene_effects() { return effects_in_order; }
 
 }  // namespace tactile_net

@@ -13,14 +13,13 @@ namespace tactile_net {
 
 namespace {
 
-constexpr Rule share{"must be >= 0 and < 1", [](double x) noexcept { return x >= 0.0 && x < 1.0; }};
 constexpr Rule weight_range{"must be > 0 and at most 1",
                             [](double x) noexcept { return x > 0.0 && x <= 1.0; }};
 
 /// Reads the tables of one scene's sensor effects.
-class Reader : private EffectValues {
+class EffectReader : private EffectValues {
  public:
-  explicit Reader(const SensorOfEffects& sensor) : EffectValues(sensor), sensor_(sensor) {}
+  explicit EffectReader(const SensorOfEffects& sensor) : EffectValues(sensor), sensor_(sensor) {}
 
   // --- one function for each table, in the order of the signal path ---
 
@@ -34,7 +33,7 @@ class Reader : private EffectValues {
         PronyTerm term;
         if (const auto fraction =
                 one.required("fraction", "the share of the modulus that relaxes: fraction = 0.3"))
-          term.fraction = fraction->number(share).value_or(0.0);
+          term.fraction = fraction->number(proper_fraction).value_or(0.0);
         if (const auto time = one.required("time", "its relaxation time, seconds: time = 0.1"))
           term.time = time->number(positive, in_seconds).value_or(1.0);
         one.finish();
@@ -258,7 +257,7 @@ class Reader : private EffectValues {
 
 void read_sensor_effects(Table& root, const SensorOfEffects& sensor,
                          const std::optional<Timing>& time, SensorEffects& effects) {
-  const Reader reader(sensor);
+  const EffectReader reader(sensor);
   const auto table = [&](std::string_view key) { return table_of(root.value(key)); };
   // An effect that shows only in how readings change.
   const auto timed = [&](std::string_view key) {

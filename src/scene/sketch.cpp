@@ -9,7 +9,7 @@ namespace tactile_net {
 namespace {
 
 /// As a TOML string of one line.
-std::string in_quotes(std::string_view text) {
+std::string toml_string(std::string_view text) {
   std::string result = "\"";
   for (const char c : printable(text)) {
     if (c == '"' || c == '\\') result += '\\';
@@ -39,7 +39,7 @@ std::string units_section(const SceneSketch& sketch) {
                                                             {"force", sketch.force_unit}};
   std::string text;
   for (const auto& [key, unit] : all)
-    if (!unit.empty()) text += std::string(key) + " = " + in_quotes(unit) + '\n';
+    if (!unit.empty()) text += std::string(key) + " = " + toml_string(unit) + '\n';
   if (text.empty())
     return "# Without units, any consistent set will do: m with Pa makes N/m, mm with MPa N/mm.\n"
            "# [units]\n"
@@ -60,7 +60,7 @@ std::string sensor_section(const SceneSketch& sketch) {
       sketch.depths.size() == 1
           ? line("depth = " + shortest(sketch.depths.front()), "of the taxels below the surface")
           : line("depths = " + list(sketch.depths, number), "of the taxels below the surface");
-  text += line("reads = " + list(sketch.reads, [](Quantity one) { return in_quotes(name(one)); }),
+  text += line("reads = " + list(sketch.reads, [](Quantity one) { return toml_string(name(one)); }),
                "what each measures: stress_x (normal to the surface), stress_y,");
   return text + line("", "shear_xy, strain_x, strain_y. Compression is positive");
 }
@@ -74,7 +74,7 @@ std::string material_section(const SceneSketch& sketch) {
                      "0 to 0.5, which is incompressible")
               : line("poisson_ratio = 0.45", "assumed: rubbers and silicones have 0.45 to 0.5");
   const auto layer = [](const std::string& thickness, Base base) {
-    return "layer = { thickness = " + thickness + ", base = " + in_quotes(name(base)) + " }\n";
+    return "layer = { thickness = " + thickness + ", base = " + toml_string(name(base)) + " }\n";
   };
   if (sketch.layer)
     return text +
@@ -103,7 +103,7 @@ std::string noise_section(const SceneSketch& sketch) {
   return text + " }\n";
 }
 
-constexpr std::string_view rest =
+constexpr std::string_view rest_of_scene =
     "# reading = gain (raw - baseline) + offset: one number, or one per reading. `check` finds "
     "the\n"
     "# baseline where frames without a load are in the recording.\n"
@@ -129,11 +129,11 @@ constexpr std::string_view rest =
 std::string scene_text(const SceneSketch& sketch) {
   std::string text;
   for (const std::string& remark : sketch.remarks) text += "# " + printable(remark) + '\n';
-  if (!sketch.title.empty()) text += "title = " + in_quotes(sketch.title) + '\n';
+  if (!sketch.title.empty()) text += "title = " + toml_string(sketch.title) + '\n';
   for (const std::string& section : {units_section(sketch), sensor_section(sketch),
                                      material_section(sketch), noise_section(sketch)})
     text += '\n' + section;
-  return text + '\n' + std::string(rest);
+  return text + '\n' + std::string(rest_of_scene);
 }
 
 }  // namespace tactile_net

@@ -16,7 +16,7 @@ constexpr std::array indenters = {SkinShape::sphere, SkinShape::ellipsoid, SkinS
                                   SkinShape::cone};
 
 /// Those of the indenters in their order, then the one that is none.
-std::array<std::string_view, indenters.size() + 1> shape_names() {
+std::array<std::string_view, indenters.size() + 1> skin_shape_names() {
   std::array<std::string_view, indenters.size() + 1> names;
   std::transform(indenters.begin(), indenters.end(), names.begin(),
                  [](SkinShape shape) { return name(shape); });
@@ -24,36 +24,35 @@ std::array<std::string_view, indenters.size() + 1> shape_names() {
   return names;
 }
 
-constexpr auto rigid_keys = {"place",    "radius",    "radii", "angle",   "force",
-                             "friction", "direction", "stick", "torsion", "trajectory"};
-constexpr auto sampled_keys = {"spacing", "normal", "tangential_y", "tangential_z"};
-
-constexpr Rule ratio{"must be >= 0 and < 1", [](double x) noexcept { return x >= 0.0 && x < 1.0; }};
+constexpr auto indenter_keys = {"place",    "radius",    "radii", "angle",   "force",
+                                "friction", "direction", "stick", "torsion", "trajectory"};
+constexpr auto patch_keys = {"spacing", "normal", "tangential_y", "tangential_z"};
 
 /// A number of a contact that may also stand in the knots of a trajectory.
-struct Key {
+struct ContactKey {
   std::string_view name;
   double SkinContact::*member;
   const Rule* rule;
   Unit (*unit)(const Units& units);
 };
 
-constexpr Unit plain(const Units&) { return {}; }
-constexpr Unit length(const Units& units) { return units.length; }
-constexpr Unit force(const Units& units) { return units.force; }
-constexpr Unit turned(const Units&) { return degrees; }
-constexpr Unit moment(const Units& units) {
+constexpr Unit no_unit(const Units&) { return {}; }
+constexpr Unit length_unit(const Units& units) { return units.length; }
+constexpr Unit force_unit(const Units& units) { return units.force; }
+constexpr Unit angle_unit(const Units&) { return degrees; }
+constexpr Unit moment_unit(const Units& units) {
   return {"", units.force.multiplier * units.length.multiplier,
           units.force.divisor * units.length.divisor};
 }
 
-constexpr Key keys[] = {{"radius", &SkinContact::radius, &positive, length},
-                        {"angle", &SkinContact::angle, &any_number, turned},
-                        {"force", &SkinContact::force, &not_negative, force},
-                        {"friction", &SkinContact::friction, &not_negative, plain},
-                        {"direction", &SkinContact::direction, &any_number, turned},
-                        {"stick", &SkinContact::stick, &ratio, plain},
-                        {"torsion", &SkinContact::torsion, &any_number, moment}};
+constexpr ContactKey contact_keys[] = {
+    {"radius", &SkinContact::radius, &positive, length_unit},
+    {"angle", &SkinContact::angle, &any_number, angle_unit},
+    {"force", &SkinContact::force, &not_negative, force_unit},
+    {"friction", &SkinContact::friction, &not_negative, no_unit},
+    {"direction", &SkinContact::direction, &any_number, angle_unit},
+    {"stick", &SkinContact::stick, &proper_fraction, no_unit},
+    {"torsion", &SkinContact::torsion, &any_number, moment_unit}};
 
 /// A key that must be there, and what it says.
 using Needed = std::pair<std::string_view, std::string_view>;
@@ -70,7 +69,7 @@ bool read_numbers(Table& table, const Units& units, SkinContact& contact) {
     if (both) std::tie(first, second) = std::pair(both->front(), both->back());
   };
   two("place", any_number, "place = [1.0, -0.5]", contact.y, contact.z);
-  for (const Key& key : keys)
+  for (const ContactKey& key : contact_keys)
     if (const auto value = table.value(key.name)) {
       const auto number = value->number(*key.rule, key.unit(units));
       good = good && number;
@@ -169,7 +168,7 @@ SkinContact read_rigid(Table& table, const Value& where, SkinShape shape, const 
     table.not_here("stick", "leaves a punch no finite drag: its pressure is infinite at its rim",
                    "remove it");
   needs("force", "the load in the unit of force: force = 1.0");
-  for (const std::string_view key : sampled_keys)
+  for (const std::string_view key : patch_keys)
     table.not_here(key, "applies to the shape \"tractions\" only",
                    "remove it, or give the load by shape = \"tractions\"");
   const auto place = table.value("place");
@@ -215,7 +214,7 @@ std::vector<double> read_field(const Value& value, const Unit& stress, SampledPa
 
 SampledPatch read_tractions(Table& table, const Read& read) {
   SampledPatch patch;
-  for (const std::string_view key : rigid_keys)
+  for (const std::string_view key : indenter_keys)
     if (key != std::string_view("place"))
       table.not_here(key, "does not apply to the shape \"tractions\"",
                      "its load is normal, tangential_y and tangential_z, a number for each cell");
@@ -249,9 +248,9 @@ SampledPatch read_tractions(Table& table, const Read& read) {
 }
 
 /// Without a shape nothing can be said about the other keys but that they exist.
-void pass_over(Table& table) {
-  for (const std::string_view key : rigid_keys) (void)table.value(key);
-  for (const std::string_view key : sampled_keys) (void)table.value(key);
+void pass_over_skin_contact(Table& table) {
+  for (const std::string_view key : indenter_keys) (void)table.value(key);
+  for (const std::string_view key : patch_keys) (void)table.value(key);
 }
 
 }  // namespace
@@ -261,10 +260,10 @@ void read_skin_contacts(std::vector<Table> tables, const Read& read, SkinScene& 
     const auto shape = table.required(
         "shape",
         "how the load is spread: \"sphere\", \"ellipsoid\", \"punch\", \"cone\" or \"tractions\"");
-    const auto index = shape ? shape->one_of("shape", shape_names()) : std::nullopt;
+    const auto index = shape ? shape->one_of("shape", skin_shape_names()) : std::nullopt;
     SkinContactTrajectory trajectory;
     if (!index)
-      pass_over(table);
+      pass_over_skin_contact(table);
     else if (*index == indenters.size())
       scene.contacts.emplace_back(read_tractions(table, read));
     else

@@ -10,9 +10,6 @@
 namespace tactile_net {
 namespace {
 
-constexpr std::array<std::string_view, 5> known = {"name", "y", "z", "depth", "reads"};
-enum Column { name_column, y, z, depth, reads };
-
 /// Each taxel's line, and what is at whose place.
 class Places {
  public:
@@ -41,6 +38,8 @@ class Places {
 
 std::vector<SkinTaxel> read_taxels(const std::filesystem::path& path, const SkinTaxel& missing,
                                    const Unit& length) {
+  constexpr std::array<std::string_view, 5> known = {"name", "y", "z", "depth", "reads"};
+  enum Column { name_column, y, z, depth, reads };
   const TaxelTable table(path, known, length);
   table.require(y, false, "");
   table.require(z, false, "");

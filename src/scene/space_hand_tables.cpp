@@ -12,7 +12,8 @@ namespace {
 
 using namespace hand_parts;
 
-constexpr std::string_view kinds = "a contact is a scene, a resultant, or a center alone";
+constexpr std::string_view space_contact_kinds =
+    "a contact is a scene, a resultant, or a center alone";
 
 /// `count` numbers; zeros where they are not.
 template <std::size_t count>
@@ -29,7 +30,7 @@ std::array<double, count> numbers_of(const std::optional<Value>& value, std::str
   return numbers;
 }
 
-Vector3 vector_of(const std::optional<Value>& value) {
+Vector3 space_vector_of(const std::optional<Value>& value) {
   const auto [x, y, z] = numbers_of<3>(value, "three numbers, X, Y and Z");
   return {x, y, z};
 }
@@ -37,7 +38,7 @@ Vector3 vector_of(const std::optional<Value>& value) {
 /// A direction, which has a length. X where it is wrong, so that nothing else is told of it.
 Vector3 direction_of(const std::optional<Value>& value, Vector3 otherwise) {
   if (!value) return otherwise;
-  const Vector3 way = vector_of(value);
+  const Vector3 way = space_vector_of(value);
   if (length(way) > 0.0) return way;
   if (const auto list = value->list("numbers"); list && list->size() == 3)
     value->problem("must not be zero: it is a direction");
@@ -56,7 +57,7 @@ SpaceJoint read_joint(Table table) {
     table.not_here("place", "is of no use to a joint that slides", "its direction alone counts");
   else
     joint.place =
-        vector_of(table.required("place", "a point of the axis: place = [0.0, 0.0, 0.0]"));
+        space_vector_of(table.required("place", "a point of the axis: place = [0.0, 0.0, 0.0]"));
   table.finish();
   return joint;
 }
@@ -105,13 +106,13 @@ double variance(Table& table, std::string_view key) {
   return deviation * deviation;
 }
 
-constexpr Keys resultant_keys = {
+constexpr Keys space_resultant_keys = {
     "normal",           "tangential",           "torsion",           "center",
     "normal_deviation", "tangential_deviation", "torsion_deviation", "center_deviation"};
 
 /// A contact whose place is in the hand's file.
 SpaceContactSource read_place(Table& table, const SpaceHandFinger& finger) {
-  refuse_others(table, "a contact without scene", {"readings", "frame"}, kinds);
+  refuse_others(table, "a contact without scene", {"readings", "frame"}, space_contact_kinds);
   const auto [y, z] = numbers_of<2>(
       table.required("center", "of the contact, along the pad's y and z: center = [0.0, 0.0]"),
       "two numbers, y and z");
@@ -154,7 +155,7 @@ SpaceContactSource read_contact(Table table, const SpaceHandFinger& finger,
   SpaceContactSource source;
   if (const auto scene = table.value("scene")) {
     source = read_fingertip_scene(table, *scene, references);
-    refuse_others(table, "contact.scene", resultant_keys, kinds);
+    refuse_others(table, "contact.scene", space_resultant_keys, space_contact_kinds);
   } else {
     source = read_place(table, finger);
   }
@@ -185,7 +186,7 @@ SpaceHandFinger read_finger(Table table, const References& references,
   SpaceFinger& finger = result.finger;
   finger.name = read_name(table, before);
   finger.place =
-      vector_of(table.required("place", "of the pad's y = z = 0: place = [-0.03, 0.0, 0.1]"));
+      space_vector_of(table.required("place", "of the pad's y = z = 0: place = [-0.03, 0.0, 0.1]"));
   const auto normal =
       table.required("normal", "into the pad, away from the object: normal = [-1.0, 0.0, 0.0]");
   const auto tangent = table.required("tangent", "the pad's y: tangent = [0.0, 0.0, 1.0]");
@@ -256,8 +257,8 @@ void read_space_hand(Table& root, const References& references, SpaceHand& hand)
       }
   hand.least = usual(hand);
   if (const auto load = table_of(root.value("load")))
-    hand.load = read_load<SpaceLoad>(*load, "where the force acts: point = [0, 0, 0.1]", vector_of,
-                                     vector_of);
+    hand.load = read_load<SpaceLoad>(*load, "where the force acts: point = [0, 0, 0.1]",
+                                     space_vector_of, space_vector_of);
   if (const auto grasp = table_of(root.value("grasp"))) read_grasp(*grasp, hand);
   root.finish();
 }

@@ -64,4 +64,8 @@ class Table {
   std::vector<Missing> missing_;
 };
 
+[[nodiscard]] inline std::optional<Table> table_of(const std::optional<Value>& value) {
+  return value ? value->table() : std::nullopt;
+}
+
 }  // namespace tactile_net

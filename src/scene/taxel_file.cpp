@@ -6,15 +6,11 @@
 #include "scene/taxel_table.hpp"
 
 namespace tactile_net {
-namespace {
-
-constexpr std::array<std::string_view, 4> known = {"y", "depth", "reads", "width"};
-enum Column { y, depth, reads, width };
-
-}  // namespace
 
 std::vector<Taxel> read_taxel_file(const std::filesystem::path& path, const Taxel& missing,
                                    const Unit& length, std::size_t most) {
+  constexpr std::array<std::string_view, 4> known = {"y", "depth", "reads", "width"};
+  enum Column { y, depth, reads, width };
   const TaxelTable table(path, known, length);
   table.require(y, false, "");
   table.require(depth, missing.depth > 0.0, ", and the scene states no sensor.depth");

@@ -34,26 +34,29 @@ constexpr std::array point_force_units = {Unit{"uN", 1.0, 1e6}, Unit{"µN", 1.0,
 
 constexpr std::array moment_units = {Unit{"N m"}};
 
-struct Row {
+struct DimensionRow {
   Dimension value;
   std::string_view name;
   std::string_view si;
   std::span<const Unit> units;
 };
-constexpr Row dimensions[] = {{Dimension::none, "number", "", number_units},
-                              {Dimension::length, "length", "m", length_units},
-                              {Dimension::stress, "stress", "Pa", stress_units},
-                              {Dimension::force, "force", "N/m", force_units},
-                              {Dimension::point_force, "force", "N", point_force_units},
-                              {Dimension::moment, "moment", "N m", moment_units}};
+constexpr DimensionRow dimension_rows[] = {
+    {Dimension::none, "number", "", number_units},
+    {Dimension::length, "length", "m", length_units},
+    {Dimension::stress, "stress", "Pa", stress_units},
+    {Dimension::force, "force", "N/m", force_units},
+    {Dimension::point_force, "force", "N", point_force_units},
+    {Dimension::moment, "moment", "N m", moment_units}};
 
 }  // namespace
 
 std::span<const Unit> units_of(Dimension dimension) noexcept {
-  return row_in<dimensions>(dimension).units;
+  return row_in<dimension_rows>(dimension).units;
 }
 
-std::string_view si_unit(Dimension dimension) noexcept { return row_in<dimensions>(dimension).si; }
+std::string_view si_unit(Dimension dimension) noexcept {
+  return row_in<dimension_rows>(dimension).si;
+}
 
 Dimension dimension_of(QuantityKind kind) noexcept {
   switch (kind) {

@@ -9,25 +9,25 @@
 namespace tactile_net {
 namespace {
 
-struct Key {
+struct UnitKey {
   std::string_view name;
   Unit Units::*member;
   Dimension dimension;
   std::string_view what;
 };
 
-constexpr Key keys[] = {
+constexpr UnitKey unit_keys[] = {
     {"length", &Units::length, Dimension::length, "unit of length"},
     {"modulus", &Units::modulus, Dimension::stress, "unit of stress"},
     {"stress", &Units::stress, Dimension::stress, "unit of stress"},
 };
 
-constexpr Key force_key(Dimension force) {
+constexpr UnitKey force_key(Dimension force) {
   return {"force", &Units::force, force,
           force == Dimension::force ? "unit of force per unit of depth" : "unit of force"};
 }
 
-std::optional<Unit> read_unit(const Value& value, const Key& key) {
+std::optional<Unit> read_unit(const Value& value, const UnitKey& key) {
   const auto units = units_of(key.dimension);
   std::vector<std::string_view> names;
   for (const Unit& unit : units) names.push_back(unit.name);
@@ -47,11 +47,11 @@ std::optional<Unit> read_unit(const Value& value, const Key& key) {
 Units read_units(Table table, Dimension force) {
   Units units;
   units.force = {.name = si_unit(force)};
-  const auto read = [&](const Key& key) {
+  const auto read = [&](const UnitKey& key) {
     if (const auto value = table.value(key.name))
       if (const auto unit = read_unit(*value, key)) units.*key.member = *unit;
   };
-  for (const Key& key : keys) read(key);
+  for (const UnitKey& key : unit_keys) read(key);
   read(force_key(force));
   table.finish();
   return units;

@@ -37,6 +37,8 @@ inline constexpr Unit in_volts{"V"};
 inline constexpr Rule any_number{"", [](double) noexcept { return true; }};
 inline constexpr Rule positive{"must be > 0", [](double x) noexcept { return x > 0.0; }};
 inline constexpr Rule not_negative{"must be >= 0", [](double x) noexcept { return x >= 0.0; }};
+inline constexpr Rule proper_fraction{"must be >= 0 and < 1",
+                                      [](double x) noexcept { return x >= 0.0 && x < 1.0; }};
 
 class Table;
 
@@ -95,6 +97,12 @@ class Value {
   std::string path_;
   Problems* problems_;
 };
+
+/// The number, or another where there is none or a wrong one.
+[[nodiscard]] inline double number_or(const std::optional<Value>& value, const Rule& rule,
+                                      double otherwise, const Unit& unit = {}) {
+  return value ? value->number(rule, unit).value_or(otherwise) : otherwise;
+}
 
 [[nodiscard]] Place place_of(const toml::source_position& position) noexcept;
 

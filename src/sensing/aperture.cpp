@@ -1,8 +1,8 @@
 #include "tactile_net/sensing/aperture.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "numeric/gauss_rule.hpp"
 #include "numeric/require.hpp"
 
 namespace tactile_net {
@@ -16,7 +16,7 @@ Aperture::Aperture(double width, double depth) {
   width_ = width;
   if (width == 0.0) return;
 
-  using Rule = boost::math::quadrature::gauss<double, 10>;
+  const GaussRule rule = gauss_rule(10);
   const double panels = std::ceil(2.0 * width / depth);
   const double half = 0.5 * width / panels;
   nodes_.clear();
@@ -25,9 +25,9 @@ Aperture::Aperture(double width, double depth) {
     nodes_.push_back({.offset = -place * half, .weight = 0.5 / panels * weight});
   };
   for (double panel = panels - 1.0; panel >= 0.0; panel -= 2.0)  // and those mirrored about 0
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
-      if (panel > 0.0) add(panel - Rule::abscissa()[i], Rule::weights()[i]);
-      add(panel + Rule::abscissa()[i], Rule::weights()[i]);
+    for (std::size_t i = 0; i < rule.abscissa.size(); ++i) {
+      if (panel > 0.0) add(panel - rule.abscissa[i], rule.weights[i]);
+      add(panel + rule.abscissa[i], rule.weights[i]);
     }
 }
 

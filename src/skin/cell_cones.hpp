@@ -2,12 +2,12 @@
 /// What contact allows a cell, and the nearest to it. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/problem.hpp"

@@ -3,7 +3,6 @@
 /// alpha is made in a fraction of the time that the rest takes. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <vector>

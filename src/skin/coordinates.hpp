@@ -2,10 +2,10 @@
 /// Coordinates of tractions, f = T c, in which the stabiliser is |c|^2. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <optional>
 
+#include "numeric/eigen.hpp"
 #include "numeric/sparse_cholesky.hpp"
 #include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/cone.hpp"

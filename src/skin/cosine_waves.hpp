@@ -2,8 +2,9 @@
 /// Cosines along one axis of the cells: the waves of the stabiliser, whose ends are free. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

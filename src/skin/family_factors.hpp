@@ -2,7 +2,6 @@
 /// What a skin's family of solutions is made of. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <memory>
 #include <mutex>

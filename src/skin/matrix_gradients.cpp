@@ -47,11 +47,11 @@ FrameStatus SkinMatrixGradients::solve(std::span<const double> readings,
     Eigen::VectorXd image(residual.size());
     double power = gradient.squaredNorm();
     for (std::size_t step = 0; step < steps && power > 0.0; ++step) {
-      image.noalias() = s.kernel * direction;
+      image = s.kernel * direction;
       const double length = power / (image.squaredNorm() + s.alpha * direction.squaredNorm());
       x += length * direction;
       residual -= length * image;
-      gradient.noalias() = s.kernel.transpose() * residual;
+      gradient = s.kernel.transpose() * residual;
       gradient -= s.alpha * x;
       const double now = gradient.squaredNorm();
       direction = gradient + now / power * direction;

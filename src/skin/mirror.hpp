@@ -2,10 +2,10 @@
 /// The classes into which reflections y -> -y and z -> -z part a skin's problem. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "numeric/eigen.hpp"
+#include "numeric/finite.hpp"
 #include "numeric/named.hpp"
 #include "skin/family_factors.hpp"
 #include "skin/wave_symbol.hpp"
@@ -17,8 +18,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 constexpr Named<WaveDirection> directions[] = {{WaveDirection::any, "any"},
                                                {WaveDirection::along_y, "along_y"},

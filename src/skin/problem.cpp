@@ -12,6 +12,7 @@
 #include "inverse/checks.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/require.hpp"
 #include "skin/cell_kernel.hpp"
 #include "skin/coordinates.hpp"
 #include "skin/problem_parts.hpp"
@@ -86,10 +87,6 @@ double mean_depth(const std::vector<SkinSite>& sites) {
   return std::accumulate(sites.begin(), sites.end(), 0.0,
                          [](double sum, const SkinSite& site) { return sum + site.depth; }) /
          static_cast<double>(sites.size());
-}
-
-void require(bool holds, const std::string& rule) {
-  if (!holds) throw std::invalid_argument(rule);
 }
 
 }  // namespace

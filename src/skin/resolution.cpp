@@ -3,6 +3,7 @@
 #include <limits>
 #include <utility>
 
+#include "numeric/finite.hpp"
 #include "numeric/named.hpp"
 #include "skin/wave_symbol.hpp"
 #include "tactile_net/skin/observability.hpp"
@@ -11,8 +12,6 @@ namespace tactile_net {
 namespace {
 
 using Eigen::Index;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 constexpr Named<SkinRipple> ripples[] = {{SkinRipple::pressure, "pressure"},
                                          {SkinRipple::drag_along, "drag_along"},

@@ -2,7 +2,6 @@
 /// What is left of a problem's rows where some taxels are left out of it. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
 #include <span>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "inverse/weighting.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/skin/array.hpp"
 
 namespace tactile_net {

@@ -2,12 +2,12 @@
 /// One wave of tractions and what a skin reads of it. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <numbers>
 #include <vector>
 
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/skin/array.hpp"
 #include "tactile_net/skin/problem.hpp"
 

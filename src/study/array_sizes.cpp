@@ -14,7 +14,7 @@ namespace tactile_net::study {
 namespace {
 
 /// Along the longer side.
-constexpr std::array<std::size_t, 8> sides = {2, 4, 6, 8, 12, 16, 24, 32};
+constexpr std::array<std::size_t, 8> array_sides = {2, 4, 6, 8, 12, 16, 24, 32};
 constexpr std::size_t most_bytes = std::size_t{128} << 20;
 
 void reshape(GridBlocks& blocks, std::size_t rows, std::size_t columns) {
@@ -137,7 +137,7 @@ EstimatorPlan shaped_plan(EstimatorPlan plan, const ArraySize& taxels, const Ski
 StudySection array_sizes(const StudyInput& input, const lab::Clock& clock) {
   StudySection section;
   for (const auto& [curve, pattern, spacing] : timed_plans(input))
-    for (const std::size_t side : sides) {
+    for (const std::size_t side : array_sides) {
       const ArraySize size = size_of(input.skin().scene(), side);
       const SkinGrid cells = grid(with_size(input.skin().scene(), size, spacing));
       const std::size_t numbers =

@@ -14,7 +14,7 @@ namespace tactile_net::study {
 namespace {
 
 /// Along the longer side; a circuit of twelve has a thousand states.
-constexpr std::array<std::size_t, 5> sides = {2, 3, 4, 6, 8};
+constexpr std::array<std::size_t, 5> circuit_sides = {2, 3, 4, 6, 8};
 
 /// One traction of each kind above every taxel, and around them.
 SkinScene circuit_of_size(const StudyInput& input, const ArraySize& size) {
@@ -38,7 +38,7 @@ StudySection circuit_sizes(const StudyInput& input, const Stop& stop) {
   const WorkCurve curve{.family = WorkCurve::Family::circuit,
                         .realization = Realization::least_squares,
                         .bandwidth = compared_bandwidth};
-  for (const std::size_t side : sides) {
+  for (const std::size_t side : circuit_sides) {
     if (stop()) return section;
     const ArraySize size = size_of(input.skin().scene(), side);
     const Knob knob{.kind = Knob::Kind::array, .rows = size.rows, .columns = size.columns};

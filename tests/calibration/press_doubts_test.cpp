@@ -1,15 +1,13 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tactile_net/calibration/press_fit.hpp"
 #include "tests/calibration/simulated_log.hpp"
+#include "tests/calibration/unknown_sd.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The press' reading without its offset, times a factor.
 void scale(SimulatedLog& made, Press& press, std::size_t reading, double factor) {
@@ -51,7 +49,7 @@ TEST_CASE("forces that are wrong by a thousand are refused with their scale") {
   for (Press& press : made.log.presses) press.force.value = factor * *press.force.value;
   CHECK_THROWS_WITH(fit_presses(made.model(), made.log), ContainsSubstring("units of the forces"));
   CalibrationOptions counts;  // numbers of a converter: their scale is not known
-  counts.mean_gain_sd = infinity;
+  counts.mean_gain_sd = unknown_sd;
   CHECK(fit_presses(made.model(), made.log, counts).verdict == FitVerdict::ok);
 }
 
@@ -71,7 +69,7 @@ TEST_CASE("a hopeless fit ends within its steps, and a depth that ran away is na
   for (Press& press : made.log.presses)  // every press has the readings of a reading elsewhere
     std::shuffle(press.readings.begin(), press.readings.end(), random);
   CalibrationOptions options;
-  options.depth_sd = options.thickness_sd = infinity;
+  options.depth_sd = options.thickness_sd = unknown_sd;
   std::size_t steps = 0;
   const PressFit fit =
       fit_presses(made.model(), made.log, options, {}, [&](std::size_t) { ++steps; });
@@ -88,7 +86,7 @@ TEST_CASE("a depth of ten times the stated one is at its bound and contradicts t
   SimulatedLog made = simulated_log(35);
   made.nominal_depth = 1e-4;  // the truth is 15 times as deep
   CalibrationOptions options;
-  options.depth_sd = infinity;
+  options.depth_sd = unknown_sd;
   const PressFit fit = fit_presses(made.model(), made.log, options);
   CHECK(fit.at(PadParameter::depth).verdict == ValueVerdict::at_bound);
   CHECK(std::count(fit.contradicted.begin(), fit.contradicted.end(), PadParameter::depth) == 1);

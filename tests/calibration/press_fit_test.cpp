@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "tests/calibration/simulated_log.hpp"
+#include "tests/calibration/unknown_sd.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What the fit had to find, in its own standard deviations.
 struct Pull {
@@ -35,7 +33,7 @@ double depth_error(const PressFit& fit, const SimulatedLog& log) {
 TEST_CASE("a log without noise is explained and tells the truth") {
   SimulatedLog made = simulated_log(3, {.noise = 1e-9});
   CalibrationOptions options;
-  options.depth_sd = options.thickness_sd = options.poisson_ratio_sd = infinity;
+  options.depth_sd = options.thickness_sd = options.poisson_ratio_sd = unknown_sd;
   const PressFit fit = fit_presses(made.model(), made.log, options);
   CHECK(fit.verdict == FitVerdict::ok);
   CHECK_THAT(fit.at(PadParameter::depth).value, WithinRel(1.5e-3, 1e-6));
@@ -77,7 +75,7 @@ TEST_CASE("over many logs the truth lies where the standard deviations say") {
 TEST_CASE("every start from 0.2 to 1.9 of the depth ends at one minimum where loads are known") {
   const SimulatedLog made = simulated_log(7);
   CalibrationOptions options;
-  options.depth_sd = infinity;
+  options.depth_sd = unknown_sd;
   options.starts = {1.0};
   const double best = fit_presses(made.model(), made.log, options).starts.front().objective;
   for (const double start : {0.2, 0.4, 0.7, 1.3, 1.9}) {

@@ -15,9 +15,9 @@ SensorArray array_of(std::vector<Quantity> reads, double depth = 1.5e-3) {
   return {.count = 41, .pitch = 0.5e-3, .depths = {depth}, .reads = std::move(reads)};
 }
 
-const std::vector<Quantity> all(quantities.begin(), quantities.end());
+const std::vector<Quantity> all_quantities(quantities.begin(), quantities.end());
 
-const std::vector<PressState> presses{
+const std::vector<PressState> line_presses{
     {Shape::cylinder, std::log(200.0), 1.3e-3, std::log(1.1e-3), 0.0},
     {Shape::punch, std::log(90.0), -6e-3, std::log(0.7e-3), 0.0},
     {Shape::wedge, std::log(300.0), 8e-3, std::log(1.9e-3), 0.0},
@@ -39,10 +39,10 @@ TEST_CASE("readings under rigid indenters are the exact integrals") {
   for (const Quantity quantity : quantities) {
     const SensorArray array = array_of({quantity});
     const PressModel model(array, pad);
-    const PressReadings readings = model.readings(model.nominal(), presses, false);
-    for (std::size_t p = 0; p < presses.size(); ++p) {
-      if (kind == 2 && presses[p].friction != 0.0) continue;  // a pole at k = 0: see below
-      const std::vector<Contact> contacts{contact_of(presses[p])};
+    const PressReadings readings = model.readings(model.nominal(), line_presses, false);
+    for (std::size_t p = 0; p < line_presses.size(); ++p) {
+      if (kind == 2 && line_presses[p].friction != 0.0) continue;  // a pole at k = 0: see below
+      const std::vector<Contact> contacts{contact_of(line_presses[p])};
       const std::vector<double> exact = exact_readings(array, pad, contacts);
       double most = 0.0;
       for (const double value : exact) most = std::max(most, std::abs(value));
@@ -58,8 +58,8 @@ TEST_CASE("a drag on a layer that slips on its base is read right, far field inc
   const Material pad = pad_of(2);
   const SensorArray array = array_of({Quantity::stress_y});
   const PressModel model(array, pad);
-  const PressReadings readings = model.readings(model.nominal(), presses, false);
-  const std::vector<Contact> contacts{contact_of(presses[3])};
+  const PressReadings readings = model.readings(model.nominal(), line_presses, false);
+  const std::vector<Contact> contacts{contact_of(line_presses[3])};
   const std::vector<double> exact = exact_readings(array, pad, contacts);
   for (std::size_t j = 0; j < exact.size(); ++j)
     CHECK(std::abs(readings.value(3, j) - exact[j]) <= 1e-8 * peak(readings.value, 3));
@@ -67,20 +67,20 @@ TEST_CASE("a drag on a layer that slips on its base is read right, far field inc
 
 TEST_CASE("derivatives are those of central differences") {
   const int kind = GENERATE(0, 1, 2);
-  const PressModel model(array_of(all), pad_of(kind));
+  const PressModel model(array_of(all_quantities), pad_of(kind));
   PadState pad = model.nominal();
   pad.log_depth = 0.1;
   pad.poisson_ratio = 0.43;
   pad.crosstalk = 0.04;
   pad.shift = 2e-4;
   pad.log_pitch = 0.01;
-  const PressReadings at = model.readings(pad, presses, true);
+  const PressReadings at = model.readings(pad, line_presses, true);
   // Fourth order: (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12 h.
   const auto compare = [&](const auto& value_at, const Matrix& column, double step,
                            const char* what) {
     const Matrix near = value_at(step), back = value_at(-step);
     const Matrix far = value_at(2.0 * step), behind = value_at(-2.0 * step);
-    for (std::size_t p = 0; p < presses.size(); ++p) {
+    for (std::size_t p = 0; p < line_presses.size(); ++p) {
       const double scale = peak(column, p);
       for (std::size_t j = 0; j < column.columns; ++j) {
         const double difference =
@@ -93,11 +93,11 @@ TEST_CASE("derivatives are those of central differences") {
   };
   for (std::size_t i = 0; i < pad_parameter_count; ++i) {
     const double step = static_cast<PadParameter>(i) == PadParameter::shift ? 2e-6 : 2e-3;
-    compare([&](double by) { return model.readings(moved(pad, i, by), presses, false).value; },
+    compare([&](double by) { return model.readings(moved(pad, i, by), line_presses, false).value; },
             at.by_pad[i], step, name(static_cast<PadParameter>(i)).data());
   }
   const auto with = [&](auto member, double by) {
-    std::vector<PressState> other = presses;
+    std::vector<PressState> other = line_presses;
     for (PressState& press : other) press.*member += by;
     return model.readings(pad, other, false).value;
   };
@@ -112,14 +112,14 @@ TEST_CASE("at the base one derivative moves depth and thickness together") {
   Material pad = pad_of(1);
   const PressModel model(array_of({Quantity::stress_x, Quantity::shear_xy}, 3e-3), pad);
   PadState state = model.nominal();
-  const PressReadings at = model.readings(state, presses, true, true);
+  const PressReadings at = model.readings(state, line_presses, true, true);
   const auto value = [&](double by) {
     PadState other = state;
     other.log_depth += by;
-    return model.readings(other, presses, false, true).value;
+    return model.readings(other, line_presses, false, true).value;
   };
   const Matrix up = value(1e-4), down = value(-1e-4);
-  for (std::size_t p = 0; p < presses.size(); ++p)
+  for (std::size_t p = 0; p < line_presses.size(); ++p)
     for (std::size_t j = 0; j < up.columns; ++j)
       CHECK(std::abs(at.by_pad[0](p, j) - (up(p, j) - down(p, j)) / 2e-4) <=
             1e-7 * peak(at.by_pad[0], p));

@@ -2,7 +2,6 @@
 /// Skins calibrated from presses by balls: logs of the exact forward model, whose truth is known.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -12,15 +11,14 @@
 #include "numeric/decompositions.hpp"
 #include "tactile_net/calibration/press_fit.hpp"
 #include "tests/calibration/simulated_skin_log.hpp"
+#include "tests/calibration/unknown_sd.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-using enum SkinQuantity;
-const std::vector<SkinQuantity> three{stress_x, shear_xy, shear_xz};
+const std::vector<SkinQuantity> three{SkinQuantity::stress_x, SkinQuantity::shear_xy,
+                                      SkinQuantity::shear_xz};
 
 bool is_hidden(const PressFit& fit, PadParameter parameter) {
   return fit.at(parameter).verdict == ValueVerdict::not_identifiable;
@@ -29,12 +27,13 @@ bool is_hidden(const PressFit& fit, PadParameter parameter) {
 }  // namespace
 
 TEST_CASE("a skin's log without noise tells depth, thickness, nu, E and gains") {
+  using enum SkinQuantity;
   SimulatedSkinLog made = simulated_skin_log(
       3, {.noise = 1e-9, .presses = 16, .reads = {stress_x, strain_y}, .layer = true});
   for (Press& press : made.log.presses) press.force = press.position = press.position_z = {};
   CalibrationOptions options;
-  options.depth_sd = options.thickness_sd = options.poisson_ratio_sd = infinity;
-  options.youngs_modulus_sd = infinity;
+  options.depth_sd = options.thickness_sd = options.poisson_ratio_sd = unknown_sd;
+  options.youngs_modulus_sd = unknown_sd;
   options.half_width_sd = 0.0;
   // One force tells the common gain; the balls' radii then tell E.
   made.log.presses[0].force.value = 0.5;
@@ -46,6 +45,7 @@ TEST_CASE("a skin's log without noise tells depth, thickness, nu, E and gains") 
 }
 
 TEST_CASE("over many logs of skins the truth lies where the standard deviations say") {
+  using enum SkinQuantity;
   const bool layer = GENERATE(false, true);
   const unsigned logs = layer ? 8 : 24;
   double pulls2 = 0.0, count = 0.0, within = 0.0, rms = 0.0, gains2 = 0.0, gains_within = 0.0,
@@ -131,6 +131,7 @@ TEST_CASE("what a skin's log cannot tell is said, and keeps its value") {
           3.0 * fit.at(PadParameter::depth).sd);
   }
   SECTION("strains and displacements under known contacts scale with E as their gains do") {
+    using enum SkinQuantity;
     const PressFit fit =
         fit_of({.presses = 16, .reads = {strain_x, displacement_x}, .states_radius = false});
     CHECK(is_hidden(fit, PadParameter::youngs_modulus));

@@ -21,11 +21,11 @@ SkinArray array_of(std::vector<SkinQuantity> reads, double depth = 1.5e-3) {
           .reads = std::move(reads)};
 }
 
-const std::vector<SkinQuantity> all(skin_quantities.begin(), skin_quantities.end());
+const std::vector<SkinQuantity> all_skin_quantities(skin_quantities.begin(), skin_quantities.end());
 
 /// What a base that slips holds under a drag, too.
 std::vector<SkinQuantity> finite_under_drags(int kind) {
-  std::vector<SkinQuantity> quantities = all;
+  std::vector<SkinQuantity> quantities = all_skin_quantities;
   if (kind == 2)
     std::erase_if(quantities, [](SkinQuantity one) {
       return one == SkinQuantity::displacement_y || one == SkinQuantity::displacement_z;
@@ -43,13 +43,13 @@ PressState press(DiscProfile disc, double force, double y, double z, double a) {
   return state;
 }
 
-const std::vector<PressState> presses{press(DiscProfile::sphere, 0.5, 0.3e-3, -1.1e-3, 1.1e-3),
-                                      press(DiscProfile::punch, 0.2, -3e-3, 1.8e-3, 0.6e-3),
-                                      press(DiscProfile::cone, 0.8, 0.0, 0.6e-3, 1.9e-3)};
+const std::vector<PressState> disc_presses{press(DiscProfile::sphere, 0.5, 0.3e-3, -1.1e-3, 1.1e-3),
+                                           press(DiscProfile::punch, 0.2, -3e-3, 1.8e-3, 0.6e-3),
+                                           press(DiscProfile::cone, 0.8, 0.0, 0.6e-3, 1.9e-3)};
 
 /// The same dragged along y, along neither axis, and against z.
 std::vector<PressState> dragged() {
-  std::vector<PressState> result = presses;
+  std::vector<PressState> result = disc_presses;
   result[0].friction = 0.4;
   result[1].friction = -0.3;
   result[1].friction_z = 0.5;
@@ -76,8 +76,8 @@ TEST_CASE("a skin's readings under rigid indenters are those of the exact forwar
   const int kind = GENERATE(0, 1, 2);
   const bool drags = GENERATE(false, true);
   const Material pad = pad_of(kind);
-  const std::vector<PressState> done = drags ? dragged() : presses;
-  for (const SkinQuantity quantity : drags ? finite_under_drags(kind) : all) {
+  const std::vector<PressState> done = drags ? dragged() : disc_presses;
+  for (const SkinQuantity quantity : drags ? finite_under_drags(kind) : all_skin_quantities) {
     const SkinArray skin = array_of({quantity});
     const PressModel model(skin, pad);
     const PressReadings readings = model.readings(model.nominal(), done, false);
@@ -96,7 +96,7 @@ TEST_CASE("a skin's readings under rigid indenters are those of the exact forwar
 }
 
 TEST_CASE("a taxel below the middle of a press is read right") {
-  const SkinArray skin = uneven_skin({{"middle", 0.0, 0.0, 2e-3, all}});
+  const SkinArray skin = uneven_skin({{"middle", 0.0, 0.0, 2e-3, all_skin_quantities}});
   const Material pad = pad_of(0);
   const PressModel model(skin, pad);
   const std::vector<PressState> one{press(DiscProfile::sphere, 0.5, 0.0, 0.0, 1e-3)};
@@ -110,8 +110,9 @@ TEST_CASE("a taxel below the middle of a press is read right") {
 TEST_CASE("derivatives of a skin's readings are those of central differences") {
   const int kind = GENERATE(0, 1, 2);
   const bool drags = GENERATE(false, true);
-  const std::vector<PressState> done = drags ? dragged() : presses;
-  const PressModel model(array_of(drags ? finite_under_drags(kind) : all), pad_of(kind));
+  const std::vector<PressState> done = drags ? dragged() : disc_presses;
+  const PressModel model(array_of(drags ? finite_under_drags(kind) : all_skin_quantities),
+                         pad_of(kind));
   PadState pad = model.nominal();
   pad.log_depth = 0.1;
   pad.poisson_ratio = 0.43;
@@ -128,7 +129,7 @@ TEST_CASE("derivatives of a skin's readings are those of central differences") {
                            const char* what) {
     const Matrix near = value_at(step), back = value_at(-step);
     const Matrix far = value_at(2.0 * step), behind = value_at(-2.0 * step);
-    for (std::size_t p = 0; p < presses.size(); ++p)
+    for (std::size_t p = 0; p < disc_presses.size(); ++p)
       for (std::size_t c = 0; c < channels; ++c) {
         double slope = 0.0, value = 0.0;
         for (std::size_t j = c * taxels; j < (c + 1) * taxels; ++j) {
@@ -176,7 +177,7 @@ TEST_CASE("a press that turns over a skin's diagonal turns its readings with it"
                        .depths = {1.5e-3},
                        .reads = {SkinQuantity::shear_xy, SkinQuantity::shear_xz}};
   const PressModel model(skin, pad_of(1));
-  PressState one = presses[0];
+  PressState one = disc_presses[0];
   one.friction = 0.4;
   one.friction_z = -0.1;
   PressState other = one;
@@ -194,7 +195,7 @@ TEST_CASE("a drag of what would be infinite under it is refused") {
   const PressModel model(array_of({SkinQuantity::stress_x, SkinQuantity::displacement_y}),
                          pad_of(2));
   CHECK(!model.holds_drags());
-  CHECK_NOTHROW(model.readings(model.nominal(), presses, true));
+  CHECK_NOTHROW(model.readings(model.nominal(), disc_presses, true));
   CHECK_THROWS_WITH(model.readings(model.nominal(), dragged(), false),
                     ContainsSubstring("press straight down"));
 }
@@ -203,14 +204,14 @@ TEST_CASE("at a skin's base one derivative moves depth and thickness together") 
   const PressModel model(array_of({SkinQuantity::stress_x, SkinQuantity::shear_xy}, 3e-3),
                          pad_of(1));
   const PadState state = model.nominal();
-  const PressReadings at = model.readings(state, presses, true, true);
+  const PressReadings at = model.readings(state, disc_presses, true, true);
   const auto value = [&](double by) {
     PadState other = state;
     other.log_depth += by;
-    return model.readings(other, presses, false, true).value;
+    return model.readings(other, disc_presses, false, true).value;
   };
   const Matrix up = value(1e-4), down = value(-1e-4);
-  for (std::size_t p = 0; p < presses.size(); ++p)
+  for (std::size_t p = 0; p < disc_presses.size(); ++p)
     for (std::size_t j = 0; j < up.columns; ++j)
       CHECK(std::abs(at.by_pad[0](p, j) - (up(p, j) - down(p, j)) / 2e-4) <=
             1e-7 * peak(at.by_pad[0], p));

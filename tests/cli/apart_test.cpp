@@ -58,7 +58,7 @@ TEST_CASE("no command replaces a file that it reads", "[cli]") {
     Words words = command;
     words.insert(words.end(), output.begin(), output.end());
     CAPTURE(command[0], output.back());
-    const ProcessResult result = tool(words);
+    const ProcessResult result = run_tool(words);
     CHECK(result.code == 2);
     CHECK_THAT(result.errors,
                ContainsSubstring("is the file that is read") && ContainsSubstring("name another"));
@@ -69,11 +69,12 @@ TEST_CASE("no command replaces a file that it reads", "[cli]") {
 
 TEST_CASE("two outputs need a file each; devices and standard output may be named twice", "[cli]") {
   const Inputs in;
-  const ProcessResult same = tool({"solve", in.pad, "--readings", in.frames, "-o", in.folder / "a",
-                                   "--json", in.folder / "b/../a"});
+  const ProcessResult same = run_tool({"solve", in.pad, "--readings", in.frames, "-o",
+                                       in.folder / "a", "--json", in.folder / "b/../a"});
   CHECK(same.code == 2);
   CHECK_THAT(same.errors, ContainsSubstring("they need one each"));
   CHECK_FALSE(fs::exists(in.folder / "a"));
-  CHECK(tool({"solve", in.pad, "--readings", in.frames, "-o", "/dev/null", "--json", "/dev/null"})
-            .code == 0);
+  CHECK(
+      run_tool({"solve", in.pad, "--readings", in.frames, "-o", "/dev/null", "--json", "/dev/null"})
+          .code == 0);
 }

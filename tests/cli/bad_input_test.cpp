@@ -7,7 +7,7 @@ using namespace tactile_net;
 namespace {
 
 void check(const std::vector<std::string>& arguments, int code, const std::string& message) {
-  const ProcessResult result = tool(arguments);
+  const ProcessResult result = run_tool(arguments);
   CAPTURE(message, result.errors);
   CHECK(result.end == ProcessResult::End::exited);
   CHECK(result.code == code);
@@ -35,9 +35,9 @@ TEST_CASE("wrong usage is told with what was meant", "[cli]") {
 
 TEST_CASE("help and version are no failures", "[cli]") {
   for (const char* command : {"run", "gen", "relax", "solve", "grasp"})
-    CHECK(tool({command, "--help"}).code == 0);
-  CHECK(tool({"--help"}).code == 0);
-  CHECK_THAT(tool({"--version"}).output,
+    CHECK(run_tool({command, "--help"}).code == 0);
+  CHECK(run_tool({"--help"}).code == 0);
+  CHECK_THAT(run_tool({"--version"}).output,
              StartsWith("tactile-net ") && ContainsSubstring(std::string(name(fft_library()))));
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("all problems of a scene are told at once, at their places", "[cli]") 
       folder.write("s.toml",
                    "[sensor]\ncount = 1\npitch = -1.0\ndepht = 1.0\nreads = [\"stres_x\"]\n"
                    "[material]\nyoungs_modulus = \"soft\"\npoisson_ratio = 0.7\n");
-  const ProcessResult result = tool({"run", path, "--out", folder / "out"});
+  const ProcessResult result = run_tool({"run", path, "--out", folder / "out"});
   CHECK(result.code == 2);
   for (const char* text :
        {":2:9: error: sensor.count", ":3:9: error: sensor.pitch must be > 0",
@@ -97,13 +97,13 @@ TEST_CASE("a scene without a contact says that its readings are noise", "[cli]")
       "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n[noise]\nrms = 1e-3\n";
   const std::string by_rule = folder.write("rule.toml", pad);
   const std::string given = folder.write("given.toml", pad + "[reconstruct]\nalpha = 1e-3\n");
-  CHECK_THAT(tool({"run", by_rule}).output, ContainsSubstring("its readings are noise"));
+  CHECK_THAT(run_tool({"run", by_rule}).output, ContainsSubstring("its readings are noise"));
   for (const char* command : {"certify", "gen", "relax"}) {
     CAPTURE(command);
-    const ProcessResult result = tool({command, by_rule});
+    const ProcessResult result = run_tool({command, by_rule});
     CHECK(result.code == 2);
     CHECK_THAT(result.errors, ContainsSubstring("would be chosen on noise"));
     CHECK(result.output.empty());
-    CHECK(tool({command, given}).code == 0);
+    CHECK(run_tool({command, given}).code == 0);
   }
 }

@@ -25,7 +25,7 @@ std::string nominal() { return scene("calibration/rod-layer.toml"); }
 constexpr std::size_t first_reading = 8;  // column; 20 unloaded rows, then 20 presses
 
 /// The public log with its rows edited; row 0 is the header.
-std::string edited(const std::function<void(std::size_t, Row&)>& edit) {
+std::string edited_log(const std::function<void(std::size_t, Row&)>& edit) {
   std::istringstream text(read_text(scene("calibration/rod-layer.csv")));
   std::string result;
   std::string line;
@@ -44,20 +44,18 @@ std::string edited(const std::function<void(std::size_t, Row&)>& edit) {
   return result;
 }
 
-double number(const std::string& text) { return std::stod(text); }
-
 struct Ran {
   ProcessResult result;
   bool wrote;
 };
 
 /// The command on a log, with the scene beside it.
-Ran calibrated(const std::string& log, std::vector<std::string> options = {},
-               const std::string& toml = read_text(nominal())) {
+Ran calibrate_log(const std::string& log, std::vector<std::string> options = {},
+                  const std::string& toml = read_text(nominal())) {
   const Folder folder;
   options.insert(options.begin(), {"calibrate", folder.write("log.csv", log), "--scene",
                                    folder.write("pad.toml", toml), "-o", folder / "c.toml"});
-  const ProcessResult result = tool(options);
+  const ProcessResult result = run_tool(options);
   return {result, std::filesystem::exists(folder / "c.toml")};
 }
 
@@ -71,13 +69,13 @@ TEST_CASE("what no calibration mends is refused with its reason", "[cli][calibra
   const auto readings = [](const std::function<double(double)>& change) {
     return [change](std::size_t line, Row& row) {
       for (std::size_t i = first_reading; line > 0 && i < row.size(); ++i)
-        row[i] = shortest(change(number(row[i])));
+        row[i] = shortest(change(std::stod(row[i])));
     };
   };
   const std::vector<Bad> all = {
       {readings([](double x) { return -x; }), "the other sign"},
       {[](std::size_t line, Row& row) {
-         if (line > 20) row[2] = shortest(1e-3 * number(row[2]));
+         if (line > 20) row[2] = shortest(1e-3 * std::stod(row[2]));
        },
        "units of the forces"},
       {[](std::size_t line, Row& row) {
@@ -91,7 +89,7 @@ TEST_CASE("what no calibration mends is refused with its reason", "[cli][calibra
       {[](std::size_t line, Row& row) {
          if (line != 5) return;
          for (std::size_t i = first_reading + 15; i < first_reading + 26; ++i)
-           row[i] = shortest(number(row[i]) + 20000.0);
+           row[i] = shortest(std::stod(row[i]) + 20000.0);
        },
        "log.csv:6: error: is no row without load"},
       {[](std::size_t line, Row& row) { row.push_back(line == 0 ? "stress_x_41" : "1.5"); },
@@ -103,7 +101,7 @@ TEST_CASE("what no calibration mends is refused with its reason", "[cli][calibra
   };
   for (const Bad& bad : all) {
     CAPTURE(bad.says);
-    const Ran ran = calibrated(edited(bad.edit));
+    const Ran ran = calibrate_log(edited_log(bad.edit));
     CHECK(ran.result.code == 2);
     CHECK_THAT(ran.result.errors, ContainsSubstring(bad.says));
     CHECK_FALSE(ran.wrote);
@@ -112,29 +110,29 @@ TEST_CASE("what no calibration mends is refused with its reason", "[cli][calibra
 
 TEST_CASE("a converter with coarse steps is not taken for a range that ends", "[cli][calibrate]") {
   double most = 0.0;
-  edited([&](std::size_t line, Row& row) {
+  edited_log([&](std::size_t line, Row& row) {
     for (std::size_t i = first_reading; line > 20 && i < row.size(); ++i)
-      most = std::max(most, std::abs(number(row[i])));
+      most = std::max(most, std::abs(std::stod(row[i])));
     return;
   });
   const double step = most / 127.0;  // 8 bits, with the sign
   const auto coarse = [&](double range) {
-    return edited([&](std::size_t line, Row& row) {
+    return edited_log([&](std::size_t line, Row& row) {
       for (std::size_t i = first_reading; line > 0 && i < row.size(); ++i)
-        row[i] = shortest(std::clamp(step * std::round(number(row[i]) / step), -range, range));
+        row[i] = shortest(std::clamp(step * std::round(std::stod(row[i]) / step), -range, range));
     });
   };
-  const Ran open = calibrated(coarse(2.0 * most));
+  const Ran open = calibrate_log(coarse(2.0 * most));
   CAPTURE(open.result.output, open.result.errors);
   CHECK(open.result.code == 0);
-  const Ran cut = calibrated(coarse(0.4 * most));
+  const Ran cut = calibrate_log(coarse(0.4 * most));
   CAPTURE(cut.result.errors);
   CHECK(cut.result.code == 2);
   CHECK_THAT(cut.result.errors, ContainsSubstring("cut off at the end of its range"));
 }
 
 TEST_CASE("a force's fit that failed and was written says so everywhere", "[cli][calibrate]") {
-  const std::string log = edited([](std::size_t line, Row& row) {
+  const std::string log = edited_log([](std::size_t line, Row& row) {
     if (line > 20) row[first_reading + 20] = "0";
   });
   const Folder folder;
@@ -143,7 +141,7 @@ TEST_CASE("a force's fit that failed and was written says so everywhere", "[cli]
       "--scene",   folder.write("pad.toml", read_text(nominal())),
       "-o",        folder / "c.toml",
       "--out",     folder / "out"};
-  const ProcessResult without = tool(command);
+  const ProcessResult without = run_tool(command);
   CAPTURE(without.output, without.errors);
   CHECK(without.code == 1);
   CHECK_THAT(without.output, ContainsSubstring("nothing is written without --force") &&
@@ -153,7 +151,7 @@ TEST_CASE("a force's fit that failed and was written says so everywhere", "[cli]
 
   std::vector<std::string> forced = command;
   forced.emplace_back("--force");
-  const ProcessResult with = tool(forced);
+  const ProcessResult with = run_tool(forced);
   CHECK(with.code == 1);
   CHECK_THAT(with.output, ContainsSubstring("written all the same, by --force") &&
                               !ContainsSubstring("nothing is written"));
@@ -166,10 +164,10 @@ TEST_CASE("a force's fit that failed and was written says so everywhere", "[cli]
 TEST_CASE("JSON has the gains and offsets of the calibrated scene", "[cli][calibrate]") {
   const Folder folder;
   const std::string log = scene("calibration/rod-layer.csv");
-  REQUIRE(tool({"calibrate", log, "--scene", nominal(), "-o", folder / "one.toml"}).code == 0);
+  REQUIRE(run_tool({"calibrate", log, "--scene", nominal(), "-o", folder / "one.toml"}).code == 0);
   // The calibrated scene is the nominal one of the next: what it states is not lost.
-  REQUIRE(tool({"calibrate", log, "--scene", folder / "one.toml", "-o", folder / "two.toml",
-                "--json", folder / "two.json"})
+  REQUIRE(run_tool({"calibrate", log, "--scene", folder / "one.toml", "-o", folder / "two.toml",
+                    "--json", folder / "two.json"})
               .code == 0);
   const Json json = Json::parse(read_text(folder / "two.json"));
   const Scene written = read_scene(folder / "two.toml");
@@ -188,8 +186,8 @@ TEST_CASE("a scene with the line ends of Windows keeps them", "[cli][calibrate]"
   std::string toml;
   for (const char c : read_text(nominal())) toml += c == '\n' ? "\r\n" : std::string(1, c);
   const Folder folder;
-  REQUIRE(tool({"calibrate", scene("calibration/rod-layer.csv"), "--scene",
-                folder.write("pad.toml", toml), "-o", folder / "c.toml"})
+  REQUIRE(run_tool({"calibrate", scene("calibration/rod-layer.csv"), "--scene",
+                    folder.write("pad.toml", toml), "-o", folder / "c.toml"})
               .code == 0);
   const std::string written = read_text(folder / "c.toml");
   CHECK_THAT(written, ContainsSubstring("[calibration]"));
@@ -203,8 +201,8 @@ TEST_CASE("the scene's crosstalk moves the depth that is found", "[cli][calibrat
   const Folder folder;
   const auto depth = [&](const std::string& more) {
     const ProcessResult result =
-        tool({"calibrate", scene("calibration/rod-layer.csv"), "--scene",
-              folder.write("pad.toml", read_text(nominal()) + more), "--json", "-"});
+        run_tool({"calibrate", scene("calibration/rod-layer.csv"), "--scene",
+                  folder.write("pad.toml", read_text(nominal()) + more), "--json", "-"});
     REQUIRE(result.code == 0);
     return Json::parse(result.output)["parameters"]["depth"]["value"].get<double>();
   };
@@ -213,10 +211,10 @@ TEST_CASE("the scene's crosstalk moves the depth that is found", "[cli][calibrat
 
 TEST_CASE("forces that are all twice too large are remarked", "[cli][calibrate]") {
   const auto with_forces = [](double factor) {
-    return calibrated(edited([&](std::size_t line, Row& row) {
+    return calibrate_log(edited_log([&](std::size_t line, Row& row) {
              if (line <= 20) return;
              for (const std::size_t column : {2U, 3U})
-               row[column] = shortest(factor * number(row[column]));
+               row[column] = shortest(factor * std::stod(row[column]));
            }))
         .result;
   };
@@ -230,8 +228,8 @@ TEST_CASE("forces that are all twice too large are remarked", "[cli][calibrate]"
 
 TEST_CASE("forces less sure than stated are told from sound ones", "[cli][calibrate]") {
   // No press alone is 5 deviations off: 4 % up and down in turn, 1 % is stated.
-  const Ran ran = calibrated(edited([](std::size_t line, Row& row) {
-    if (line > 20) row[2] = shortest((line % 2 == 0 ? 1.04 : 0.96) * number(row[2]));
+  const Ran ran = calibrate_log(edited_log([](std::size_t line, Row& row) {
+    if (line > 20) row[2] = shortest((line % 2 == 0 ? 1.04 : 0.96) * std::stod(row[2]));
   }));
   CAPTURE(ran.result.output);
   CHECK(ran.result.code == 1);
@@ -247,8 +245,8 @@ TEST_CASE("a base that explains the presses better, or as well, is named", "[cli
     std::string toml = read_text(scene("calibration/" + name + ".toml"));
     toml.replace(toml.find("\"bonded\""), 8, '"' + base + '"');
     const Folder folder;
-    return tool({"calibrate", scene("calibration/" + name + ".csv"), "--scene",
-                 folder.write("pad.toml", toml)})
+    return run_tool({"calibrate", scene("calibration/" + name + ".csv"), "--scene",
+                     folder.write("pad.toml", toml)})
         .output;
   };
   const std::string better = "A bonded base explains these presses better than a slipping one";
@@ -259,16 +257,16 @@ TEST_CASE("a base that explains the presses better, or as well, is named", "[cli
 }
 
 TEST_CASE("a log of a spreadsheet that writes decimal commas is read alike", "[cli][calibrate]") {
-  const std::string points = edited([](std::size_t, Row&) {});
+  const std::string points = edited_log([](std::size_t, Row&) {});
   const std::string separator = GENERATE(";", "\t");
   std::string commas;
   for (const char c : points) commas += c == ',' ? separator : c == '.' ? "," : std::string(1, c);
-  const Ran ran = calibrated(commas);
+  const Ran ran = calibrate_log(commas);
   CAPTURE(ran.result.errors);
   CHECK(ran.result.code == 0);
-  CHECK(ran.result.output.substr(0, 600) == calibrated(points).result.output.substr(0, 600));
+  CHECK(ran.result.output.substr(0, 600) == calibrate_log(points).result.output.substr(0, 600));
   // A point for thousands is no decimal point.
-  const Ran thousands = calibrated(edited([](std::size_t line, Row& row) {
+  const Ran thousands = calibrate_log(edited_log([](std::size_t line, Row& row) {
     for (std::string& field : row) field += ';';
     if (line == 22) row[2] = "1.234,5;";
   }));
@@ -278,7 +276,7 @@ TEST_CASE("a log of a spreadsheet that writes decimal commas is read alike", "[c
 TEST_CASE("a press beside the last taxel is no mistake, one far from it is", "[cli][calibrate]") {
   // The array ends at 10 mm, taxels are taken to be 1.4 mm deep; no width is stated.
   const auto at = [](const char* position) {
-    return calibrated(edited([&](std::size_t line, Row& row) {
+    return calibrate_log(edited_log([&](std::size_t line, Row& row) {
              if (line == 25) row[4] = position;
            }))
         .result.errors;

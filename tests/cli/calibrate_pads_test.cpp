@@ -5,13 +5,13 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/cli/csv.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
@@ -19,13 +19,6 @@ using namespace tactile_net;
 namespace {
 
 using Json = nlohmann::json;
-
-std::vector<std::string> fields_of(const std::string& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> fields;
-  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-  return fields;
-}
 
 }  // namespace
 
@@ -44,8 +37,8 @@ TEST_CASE("logs that no pad gives are not taken for one", "[cli][calibrate]") {
   const Folder folder;
   const auto ends = [&](const std::string& log) {
     const ProcessResult result =
-        tool({"calibrate", folder.write("log.csv", log), "--scene",
-              scene("calibration/rod-layer.toml"), "-o", folder / "none.toml"});
+        run_tool({"calibrate", folder.write("log.csv", log), "--scene",
+                  scene("calibration/rod-layer.toml"), "-o", folder / "none.toml"});
     CAPTURE(result.output, result.errors);
     CHECK((result.code == 1 || result.code == 2));
     CHECK_FALSE(std::filesystem::exists(folder / "none.toml"));
@@ -70,8 +63,8 @@ TEST_CASE("one press identifies neither the depth nor a gain", "[cli][calibrate]
   const std::vector<std::string> lines = lines_of(read_text(scene("calibration/rod-layer.csv")));
   for (std::size_t i = 0; i < 22; ++i) log += lines[i] + '\n';
   const Folder folder;
-  const ProcessResult result = tool({"calibrate", folder.write("log.csv", log), "--scene",
-                                     scene("calibration/rod-layer.toml"), "--json", "-"});
+  const ProcessResult result = run_tool({"calibrate", folder.write("log.csv", log), "--scene",
+                                         scene("calibration/rod-layer.toml"), "--json", "-"});
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
   const Json json = Json::parse(result.output);
@@ -142,9 +135,9 @@ TEST_CASE("pads of finite elements, pressed at one place, are calibrated",
                                 pad.calibrate;
     const Folder folder;
     const std::string calibrated = folder / "calibrated.toml";
-    const ProcessResult fit = tool({"calibrate", folder.write("log.csv", log), "--scene",
-                                    folder.write("nominal.toml", nominal), "-o", calibrated,
-                                    "--json", folder / "fit.json"});
+    const ProcessResult fit = run_tool({"calibrate", folder.write("log.csv", log), "--scene",
+                                        folder.write("nominal.toml", nominal), "-o", calibrated,
+                                        "--json", folder / "fit.json"});
     CAPTURE(fit.output, fit.errors);
     REQUIRE(fit.code == 0);
     const Json depth = Json::parse(read_text(folder / "fit.json"))["parameters"]["depth"];
@@ -155,8 +148,8 @@ TEST_CASE("pads of finite elements, pressed at one place, are calibrated",
     CHECK(std::abs(found / pad.depth - 1.0) < 0.03);
     // What it buys: from the second frame on the force within 2 % instead of 11.
     const ProcessResult solved =
-        tool({"solve", calibrated, "--readings", folder.write("counts.csv", counts), "-q", "-o",
-              folder / "tractions.csv", "--uncertainty", folder / "forces.csv"});
+        run_tool({"solve", calibrated, "--readings", folder.write("counts.csv", counts), "-q", "-o",
+                  folder / "tractions.csv", "--uncertainty", folder / "forces.csv"});
     CAPTURE(solved.errors);
     REQUIRE(solved.code == 0);
     const std::vector<std::string> answers = lines_of(read_text(folder / "forces.csv"));

@@ -10,6 +10,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/cli/calibration_logs.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
@@ -20,7 +21,7 @@ using Json = nlohmann::json;
 
 /// The lines that `simulate` writes of a scene, without their times.
 std::vector<std::string> simulated(const Folder& folder, const std::string& toml) {
-  const ProcessResult result = tool({"simulate", folder.write("simulated.toml", toml)});
+  const ProcessResult result = run_tool({"simulate", folder.write("simulated.toml", toml)});
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
   std::vector<std::string> lines = lines_of(result.output);
@@ -28,7 +29,7 @@ std::vector<std::string> simulated(const Folder& folder, const std::string& toml
   return lines;
 }
 
-const std::string header = "press,shape,force,force_sd,position,position_sd,radius,half_width,";
+const std::string log_header = "press,shape,force,force_sd,position,position_sd,radius,half_width,";
 
 struct Rod {
   double force, centre, half_width;  // in the scene's units
@@ -45,7 +46,8 @@ std::vector<Rod> rods(double first, double last, double narrow) {
 
 /// A log as somebody writes it down who has this sensor, which nothing presses as yet: 20 frames
 /// at rest and a row for each rod.
-std::string log_of(const Folder& folder, const std::string& sensor, const std::vector<Rod>& rods) {
+std::string log_of_rods(const Folder& folder, const std::string& sensor,
+                        const std::vector<Rod>& rods) {
   const auto at = [&](unsigned seed, std::size_t frames, const std::string& contact) {
     std::string toml = sensor;
     toml.insert(toml.find("rms"), "seed = " + std::to_string(seed) + "\n");
@@ -53,7 +55,7 @@ std::string log_of(const Folder& folder, const std::string& sensor, const std::v
         folder, toml + "\n[time]\nrate = 100\nframes = " + std::to_string(frames) + '\n' + contact);
   };
   const std::vector<std::string> rest = at(1000, 20, "");
-  std::string log = header + rest[0] + '\n';
+  std::string log = log_header + rest[0] + '\n';
   for (std::size_t i = 1; i < rest.size(); ++i) log += "0,none,,,,,,," + rest[i] + '\n';
   for (std::size_t p = 0; p < rods.size(); ++p) {
     const std::string force = shortest(rods[p].force);
@@ -68,16 +70,12 @@ std::string log_of(const Folder& folder, const std::string& sensor, const std::v
   return log;
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  REQUIRE(text.find(what) != std::string::npos);
-  return text.replace(text.find(what), what.size(), with);
-}
-
 /// What calibrate writes; the folder is that of the scene.
-std::string calibrated(const Folder& folder, const std::string& log, const std::string& nominal) {
+std::string calibrated_scene(const Folder& folder, const std::string& log,
+                             const std::string& nominal) {
   const ProcessResult result =
-      tool({"calibrate", folder.write("log.csv", log), "--scene",
-            folder.write("nominal.toml", nominal), "-o", folder / "calibrated.toml"});
+      run_tool({"calibrate", folder.write("log.csv", log), "--scene",
+                folder.write("nominal.toml", nominal), "-o", folder / "calibrated.toml"});
   CAPTURE(result.output, result.errors);
   REQUIRE(result.code == 0);
   return read_text(folder / "calibrated.toml");
@@ -87,14 +85,14 @@ std::string calibrated(const Folder& folder, const std::string& log, const std::
 
 TEST_CASE("a log simulated from a calibrated scene finds it again", "[cli][calibrate]") {
   const Folder folder;
-  const std::string truth = calibrated(folder, read_text(scene("calibration/rod-layer.csv")),
-                                       read_text(scene("calibration/rod-layer.toml")));
+  const std::string truth = calibrated_scene(folder, read_text(scene("calibration/rod-layer.csv")),
+                                             read_text(scene("calibration/rod-layer.toml")));
   const Scene made = parse_scene(truth, "truth.toml");
-  const std::string log = log_of(folder, truth, rods(-9e-3, 9e-3, 0.8e-3));
+  const std::string log = log_of_rods(folder, truth, rods(-9e-3, 9e-3, 0.8e-3));
   const Json json = [&] {
     const ProcessResult result =
-        tool({"calibrate", folder.write("again.csv", log), "--scene",
-              scene("calibration/rod-layer.toml"), "-o", folder / "again.toml", "--json", "-"});
+        run_tool({"calibrate", folder.write("again.csv", log), "--scene",
+                  scene("calibration/rod-layer.toml"), "-o", folder / "again.toml", "--json", "-"});
     CAPTURE(result.errors);
     REQUIRE(result.code == 0);
     return Json::parse(result.output);
@@ -168,16 +166,16 @@ void goes_on(const Folder& folder, const std::string& log) {
   }
   const std::string toml = folder / "calibrated.toml";
   const ProcessResult solved =
-      tool({"solve", toml, "--readings", folder.write("frame.csv", readings), "-q"});
+      run_tool({"solve", toml, "--readings", folder.write("frame.csv", readings), "-q"});
   CAPTURE(solved.errors);
   CHECK(solved.code == 0);
-  const ProcessResult planned = tool({"plan", toml, "-o", folder / "pad.plan"});
+  const ProcessResult planned = run_tool({"plan", toml, "-o", folder / "pad.plan"});
   CAPTURE(planned.errors);
   CHECK(planned.code == 0);
   const std::string pressed = folder.write(
       "pressed.toml",
       read_text(toml) + "\n[[contact]]\nshape = \"cylinder\"\nforce = 100\nhalf_width = 1\n");
-  CHECK(tool({"run", pressed}).code == 0);
+  CHECK(run_tool({"run", pressed}).code == 0);
 }
 
 }  // namespace
@@ -185,8 +183,8 @@ void goes_on(const Folder& folder, const std::string& log) {
 TEST_CASE("taxels with places of their own are calibrated where they stand", "[cli][calibrate]") {
   const Folder folder;
   const Scene truth = parse_scene(positions_scene(1.0), "truth.toml");
-  const std::string log = log_of(folder, positions_scene(1.0), rods(-9.0, 9.0, 0.8));
-  const std::string written = calibrated(folder, log, positions_scene(1.2));
+  const std::string log = log_of_rods(folder, positions_scene(1.0), rods(-9.0, 9.0, 0.8));
+  const std::string written = calibrated_scene(folder, log, positions_scene(1.2));
   CHECK_THAT(written, ContainsSubstring("]  # by the drawing\n") &&
                           ContainsSubstring("positions = [-9, -7.8, -6.9"));
   const Scene found = read_scene(folder / "calibrated.toml");
@@ -203,11 +201,11 @@ TEST_CASE("taxels with places of their own are calibrated where they stand", "[c
 TEST_CASE("taxels of a file come to stand in the calibrated scene", "[cli][calibrate]") {
   const Folder folder;
   folder.write("taxels.csv", taxel_file(1.0));
-  const std::string log =
-      log_of(folder, replaced(file_scene, "rms = 0.4", "rms = { stress_x = 0.4, shear_xy = 0.3 }"),
-             rods(-9.0, 9.0, 0.8));
+  const std::string log = log_of_rods(
+      folder, replaced(file_scene, "rms = 0.4", "rms = { stress_x = 0.4, shear_xy = 0.3 }"),
+      rods(-9.0, 9.0, 0.8));
   folder.write("taxels.csv", taxel_file(0.85));
-  const std::string written = calibrated(folder, log, file_scene);
+  const std::string written = calibrated_scene(folder, log, file_scene);
   CHECK_THAT(written, ContainsSubstring("positions = [") && ContainsSubstring("  # as built\n") &&
                           !ContainsSubstring("taxels.csv"));
   CHECK(read_text(folder / "taxels.csv") == taxel_file(0.85));
@@ -222,11 +220,11 @@ TEST_CASE("taxels of a file come to stand in the calibrated scene", "[cli][calib
   // A key that shares its line cannot be written anew.
   folder.write("taxels.csv", taxel_file(0.85));
   const ProcessResult refused =
-      tool({"calibrate", folder / "log.csv", "--scene",
-            folder.write("dotted.toml",
-                         replaced(replaced(file_scene, "[sensor]\ntaxels", "sensor.taxels"),
-                                  "\nreads", "\nsensor.reads")),
-            "-o", folder / "dotted.out.toml"});
+      run_tool({"calibrate", folder / "log.csv", "--scene",
+                folder.write("dotted.toml",
+                             replaced(replaced(file_scene, "[sensor]\ntaxels", "sensor.taxels"),
+                                      "\nreads", "\nsensor.reads")),
+                "-o", folder / "dotted.out.toml"});
   CHECK(refused.code == 2);
   CHECK_FALSE(std::filesystem::exists(folder / "dotted.out.toml"));
 }

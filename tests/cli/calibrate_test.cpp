@@ -6,6 +6,7 @@
 
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/cli/calibration_logs.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
@@ -14,21 +15,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string log_of(const std::string& name) { return scene("calibration/" + name + ".csv"); }
-std::string nominal_of(const std::string& name) { return scene("calibration/" + name + ".toml"); }
-
-Json truth_of(const std::string& name) {
-  return Json::parse(read_text(scene("calibration/" + name + ".truth.json")));
-}
-
 /// The scene of a log with a table [calibrate] added, and the JSON of its calibration.
-Json calibrated(const std::string& name, const std::string& table,
-                std::vector<std::string> options = {}) {
+Json calibrated_with(const std::string& name, const std::string& table,
+                     std::vector<std::string> options = {}) {
   const Folder folder;
   const std::string toml =
       folder.write("pad.toml", read_text(nominal_of(name)) + "\n[calibrate]\n" + table);
   options.insert(options.begin(), {"calibrate", log_of(name), "--scene", toml, "--json", "-"});
-  const ProcessResult result = tool(options);
+  const ProcessResult result = run_tool(options);
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
   return Json::parse(result.output);
@@ -48,18 +42,8 @@ void check_value(const Json& json, const std::string& parameter, double referenc
   CHECK(std::abs(value - truth) <= 3.0 * own_sd);
 }
 
-/// Spread of the gains about the true ones, their common factor aside.
-double gains_left(const Json& json, const std::string& name) {
-  const Json truth = truth_of(name)["gains"].begin().value();
-  std::vector<double> logs;
-  double mean = 0.0;
-  for (std::size_t j = 0; j < truth.size(); ++j) {
-    logs.push_back(std::log(json["gains"][j]["value"].get<double>() / truth[j].get<double>()));
-    mean += logs.back() / static_cast<double>(truth.size());
-  }
-  double square = 0.0;
-  for (const double value : logs) square += (value - mean) * (value - mean);
-  return std::sqrt(square / static_cast<double>(logs.size()));
+double line_gains_left(const Json& json, const std::string& name) {
+  return gains_left(json, truth_of(name)["gains"].begin().value());
 }
 
 std::string verdict(const Json& json, const std::string& parameter) {
@@ -68,7 +52,7 @@ std::string verdict(const Json& json, const std::string& parameter) {
 
 /// A log with one line changed: `edit` gets its fields.
 template <class Edit>
-std::string edited(const std::string& name, std::size_t line, const Edit& edit) {
+std::string edited_line(const std::string& name, std::size_t line, const Edit& edit) {
   const std::string text = read_text(log_of(name));
   std::string result;
   std::size_t number = 0;
@@ -97,36 +81,36 @@ std::string edited(const std::string& name, std::size_t line, const Edit& edit) 
 }  // namespace
 
 TEST_CASE("a layer's depth, thickness and gains are found from rods", "[cli][calibrate]") {
-  const Json json = calibrated("rod-layer", nothing_stated);
+  const Json json = calibrated_with("rod-layer", nothing_stated);
   check_value(json, "depth", 1.543e-3, 0.042e-3, 1.62e-3);
   check_value(json, "thickness", 3.44e-3, 0.12e-3, 3.3e-3);
   check_value(json, "poisson_ratio", 0.453, 0.024, 0.46);
   CHECK(std::abs(json["fit"]["rms"].get<double>() - 0.98) < 0.01);
-  CHECK(gains_left(json, "rod-layer") <= 0.020);
+  CHECK(line_gains_left(json, "rod-layer") <= 0.020);
   CHECK(verdict(json, "youngs_modulus") == "not_identifiable");
 }
 
 TEST_CASE("rods of known radius tell a half plane's modulus from strains", "[cli][calibrate]") {
-  const Json json = calibrated("strain-rods", nothing_stated + "half_width_sd = 0\n");
+  const Json json = calibrated_with("strain-rods", nothing_stated + "half_width_sd = 0\n");
   check_value(json, "depth", 1.504e-3, 0.005e-3, 1.5e-3);
   check_value(json, "poisson_ratio", 0.4309, 0.0010, 0.43);
   check_value(json, "youngs_modulus", 0.2597e6, 0.0016e6, 0.26e6);
   CHECK(std::abs(json["mean_gains"]["strain_x"]["value"].get<double>() - 0.9) < 0.009);
-  CHECK(gains_left(json, "strain-rods") <= 0.012);
+  CHECK(line_gains_left(json, "strain-rods") <= 0.012);
 }
 
 TEST_CASE("without a force all but the common gain is found", "[cli][calibrate]") {
-  const Json json = calibrated("no-loads", nothing_stated);
+  const Json json = calibrated_with("no-loads", nothing_stated);
   check_value(json, "depth", 1.508e-3, 0.017e-3, 1.5e-3);
   check_value(json, "thickness", 2.994e-3, 0.039e-3, 3.0e-3);
   check_value(json, "poisson_ratio", 0.448, 0.010, 0.45);
   CHECK(verdict(json, "youngs_modulus") == "not_identifiable");
   CHECK(json["mean_gains"]["stress_x"]["verdict"] == "not_identifiable");
-  CHECK(gains_left(json, "no-loads") <= 0.023);
+  CHECK(line_gains_left(json, "no-loads") <= 0.023);
 }
 
 TEST_CASE("presses at one place say nothing of the far gains", "[cli][calibrate]") {
-  const Json json = calibrated("one-place", nothing_stated);
+  const Json json = calibrated_with("one-place", nothing_stated);
   check_value(json, "depth", 1.476e-3, 0.053e-3, 1.5e-3);
   for (std::size_t j = 0; j < 41; ++j) {
     CAPTURE(j);
@@ -137,11 +121,11 @@ TEST_CASE("presses at one place say nothing of the far gains", "[cli][calibrate]
 }
 
 TEST_CASE("finite elements with rods of known radius are explained", "[cli][calibrate]") {
-  const Json json = calibrated("fe-rods", nothing_stated + "half_width_sd = 0\n");
+  const Json json = calibrated_with("fe-rods", nothing_stated + "half_width_sd = 0\n");
   check_value(json, "depth", 1.524e-3, 0.016e-3, 1.5e-3);
   check_value(json, "youngs_modulus", 0.231e6, 0.013e6, 0.2e6);
   CHECK(std::abs(json["fit"]["rms"].get<double>() - 1.02) < 0.01);
-  CHECK(gains_left(json, "fe-rods") <= 0.024);
+  CHECK(line_gains_left(json, "fe-rods") <= 0.024);
 }
 
 TEST_CASE("finite elements without the radius are explained", "[cli][calibrate]") {
@@ -153,12 +137,12 @@ TEST_CASE("finite elements without the radius are explained", "[cli][calibrate]"
   const std::string toml = folder.write(
       "pad.toml", read_text(nominal_of("fe-rods")) + "\n[calibrate]\n" + nothing_stated);
   const ProcessResult result =
-      tool({"calibrate", folder.write("log.csv", text), "--scene", toml, "--json", "-"});
+      run_tool({"calibrate", folder.write("log.csv", text), "--scene", toml, "--json", "-"});
   REQUIRE(result.code == 0);
   const Json json = Json::parse(result.output);
   check_value(json, "depth", 1.551e-3, 0.032e-3, 1.5e-3);
   check_value(json, "thickness", 2.942e-3, 0.055e-3, 3.0e-3);
-  CHECK(gains_left(json, "fe-rods") <= 0.022);
+  CHECK(line_gains_left(json, "fe-rods") <= 0.022);
 }
 
 TEST_CASE("a calibrated scene keeps the file and finds itself again", "[cli][calibrate]") {
@@ -166,7 +150,7 @@ TEST_CASE("a calibrated scene keeps the file and finds itself again", "[cli][cal
   std::string toml = "# my pad\n" + read_text(nominal_of("rod-layer"));
   toml.insert(toml.find("\nreads"), "  # from the drawing");
   const std::string nominal = folder.write("pad.toml", toml);
-  const ProcessResult first = tool(
+  const ProcessResult first = run_tool(
       {"calibrate", log_of("rod-layer"), "--scene", nominal, "-o", folder / "calibrated.toml"});
   CAPTURE(first.output, first.errors);
   REQUIRE(first.code == 0);
@@ -181,8 +165,8 @@ TEST_CASE("a calibrated scene keeps the file and finds itself again", "[cli][cal
   REQUIRE(found.calibration.has_value());
 
   // What is calibrated needs no calibration: the same log again moves nothing.
-  const ProcessResult again = tool({"calibrate", log_of("rod-layer"), "--scene",
-                                    folder / "calibrated.toml", "-o", folder / "again.toml"});
+  const ProcessResult again = run_tool({"calibrate", log_of("rod-layer"), "--scene",
+                                        folder / "calibrated.toml", "-o", folder / "again.toml"});
   REQUIRE(again.code == 0);
   const Scene second = read_scene(folder / "again.toml");
   CHECK_THAT(second.sensor.depths.front(), WithinRel(found.sensor.depths.front(), 0.01));
@@ -213,13 +197,13 @@ TEST_CASE("forces of presses that were not in the log are found better", "[cli][
   REQUIRE(forces.size() == 5);
   const Folder folder;
   const std::string readings = folder.write("held-out.csv", frames);
-  REQUIRE(tool({"calibrate", folder.write("log.csv", learnt), "--scene", nominal_of("rod-layer"),
-                "-o", folder / "calibrated.toml"})
+  REQUIRE(run_tool({"calibrate", folder.write("log.csv", learnt), "--scene",
+                    nominal_of("rod-layer"), "-o", folder / "calibrated.toml"})
               .code == 0);
   const auto error = [&](const std::string& toml, const std::string& name) {
     const std::string file = folder / name;
-    REQUIRE(tool({"solve", toml, "--readings", readings, "-q", "-o", folder / "f.csv",
-                  "--uncertainty", file})
+    REQUIRE(run_tool({"solve", toml, "--readings", readings, "-q", "-o", folder / "f.csv",
+                      "--uncertainty", file})
                 .code == 0);
     std::istringstream rows(read_text(file));
     std::string line;
@@ -252,8 +236,9 @@ TEST_CASE("gains and offsets undo what gain and offset errors spoil", "[cli][cal
       folder.write("known.toml", pad +
                                      "[calibration]\ngains = [2.0, 0.5, 2.0, 1.0, 0.5]\n"
                                      "offsets = [0.25, -0.25, 0.5, 0.25, 0.0]\n");
-  const ProcessResult a = tool({"solve", folder.write("pad.toml", pad), "--readings", clean, "-q"});
-  const ProcessResult b = tool({"solve", known, "--readings", spoiled, "-q"});
+  const ProcessResult a =
+      run_tool({"solve", folder.write("pad.toml", pad), "--readings", clean, "-q"});
+  const ProcessResult b = run_tool({"solve", known, "--readings", spoiled, "-q"});
   REQUIRE(a.code == 0);
   REQUIRE(b.code == 0);
   CHECK(a.output == b.output);
@@ -263,7 +248,7 @@ TEST_CASE("what a calibration says twice is refused", "[cli][calibrate]") {
   const Folder folder;
   const std::string path =
       folder.write("s.toml", small_scene + "[calibration]\ngains = 1.1\ngain = 0.9\n");
-  const ProcessResult result = tool({"run", path});
+  const ProcessResult result = run_tool({"run", path});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring("calibration.gain exclude each other"));
 }
@@ -292,14 +277,13 @@ TEST_CASE("a bad log is refused with its line and its rule", "[cli][calibrate]")
       {2, 0, "99", "has only 19 unloaded rows"},
   }));
   const Folder folder;
-  const std::string path =
-      folder.write("log.csv", edited("rod-layer", bad.line, [&](std::vector<std::string>& fields) {
-                     fields[bad.field] = bad.value;
-                     if (bad.says.find("19") != std::string::npos)
-                       fields[1] = "cylinder", fields[2] = "";
-                   }));
+  const std::string path = folder.write(
+      "log.csv", edited_line("rod-layer", bad.line, [&](std::vector<std::string>& fields) {
+        fields[bad.field] = bad.value;
+        if (bad.says.find("19") != std::string::npos) fields[1] = "cylinder", fields[2] = "";
+      }));
   const ProcessResult result =
-      tool({"calibrate", path, "--scene", nominal_of("rod-layer"), "-o", folder / "c.toml"});
+      run_tool({"calibrate", path, "--scene", nominal_of("rod-layer"), "-o", folder / "c.toml"});
   CAPTURE(bad.line, bad.field, bad.value);
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring(bad.says));
@@ -307,11 +291,11 @@ TEST_CASE("a bad log is refused with its line and its rule", "[cli][calibrate]")
 }
 
 TEST_CASE("a dead taxel costs a calibration its own reading alone", "[cli][calibrate]") {
-  const Json whole = calibrated("rod-layer", nothing_stated);
+  const Json whole = calibrated_with("rod-layer", nothing_stated);
   const std::string index = GENERATE("0", "20", "40");
   CAPTURE(index);
   const Json without =
-      calibrated("rod-layer", nothing_stated + "[dead_taxels]\nindices = [" + index + "]\n");
+      calibrated_with("rod-layer", nothing_stated + "[dead_taxels]\nindices = [" + index + "]\n");
   for (const char* parameter : {"depth", "thickness", "poisson_ratio"}) {
     CAPTURE(parameter);
     const Json& one = whole["parameters"][parameter];
@@ -335,7 +319,7 @@ TEST_CASE("a calibration never replaces what it reads", "[cli][calibrate]") {
     Options command{"calibrate", log, "--scene", nominal};
     command.insert(command.end(), outputs.begin(), outputs.end());
     CAPTURE(outputs[0], outputs[1]);
-    const ProcessResult result = tool(command);
+    const ProcessResult result = run_tool(command);
     CHECK(result.code == 2);
     CHECK_THAT(result.errors,
                ContainsSubstring(outputs.size() > 2 ? "need one each" : "that is read"));
@@ -348,15 +332,15 @@ TEST_CASE("a width beyond all reason takes no memory beyond it", "[cli][calibrat
   const Folder folder;
   const std::string log = folder.write(
       "log.csv",
-      edited("strain-rods", 30, [](std::vector<std::string>& fields) { fields[6] = "1e9"; }));
-  const ProcessResult result = tool({"calibrate", log, "--scene", nominal_of("strain-rods")});
+      edited_line("strain-rods", 30, [](std::vector<std::string>& fields) { fields[6] = "1e9"; }));
+  const ProcessResult result = run_tool({"calibrate", log, "--scene", nominal_of("strain-rods")});
   CAPTURE(result.output, result.errors);
   CHECK(result.code == 1);
 }
 
 TEST_CASE("a log of another scene names the readings that it lacks", "[cli][calibrate]") {
   const ProcessResult result =
-      tool({"calibrate", log_of("rod-layer"), "--scene", nominal_of("strain-rods")});
+      run_tool({"calibrate", log_of("rod-layer"), "--scene", nominal_of("strain-rods")});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring("strain_x_0") && ContainsSubstring("another scene"));
 }
@@ -369,7 +353,7 @@ TEST_CASE("forces in other units are found out, and nothing is written", "[cli][
                  "\"N/mm\"\n");
   const std::string toml = folder.write("pad.toml", nominal);
   const ProcessResult result =
-      tool({"calibrate", log_of("rod-layer"), "--scene", toml, "-o", folder / "c.toml"});
+      run_tool({"calibrate", log_of("rod-layer"), "--scene", toml, "-o", folder / "c.toml"});
   CAPTURE(result.output, result.errors);
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring("units of the forces"));
@@ -377,7 +361,7 @@ TEST_CASE("forces in other units are found out, and nothing is written", "[cli][
 }
 
 TEST_CASE("the next presses buy more with every one", "[cli][calibrate]") {
-  const Json json = calibrated("one-place", "", {"--next", "4"});
+  const Json json = calibrated_with("one-place", "", {"--next", "4"});
   double before = json["unknown_now"];
   REQUIRE(json["next"].size() == 4);
   for (const Json& press : json["next"]) {
@@ -390,8 +374,8 @@ TEST_CASE("the next presses buy more with every one", "[cli][calibrate]") {
 
 TEST_CASE("a calibration's page has its figures", "[cli][calibrate]") {
   const Folder folder;
-  const ProcessResult result = tool({"calibrate", log_of("rod-layer"), "--scene",
-                                     nominal_of("rod-layer"), "--out", folder / "out"});
+  const ProcessResult result = run_tool({"calibrate", log_of("rod-layer"), "--scene",
+                                         nominal_of("rod-layer"), "--out", folder / "out"});
   REQUIRE(result.code == 0);
   const std::string page = read_text(folder / "out/report.html");
   CHECK_THAT(page, ContainsSubstring("What this log cannot tell") && ContainsSubstring("Gains") &&

@@ -9,14 +9,16 @@ using namespace tactile_net;
 
 namespace {
 
+using Json = nlohmann::json;
+
 const std::string small_circuit =
     "[sensor]\ncount = 7\npitch = 0.5\ndepth = 1.5\nreads = [\"strain_x\"]\n"
     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n"
     "[reconstruct]\nmethods = [\"network\"]\nalpha = 1e-3\nsmoothing_length = 1.0\n[network]\n";
 
-constexpr const char* all[] = {"ideal",         "nic",     "rail", "crossbar",
-                               "least_squares", "lattice", "lc",   "ndr"};
+constexpr const char* all_realizations[] = {"ideal",         "nic",     "rail", "crossbar",
+                                            "least_squares", "lattice", "lc",   "ndr"};
 
 const std::string ringing_converters =
     "realization = \"nic\"\nopamp = { bandwidth = 10e6 }\n"
@@ -28,14 +30,14 @@ TEST_CASE("every realisation is generated, runs in plain ngspice and is relaxed 
           "[cli][spice]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_circuit);
-  for (const std::string realization : all) {
+  for (const std::string realization : all_realizations) {
     CAPTURE(realization);
     const std::string deck = folder / (realization + ".cir");
-    REQUIRE(tool({"gen", path, "--realization", realization, "-o", deck}).code == 0);
+    REQUIRE(run_tool({"gen", path, "--realization", realization, "-o", deck}).code == 0);
     const ProcessResult plain = run_process({"ngspice", "-b", deck});
     CHECK(plain.code == 0);
     CHECK_THAT(plain.output, ContainsSubstring("v(n6)") && !ContainsSubstring("rror"));
-    const ProcessResult relaxed = tool({"relax", deck});
+    const ProcessResult relaxed = run_tool({"relax", deck});
     CHECK(relaxed.code == 0);
     CHECK_THAT(relaxed.output, ContainsSubstring("7 nodes") && ContainsSubstring("(agrees)"));
   }
@@ -47,7 +49,7 @@ TEST_CASE("with a bandwidth the transient stands beside the certificate", "[cli]
   for (const std::string realization : {"nic", "rail", "crossbar", "least_squares", "lattice"}) {
     CAPTURE(realization);
     const ProcessResult result =
-        tool({"run", path, "--realization", realization, "--bandwidth", "1e6"});
+        run_tool({"run", path, "--realization", realization, "--bandwidth", "1e6"});
     CHECK(result.code == 0);
     CHECK_THAT(result.output, ContainsSubstring("(agrees; the op-amps' gain and offset explain") &&
                                   ContainsSubstring("ngspice's transient settles in") &&
@@ -59,48 +61,49 @@ TEST_CASE("an edited deck is compared with what its header states", "[cli][spice
   const Folder folder;
   const std::string path = folder.write("s.toml", small_circuit);
   const std::string deck = folder / "x.cir";
-  REQUIRE(tool({"gen", path, "-o", deck}).code == 0);
+  REQUIRE(run_tool({"gen", path, "-o", deck}).code == 0);
   std::string text = read_text(deck);
   const std::size_t at = text.find("\nR0_1 ");
   const std::size_t end = text.find('\n', at + 1);
   text.replace(at, end - at, "\nR0_1 n0 n1 1e4\r");
   const std::string edited = folder.write("edited.CIR", text);
-  const ProcessResult result = tool({"relax", edited});
+  const ProcessResult result = run_tool({"relax", edited});
   CHECK(result.code == 1);
   CHECK_THAT(result.output, ContainsSubstring("(DIFFERS)") && ContainsSubstring("expected"));
-  CHECK(tool({"relax", edited, "--tolerance", "10"}).code == 0);
+  CHECK(run_tool({"relax", edited, "--tolerance", "10"}).code == 0);
   const std::size_t within = text.find("* within ");
   REQUIRE(within != std::string::npos);
   text.replace(within, text.find('\n', within) - within, "* within 10");
-  const ProcessResult lenient = tool({"relax", folder.write("lenient.cir", text)});
+  const ProcessResult lenient = run_tool({"relax", folder.write("lenient.cir", text)});
   CHECK(lenient.code == 1);
   CHECK_THAT(lenient.errors, ContainsSubstring("proves nothing"));
-  CHECK_THAT(tool({"relax", edited, "--json", "-"}).output, ContainsSubstring("\"expected\""));
+  CHECK_THAT(run_tool({"relax", edited, "--json", "-"}).output, ContainsSubstring("\"expected\""));
 
-  CHECK_THAT(tool({"relax", folder.write("empty.cir", "")}).errors,
+  CHECK_THAT(run_tool({"relax", folder.write("empty.cir", "")}).errors,
              ContainsSubstring("states no voltage to compare with"));
-  CHECK_THAT(tool({"relax", folder.write("bad.cir", "t\n* expect n0 two\n")}).errors,
+  CHECK_THAT(run_tool({"relax", folder.write("bad.cir", "t\n* expect n0 two\n")}).errors,
              ContainsSubstring("bad.cir:2:1") && ContainsSubstring("does not end with a number"));
-  CHECK_THAT(tool({"relax", folder / "none.cir"}).errors, ContainsSubstring("no such file"));
-  CHECK(tool({"relax", deck, "--realization", "nic"}).code == 2);
+  CHECK_THAT(run_tool({"relax", folder / "none.cir"}).errors, ContainsSubstring("no such file"));
+  CHECK(run_tool({"relax", deck, "--realization", "nic"}).code == 2);
 }
 
 TEST_CASE("a deck's header, and what is no deck, are told apart", "[cli][spice]") {
   const Folder folder;
   const std::string resistor = "T\n* EXPECT A 1\nr1 a 0 1k\ni1 0 a 1m\n";
-  CHECK(tool({"relax", folder.write("s.cir", resistor + ".op\n.end\n")}).code == 0);
-  CHECK_THAT(tool({"relax", folder.write("w.cir", resistor + "* within -1\n.op\n.end\n")}).errors,
-             ContainsSubstring("must be >= 0"));
+  CHECK(run_tool({"relax", folder.write("s.cir", resistor + ".op\n.end\n")}).code == 0);
+  CHECK_THAT(
+      run_tool({"relax", folder.write("w.cir", resistor + "* within -1\n.op\n.end\n")}).errors,
+      ContainsSubstring("must be >= 0"));
   std::filesystem::create_directory(folder / "d.cir");
-  CHECK_THAT(tool({"relax", folder / "d.cir"}).errors, ContainsSubstring("is a folder"));
-  CHECK_THAT(tool({"gen", folder / "s.cir"}).errors, ContainsSubstring("is a deck"));
+  CHECK_THAT(run_tool({"relax", folder / "d.cir"}).errors, ContainsSubstring("is a folder"));
+  CHECK_THAT(run_tool({"gen", folder / "s.cir"}).errors, ContainsSubstring("is a deck"));
 }
 
 TEST_CASE("devices driven far beyond their curve give no answer", "[cli][spice]") {
   const Folder folder;
   const std::string path =
       folder.write("s.toml", small_circuit + "realization = \"ndr\"\ndevice_volts = 0.05\n");
-  const ProcessResult result = tool({"relax", path});
+  const ProcessResult result = run_tool({"relax", path});
   CHECK(result.code == 1);
   CHECK_THAT(result.errors, ContainsSubstring("too large for the devices"));
 }
@@ -113,35 +116,36 @@ TEST_CASE("without a load nothing is divided by it", "[cli][spice]") {
       "s.toml", text +
                     "realization = \"crossbar\"\nopamp = { bandwidth = 1e6, offset = 1e-4 }\n"
                     "settling = { accuracy = 1e-3 }\ntolerance = { relative = 0.01 }\n");
-  const ProcessResult result = tool({"relax", path});
+  const ProcessResult result = run_tool({"relax", path});
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("there is no load") && !ContainsSubstring("nan") &&
                                 !ContainsSubstring("inf"));
-  CHECK_THAT(tool({"certify", path}).output, ContainsSubstring("There is no load"));
+  CHECK_THAT(run_tool({"certify", path}).output, ContainsSubstring("There is no load"));
   const std::string deck = folder / "s.cir";
-  CHECK(tool({"gen", path, "-o", deck}).code == 0);
-  CHECK(tool({"relax", deck}).code == 0);
+  CHECK(run_tool({"gen", path, "-o", deck}).code == 0);
+  CHECK(run_tool({"relax", deck}).code == 0);
 }
 
 TEST_CASE("certify says what is stable, what is not, and what to choose", "[cli]") {
   const Folder folder;
-  const ProcessResult good = tool({"certify", scene("circuits/crossbar.toml")});
+  const ProcessResult good = run_tool({"certify", scene("circuits/crossbar.toml")});
   CHECK(good.code == 0);
   CHECK_THAT(good.output,
              ContainsSubstring("crossbar: stable") && ContainsSubstring("theorem T5") &&
                  ContainsSubstring("settles within 0.001 in") && ContainsSubstring("realisation") &&
                  ContainsSubstring("With parts of 1 %"));
   const std::string ringing = folder.write("s.toml", small_circuit + ringing_converters);
-  const ProcessResult bad = tool({"certify", ringing});
+  const ProcessResult bad = run_tool({"certify", ringing});
   CHECK(bad.code == 1);
   CHECK_THAT(bad.output, ContainsSubstring("UNSTABLE") &&
                              ContainsSubstring("does NOT apply here: capacitance") &&
                              ContainsSubstring("divider = 788 at most"));
   CHECK_THAT(bad.errors, ContainsSubstring("the circuit is not stable"));
-  const std::string json = tool({"certify", scene("circuits/crossbar.toml"), "--json", "-"}).output;
+  const std::string json =
+      run_tool({"certify", scene("circuits/crossbar.toml"), "--json", "-"}).output;
   CHECK_THAT(json, StartsWith("{") && ContainsSubstring("\"tolerance_margin\"") &&
                        ContainsSubstring("\"recommendation\"") && !ContainsSubstring("nan"));
-  CHECK(tool({"certify", scene("circuits/crossbar.toml"), "--json", "-"}).output == json);
+  CHECK(run_tool({"certify", scene("circuits/crossbar.toml"), "--json", "-"}).output == json);
 }
 
 TEST_CASE("an unstable circuit is called so by ngspice too", "[cli][spice]") {
@@ -150,7 +154,7 @@ TEST_CASE("an unstable circuit is called so by ngspice too", "[cli][spice]") {
       "s.toml", small_circuit +
                     "realization = \"nic\"\nopamp = { bandwidth = 10e6 }\nparasitic = { node = "
                     "1e-11, input = 1e-11 }\nsettling = { accuracy = 1e-3 }\n");
-  const ProcessResult result = tool({"relax", ringing});
+  const ProcessResult result = run_tool({"relax", ringing});
   CHECK(result.code == 1);
   CHECK_THAT(result.output, ContainsSubstring("transient GROWS at"));
   CHECK_THAT(result.errors, ContainsSubstring("the circuit is unstable"));
@@ -160,16 +164,16 @@ TEST_CASE("settling that nothing models is said, not invented", "[cli][spice]") 
   const Folder folder;
   const std::string path =
       folder.write("s.toml", small_circuit + "settling = { accuracy = 1e-3 }\n");
-  CHECK_THAT(tool({"relax", path}).output,
+  CHECK_THAT(run_tool({"relax", path}).output,
              ContainsSubstring("nothing here takes a time that is modelled"));
   for (const char* bandwidth : {"-1", "0", "inf", "nan"})
-    CHECK(tool({"relax", path, "--bandwidth", bandwidth}).code == 2);
+    CHECK(run_tool({"relax", path, "--bandwidth", bandwidth}).code == 2);
 }
 
 TEST_CASE("certify writes a page and the numbers behind its plots", "[cli]") {
   const Folder folder;
   const ProcessResult result =
-      tool({"certify", scene("circuits/least-squares.toml"), "--out", folder / "out"});
+      run_tool({"certify", scene("circuits/least-squares.toml"), "--out", folder / "out"});
   CHECK(result.code == 0);
   CHECK(result.errors.empty());
   CHECK_THAT(result.output, ContainsSubstring("report: "));
@@ -185,36 +189,36 @@ TEST_CASE("certify writes a page and the numbers behind its plots", "[cli]") {
   CHECK(lines("builds.csv") > 500);
   CHECK(lines("resistors.csv") > 10);
   CHECK(read_text(folder / "out/certificate.json") ==
-        tool({"certify", scene("circuits/least-squares.toml"), "--json", "-"}).output);
+        run_tool({"certify", scene("circuits/least-squares.toml"), "--json", "-"}).output);
 }
 
 TEST_CASE("certify lists what to order for an accuracy", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_circuit);
   const std::string out = folder / "out";
-  const ProcessResult result = tool({"certify", path, "--budget", "1%", "--out", out});
+  const ProcessResult result = run_tool({"certify", path, "--budget", "1%", "--out", out});
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("For 1 % in 95 of 100 builds: "));
   CHECK_THAT(read_text(out + "/parts.csv"),
              StartsWith("ohm,tolerance,quantity,references,part\n") &&
                  ContainsSubstring(",op-amp with two outputs\n"));
   CHECK_THAT(read_text(out + "/report.html"), ContainsSubstring("What to order"));
-  CHECK_THAT(tool({"certify", path, "--budget", "0.01", "--json", "-"}).output,
+  CHECK_THAT(run_tool({"certify", path, "--budget", "0.01", "--json", "-"}).output,
              ContainsSubstring("\"target\": 0.01"));
-  CHECK_THAT(tool({"certify", path, "--budget", "little"}).errors,
+  CHECK_THAT(run_tool({"certify", path, "--budget", "little"}).errors,
              ContainsSubstring("is no share, such as 0.3%"));
-  CHECK(tool({"certify", path, "--budget", "0"}).code == 2);
-  CHECK(tool({"certify", path, "--budget", "120%"}).code == 2);
+  CHECK(run_tool({"certify", path, "--budget", "0"}).code == 2);
+  CHECK(run_tool({"certify", path, "--budget", "120%"}).code == 2);
 }
 
 TEST_CASE("certify draws an unstable circuit too, and fails", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_circuit + ringing_converters);
-  CHECK(tool({"certify", path, "--out", folder / "out"}).code == 1);
+  CHECK(run_tool({"certify", path, "--out", folder / "out"}).code == 1);
   CHECK_THAT(read_text(folder / "out/report.html"),
              ContainsSubstring("UNSTABLE") && ContainsSubstring("href=\"settling.csv\""));
   CHECK_THAT(read_text(folder / "out/poles.csv"), ContainsSubstring("\ngrows,"));
-  CHECK_THAT(tool({"certify", scene("circuits/lc.toml"), "--bandwidth", "1e6"}).errors,
+  CHECK_THAT(run_tool({"certify", scene("circuits/lc.toml"), "--bandwidth", "1e6"}).errors,
              ContainsSubstring("lc has no op-amps"));
   const std::string settling = read_text(folder / "out/settling.csv");
   const std::size_t last = settling.rfind('\n', settling.size() - 2) + 1;
@@ -223,15 +227,14 @@ TEST_CASE("certify draws an unstable circuit too, and fails", "[cli]") {
 
 TEST_CASE("run of a skin has its circuit beside the answer, where it is asked for",
           "[cli][spice][skin]") {
-  using Json = nlohmann::json;
   const Folder folder;
   const std::string path = scene("skins/circuit.toml");
-  const ProcessResult alone = tool({"run", path, "--json", "-"});
+  const ProcessResult alone = run_tool({"run", path, "--json", "-"});
   CAPTURE(alone.errors);
   CHECK_FALSE(Json::parse(alone.output).contains("circuit"));
   for (const std::string realization : {"ideal", "least_squares"}) {
     const ProcessResult run =
-        tool({"run", path, "--realization", realization, "--out", folder / realization});
+        run_tool({"run", path, "--realization", realization, "--out", folder / realization});
     CAPTURE(realization, run.output, run.errors);
     REQUIRE(run.code == 0);
     CHECK_THAT(run.output, ContainsSubstring("network: " + realization) &&
@@ -246,7 +249,7 @@ TEST_CASE("run of a skin has its circuit beside the answer, where it is asked fo
                  WithinRel(json["answer"]["relative_error"][i].get<double>(), 1e-2));
     CHECK_THAT(read_text(folder / (realization + "/report.html")),
                ContainsSubstring("The circuit") && ContainsSubstring("network.cir"));
-    const ProcessResult relaxed = tool({"relax", folder / (realization + "/network.cir")});
+    const ProcessResult relaxed = run_tool({"relax", folder / (realization + "/network.cir")});
     CHECK_THAT(relaxed.output, ContainsSubstring("48 nodes") && ContainsSubstring("(agrees)"));
   }
 }
@@ -257,7 +260,7 @@ TEST_CASE("a skin that makes no circuit has its answer, and says why there is no
   std::string text = read_text(scene("skins/circuit.toml"));
   text.replace(text.find("alpha = 1e-3"), 12, "alpha = 1e-3\nnonnegative = true");
   const std::string path = folder.write("s.toml", text);
-  const ProcessResult run = tool({"run", path, "--realization", "crossbar"});
+  const ProcessResult run = run_tool({"run", path, "--realization", "crossbar"});
   CHECK(run.code == 1);
   CHECK_THAT(run.output, ContainsSubstring("force into the skin") &&
                              ContainsSubstring("network: FAILED: a circuit of resistors"));

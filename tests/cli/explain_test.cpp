@@ -8,8 +8,6 @@ using namespace tactile_net;
 
 namespace {
 
-const std::string loaded = "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n";
-
 /// Whether the plan says that this is done.
 bool planned(const std::string& plan, const std::string& computation) {
   const std::size_t at = plan.find("\"computation\": \"" + computation + "\"");
@@ -28,24 +26,24 @@ TEST_CASE("what the plan says is done is in the result, the rest is not", "[cli]
   const Folder folder;
   const std::string methods = "methods = [\"tikhonov\", \"network\"]\n";
   const std::string scene = GENERATE_COPY(values<std::string>({
-      small_scene + loaded,
-      small_scene + methods + loaded,
-      small_scene + methods + loaded +
+      small_scene + cylinder_load,
+      small_scene + methods + cylinder_load,
+      small_scene + methods + cylinder_load +
           "[network]\nopamp = { bandwidth = 1e6 }\n"
           "realization = \"nic\"\nsettling = { accuracy = 1e-2 }\n",
-      small_scene + methods + loaded +
+      small_scene + methods + cylinder_load +
           "[network]\nrealization = \"crossbar\"\ntolerance = { relative = 0.01, trials = 5 }\n",
-      small_scene.substr(0, small_scene.find("alpha")) + "methods = [\"dft\"]\n" + loaded,
-      small_scene.substr(0, small_scene.find("alpha")) + loaded,
+      small_scene.substr(0, small_scene.find("alpha")) + "methods = [\"dft\"]\n" + cylinder_load,
+      small_scene.substr(0, small_scene.find("alpha")) + cylinder_load,
   }));
   CAPTURE(scene);
   const std::string path = folder.write("s.toml", scene);
   const bool compare = GENERATE(false, true);
   std::vector<std::string> command = {"run", path, "--json", "-"};
   if (compare) command.emplace_back("--compare-rules");
-  const std::string result = tool(command).output;
+  const std::string result = run_tool(command).output;
   command.emplace_back("--explain");
-  const ProcessResult explained = tool(command);
+  const ProcessResult explained = run_tool(command);
   REQUIRE(explained.code == 0);
   const std::string& plan = explained.output;
   for (const char* method : {"dft", "tikhonov", "closed_form"})
@@ -59,11 +57,11 @@ TEST_CASE("what the plan says is done is in the result, the rest is not", "[cli]
 
 TEST_CASE("explain names every effect and runs nothing", "[cli]") {
   const ProcessResult bare =
-      tool({"run", scene("effects/bare.toml"), "--explain", "--ngspice", "no-such-ngspice"});
+      run_tool({"run", scene("effects/bare.toml"), "--explain", "--ngspice", "no-such-ngspice"});
   CHECK(bare.code == 0);
   CHECK(bare.errors.empty());
-  const ProcessResult everything =
-      tool({"run", scene("effects/everything.toml"), "--explain", "--ngspice", "no-such-ngspice"});
+  const ProcessResult everything = run_tool(
+      {"run", scene("effects/everything.toml"), "--explain", "--ngspice", "no-such-ngspice"});
   CHECK(everything.code == 0);
   for (const char* effect :
        {"friction", "layer", "viscoelasticity", "hysteresis", "crosstalk", "gain_error",

@@ -15,8 +15,8 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-std::string done(const Arguments& arguments) {
-  const ProcessResult result = tool(arguments);
+std::string output_of(const Arguments& arguments) {
+  const ProcessResult result = run_tool(arguments);
   CAPTURE(arguments, result.errors);
   CHECK(result.code == 0);
   return result.output;
@@ -26,12 +26,13 @@ nlohmann::json json_of(const std::string& path) { return nlohmann::json::parse(r
 
 /// What follows init, and `more` for every command that reads the recording.
 void go_on(const Folder& folder, const std::string& scene_file, const std::string& readings) {
-  done({"check", scene_file, "--readings", readings, "--json", folder / "check.json"});
-  done({"solve", scene_file, "--readings", readings, "--missing", "estimate", "--out",
-        folder / "out"});
+  output_of({"check", scene_file, "--readings", readings, "--json", folder / "check.json"});
+  output_of({"solve", scene_file, "--readings", readings, "--missing", "estimate", "--out",
+             folder / "out"});
   CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("</html>"));
-  CHECK_THAT(done({"identify", scene_file, "--readings", readings}), ContainsSubstring("stress_x"));
-  CHECK_THAT(done({"plan", scene_file, "--readings", readings, "-o", folder / "pad.plan"}),
+  CHECK_THAT(output_of({"identify", scene_file, "--readings", readings}),
+             ContainsSubstring("stress_x"));
+  CHECK_THAT(output_of({"plan", scene_file, "--readings", readings, "-o", folder / "pad.plan"}),
              ContainsSubstring("pad.plan"));
 }
 
@@ -47,7 +48,7 @@ std::string spreadsheet(const Folder& folder) {
       "trajectory = [{ t = 0.2, force = 0.0 }, { t = 0.3, force = 20.0 }, { t = 0.4, force = 0.0 },"
       "{ t = 0.7, force = 0.0 }, { t = 0.8, force = 40.0 }, { t = 0.9, force = 40.0 },"
       "{ t = 1.0, force = 0.0 }]\n");
-  done({"simulate", toml, "-o", folder / "truth.csv"});
+  output_of({"simulate", toml, "-o", folder / "truth.csv"});
   std::istringstream lines(read_text(folder / "truth.csv"));
   std::string line;
   std::getline(lines, line);
@@ -76,10 +77,10 @@ TEST_CASE("the first fifteen minutes with a recorded pad", "[cli][first-hour]") 
   const Scene known = read_scene(scene("recorded/" + pad + ".toml"));
   const std::string csv = scene("recorded/" + pad + ".csv");
   const std::string made = folder / "pad.toml";
-  const std::string told =
-      done({"init", "--from-csv", csv, "-o", made, "--pitch", std::to_string(known.sensor.pitch),
-            "--depth", std::to_string(known.sensor.depths[0]), "--modulus", "2e5", "--layer",
-            std::to_string(known.material.layer->thickness)});
+  const std::string told = output_of({"init", "--from-csv", csv, "-o", made, "--pitch",
+                                      std::to_string(known.sensor.pitch), "--depth",
+                                      std::to_string(known.sensor.depths[0]), "--modulus", "2e5",
+                                      "--layer", std::to_string(known.material.layer->thickness)});
   CHECK_THAT(told,
              ContainsSubstring("readings of " + std::to_string(known.sensor.count) + " taxels") &&
                  ContainsSubstring("times in 't'") && ContainsSubstring("next: tactile-net check"));
@@ -101,9 +102,10 @@ TEST_CASE("the first fifteen minutes with a German spreadsheet", "[cli][first-ho
   const Folder folder;
   const std::string csv = spreadsheet(folder);
   const std::string made = folder / "pad.toml";
-  const std::string told = done({"init", "--from-csv", csv, "-o", made, "--quantity", "stress_x",
-                                 "--pitch", "0.5", "--depth", "1.5", "--length-unit", "mm",
-                                 "--modulus", "0.2", "--modulus-unit", "MPa", "--poisson", "0.48"});
+  const std::string told =
+      output_of({"init", "--from-csv", csv, "-o", made, "--quantity", "stress_x", "--pitch", "0.5",
+                 "--depth", "1.5", "--length-unit", "mm", "--modulus", "0.2", "--modulus-unit",
+                 "MPa", "--poisson", "0.48"});
   CHECK_THAT(told, ContainsSubstring("23 columns, 21 of them readings of 21 taxels, "
                                      "'Druck 1 [kPa]' to 'Druck 21 [kPa]'; times in 'Zeit [s]'"));
   CHECK_THAT(told, ContainsSubstring("--readings '" + csv + "'"));  // as a shell takes it
@@ -136,7 +138,7 @@ TEST_CASE("the first fifteen minutes with a German spreadsheet", "[cli][first-ho
   CHECK_THAT(solved["shown"][85]["normal_force"].get<double>(), WithinRel(40.0, 0.03));
 
   // What check advises is taken back by the scene reader, and ends the suspicion.
-  const std::string report = done({"check", made, "--readings", csv});
+  const std::string report = output_of({"check", made, "--readings", csv});
   CHECK_THAT(report, ContainsSubstring("under [noise], rms = 0.0"));  // kPa, as the file
 }
 
@@ -167,25 +169,25 @@ TEST_CASE("a scene is written from what is answered on a terminal", "[cli][first
 TEST_CASE("init names all that is missing at once, and replaces nothing unasked", "[cli]") {
   const Folder folder;
   const std::string csv = folder.write("r.csv", "a_1,a_2,a_3\n1,2,3\n");
-  const ProcessResult bare = tool({"init", "--from-csv", csv});
+  const ProcessResult bare = run_tool({"init", "--from-csv", csv});
   CHECK(bare.code == 2);
   CHECK_THAT(bare.errors, ContainsSubstring("--quantity, --pitch, --depth, --modulus") &&
                               ContainsSubstring("3 of them readings of 3 taxels"));
   Arguments whole{
       "init",    "--from-csv", csv,         "--quantity", "strain_x", "--pitch",          "1",
       "--depth", "1",          "--modulus", "1",          "-o",       folder / "pad.toml"};
-  done(whole);
+  output_of(whole);
   const std::string first = read_text(folder / "pad.toml");
   whole[6] = "2";
-  const ProcessResult again = tool(whole);
+  const ProcessResult again = run_tool(whole);
   CHECK(again.code == 2);
   CHECK_THAT(again.errors, ContainsSubstring("--force replaces it"));
   CHECK(read_text(folder / "pad.toml") == first);
   whole.push_back("--force");
-  done(whole);
+  output_of(whole);
   CHECK(read_scene(folder / "pad.toml").sensor.pitch == 2.0);
   whole[6] = "-2";
-  const ProcessResult wrong = tool(whole);
+  const ProcessResult wrong = run_tool(whole);
   CHECK(wrong.code == 2);
   CHECK_THAT(wrong.errors, ContainsSubstring("sensor.pitch must be > 0"));
   CHECK(read_scene(folder / "pad.toml").sensor.pitch == 2.0);
@@ -225,7 +227,7 @@ TEST_CASE("init understands columns however they are named", "[cli]") {
     if (std::find(one.more.begin(), one.more.end(), "--depth") == one.more.end())
       arguments.insert(arguments.end(), {"--depth", "1"});
     arguments.insert(arguments.end(), one.more.begin(), one.more.end());
-    const std::string told = done(arguments);
+    const std::string told = output_of(arguments);
     const Scene found = read_scene(folder / "pad.toml");
     CHECK(found.sensor.count == one.count);
     CHECK(channel_count(found.sensor) == one.channels);
@@ -234,7 +236,7 @@ TEST_CASE("init understands columns however they are named", "[cli]") {
       CHECK_THAT(told, ContainsSubstring("--columns " + one.columns));
       solve.insert(solve.end(), {"--columns", one.columns});
     }
-    done(solve);
+    output_of(solve);
   }
 }
 
@@ -242,7 +244,7 @@ TEST_CASE("a name that columns share is understood only where it is the only one
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
   const auto solve = [&](const std::string& csv) {
-    return tool({"solve", path, "--readings", "-"}, csv);
+    return run_tool({"solve", path, "--readings", "-"}, csv);
   };
   const ProcessResult plain = solve("t,stress_x_0,stress_x_1,stress_x_2\n0,1,2,3\n");
   for (const char* header :
@@ -273,9 +275,9 @@ TEST_CASE("what check advises ends the suspicion", "[cli]") {
           "trajectory = [{ t = 0.6, force = 0.0 }, { t = 1.0, force = 30.0 }, "
           "{ t = 1.4, force = 0.0 }]\n");
   const std::string csv = folder / "counts.csv";
-  done({"simulate", sensor, "-o", csv});
+  output_of({"simulate", sensor, "-o", csv});
   const std::string path = folder.write("pad.toml", counts);
-  done({"check", path, "--readings", csv, "--json", folder / "check.json"});
+  output_of({"check", path, "--readings", csv, "--json", folder / "check.json"});
   const nlohmann::json before = json_of(folder / "check.json")["findings"];
   REQUIRE(before.size() == 1);
   CHECK(before[0]["kind"] == "baseline");
@@ -283,7 +285,7 @@ TEST_CASE("what check advises ends the suspicion", "[cli]") {
   const std::string start = "under [calibration], ";
   REQUIRE(advice.starts_with(start + "baseline = ["));
   folder.write("pad.toml", counts + advice.substr(start.size()) + '\n');
-  done({"check", path, "--readings", csv, "--json", folder / "check.json"});
+  output_of({"check", path, "--readings", csv, "--json", folder / "check.json"});
   const nlohmann::json after = json_of(folder / "check.json");
   CHECK(after["findings"].empty());
   CHECK_THAT(after["peak"]["force"].get<double>(), WithinRel(30.0, 0.05));
@@ -293,15 +295,15 @@ TEST_CASE("check fails on suspicions only where that is asked for", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
   const std::string csv = folder.write("r.csv", "stress_x_0,stress_x_1,stress_x_2\n-1,-2,-1\n");
-  const ProcessResult lenient = tool({"check", path, "--readings", csv});
+  const ProcessResult lenient = run_tool({"check", path, "--readings", csv});
   CHECK(lenient.code == 0);
   CHECK_THAT(lenient.output, ContainsSubstring("1. the whole pad is pulled in 1 of 1") &&
                                  ContainsSubstring("gain = -1"));
-  const ProcessResult strict = tool({"check", path, "--readings", csv, "--strict"});
+  const ProcessResult strict = run_tool({"check", path, "--readings", csv, "--strict"});
   CHECK(strict.code == 1);
   CHECK(strict.output == lenient.output);
-  CHECK(tool({"check", path, "--readings", folder / "none.csv"}).code == 2);
-  const ProcessResult json = tool({"check", path, "--readings", "-", "--json", "-"},
-                                  "stress_x_0,stress_x_1,stress_x_2\n1,2,1\n");
+  CHECK(run_tool({"check", path, "--readings", folder / "none.csv"}).code == 2);
+  const ProcessResult json = run_tool({"check", path, "--readings", "-", "--json", "-"},
+                                      "stress_x_0,stress_x_1,stress_x_2\n1,2,1\n");
   CHECK(nlohmann::json::parse(json.output)["findings"].empty());
 }

@@ -9,7 +9,7 @@ TEST_CASE("a generated deck runs in plain ngspice and prints what its header exp
   const std::string realization = GENERATE("ideal", "nic");
   CAPTURE(realization);
   const std::string deck = folder / "x.cir";
-  REQUIRE(tool({"gen", scene("nic.toml"), "-o", deck, "--realization", realization}).code == 0);
+  REQUIRE(run_tool({"gen", scene("nic.toml"), "-o", deck, "--realization", realization}).code == 0);
   const std::string text = read_text(deck);
   const ProcessResult result = run_process({"ngspice", "-b", deck});
   CHECK(result.code == 0);
@@ -25,15 +25,15 @@ TEST_CASE("a generated deck runs in plain ngspice and prints what its header exp
 }
 
 TEST_CASE("relax compares the circuit with the direct solve", "[cli][spice]") {
-  const ProcessResult result = tool({"relax", scene("nic.toml")});
+  const ProcessResult result = run_tool({"relax", scene("nic.toml")});
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("114 op-amps") && ContainsSubstring("(agrees"));
-  CHECK_THAT(tool({"relax", scene("nic.toml"), "--json", "-"}).output,
+  CHECK_THAT(run_tool({"relax", scene("nic.toml"), "--json", "-"}).output,
              StartsWith("{") && ContainsSubstring("\"difference_to_direct\""));
 }
 
 TEST_CASE("ngspice as a library agrees too, or tells how to get it", "[cli]") {
-  const ProcessResult result = tool({"relax", scene("nic.toml"), "--simulator", "library"});
+  const ProcessResult result = run_tool({"relax", scene("nic.toml"), "--simulator", "library"});
   if (result.code == 0)
     CHECK_THAT(result.output, ContainsSubstring("(agrees"));
   else
@@ -43,9 +43,9 @@ TEST_CASE("ngspice as a library agrees too, or tells how to get it", "[cli]") {
 TEST_CASE("the deck on standard output is byte for byte the deck in a file", "[cli]") {
   const Folder folder;
   const std::string deck = folder / "x.cir";
-  REQUIRE(tool({"gen", scene("nic.toml"), "-o", deck}).code == 0);
+  REQUIRE(run_tool({"gen", scene("nic.toml"), "-o", deck}).code == 0);
   const std::string text = read_text(deck);
   CHECK_THAT(text, StartsWith("* tactile-net ") && ContainsSubstring("realization nic"));
-  CHECK(tool({"gen", scene("nic.toml")}).output == text);
-  CHECK(tool({"gen", scene("nic.toml"), "-o", "-"}).output == text);
+  CHECK(run_tool({"gen", scene("nic.toml")}).output == text);
+  CHECK(run_tool({"gen", scene("nic.toml"), "-o", "-"}).output == text);
 }

@@ -10,8 +10,8 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::string finger(const std::string& name, double side, const std::string& contact,
-                   const std::string& more = {}) {
+std::string finger_table(const std::string& name, double side, const std::string& contact,
+                         const std::string& more = {}) {
   const std::string sign = side < 0.0 ? "-" : "";
   const std::string back = side < 0.0 ? "" : "-";
   return "[[finger]]\nname = \"" + name + "\"\nbase = [" + sign +
@@ -32,10 +32,10 @@ std::string resultant(double normal, double tangential, const std::string& more 
 ProcessResult grasp(const Folder& folder, const std::string& toml,
                     std::vector<std::string> more = {}) {
   more.insert(more.begin(), {"grasp", folder.write("hand.toml", toml)});
-  return tool(more);
+  return run_tool(more);
 }
 
-Json json_of(const Folder& folder, const std::string& toml, int code = 0) {
+Json grasp_json(const Folder& folder, const std::string& toml, int code = 0) {
   const ProcessResult result = grasp(folder, toml, {"--json", "-"});
   CAPTURE(result.errors);
   REQUIRE(result.code == code);
@@ -49,8 +49,8 @@ TEST_CASE("grasp says what forces mean and what would hold the load", "[cli]") {
   const std::string deviations =
       ", normal_deviation = 0.1, tangential_deviation = 0.1, center_deviation = 1e-4";
   const std::string hand = degrees + load + squeezed +
-                           finger("left", -1.0, resultant(5.0, -2.0, deviations)) +
-                           finger("right", 1.0, resultant(5.0, -2.0, deviations));
+                           finger_table("left", -1.0, resultant(5.0, -2.0, deviations)) +
+                           finger_table("right", 1.0, resultant(5.0, -2.0, deviations));
   const ProcessResult result = grasp(folder, hand, {"--out", folder / "out"});
   CAPTURE(result.errors);
   CHECK(result.code == 0);
@@ -61,7 +61,7 @@ TEST_CASE("grasp says what forces mean and what would hold the load", "[cli]") {
   for (const char* words : {"<svg class=\"hand\"", "class=\"cone\"", "measured head", "held head",
                             "load head", "figcaption", "prefers-color-scheme: dark"})
     CHECK_THAT(page, ContainsSubstring(words));
-  const Json json = json_of(folder, hand);
+  const Json json = grasp_json(folder, hand);
   CHECK(Json::parse(read_text(folder / "out/result.json")) == json);
 
   // The pads stand upright at X = -+0.035; by symmetry each carries half the load.
@@ -93,8 +93,8 @@ TEST_CASE("a grasp that cannot be is a failure, told as such", "[cli]") {
   const Folder folder;
   const ProcessResult result =
       grasp(folder, degrees + load + "[grasp]\ngrasping_force = 2.0\nfriction = 0.6\n" +
-                        finger("left", -1.0, "{ center = 0.0 }") +
-                        finger("right", 1.0, "{ center = 0.0 }"));
+                        finger_table("left", -1.0, "{ center = 0.0 }") +
+                        finger_table("right", 1.0, "{ center = 0.0 }"));
   CHECK(result.code == 1);
   CHECK_THAT(result.output, ContainsSubstring("FAILS: to hold: finger 'left' slips"));
   CHECK_THAT(result.errors, ContainsSubstring("error: to hold: finger 'left' slips"));
@@ -102,7 +102,7 @@ TEST_CASE("a grasp that cannot be is a failure, told as such", "[cli]") {
 
 TEST_CASE("a fingertip's readings become torques with deviations", "[cli]") {
   const Folder folder;
-  const ProcessResult result = tool({"grasp", scene("recorded/hand.toml"), "--json", "-"});
+  const ProcessResult result = run_tool({"grasp", scene("recorded/hand.toml"), "--json", "-"});
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
   const Json json = Json::parse(result.output);
@@ -132,7 +132,7 @@ TEST_CASE("tractions, and a scene's own contacts, are resultants too", "[cli]") 
                "t,normal_0,normal_1,normal_2,tangential_0,tangential_1,tangential_2\n"
                "0,1,2,3,0,0,0\n1,100,300,100,10,20,30\n");
   const std::string tractions = "{ tractions = \"t.csv\", pitch = 0.01, frame = 1 }";
-  Json json = json_of(folder, degrees + finger("a", -1.0, tractions));
+  Json json = grasp_json(folder, degrees + finger_table("a", -1.0, tractions));
   CHECK_THAT(json.at("fingers").at(0).at("normal").at("value").get<double>(),
              WithinRel(5.0, 1e-14));
   CHECK_THAT(json.at("fingers").at(0).at("tangential").at("value").get<double>(),
@@ -144,7 +144,7 @@ TEST_CASE("tractions, and a scene's own contacts, are resultants too", "[cli]") 
                "\"shear_xy\"]\n[material]\nyoungs_modulus = 0.2e6\npoisson_ratio = 0.45\n"
                "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2e-3\ncenter = 1e-3\nforce = 20.0\n"
                "friction = 0.3\n[reconstruct]\nalpha = 1e-6\n");
-  json = json_of(folder, degrees + finger("a", -1.0, "{ scene = \"tip.toml\" }"));
+  json = grasp_json(folder, degrees + finger_table("a", -1.0, "{ scene = \"tip.toml\" }"));
   const Json& tip = json.at("fingers").at(0);
   CHECK(tip.at("source") == "simulated");
   const double normal = tip.at("normal").at("value").get<double>();
@@ -168,12 +168,13 @@ TEST_CASE("what grasp cannot use is refused", "[cli]") {
     CHECK(result.output.empty());
   };
   const auto one = [&](const std::string& contact) {
-    return degrees + finger("index", -1.0, contact);
+    return degrees + finger_table("index", -1.0, contact);
   };
-  CHECK(tool({"grasp"}).code == 2);
-  CHECK_THAT(tool({"grasp", folder / "no.toml"}).errors, ContainsSubstring("no such file"));
-  CHECK_THAT(tool({"grasp", folder.path().string()}).errors, ContainsSubstring("is a folder"));
-  CHECK_THAT(tool({"grasp", scene("nic.toml")}).errors, ContainsSubstring("[finger] is missing"));
+  CHECK(run_tool({"grasp"}).code == 2);
+  CHECK_THAT(run_tool({"grasp", folder / "no.toml"}).errors, ContainsSubstring("no such file"));
+  CHECK_THAT(run_tool({"grasp", folder.path().string()}).errors, ContainsSubstring("is a folder"));
+  CHECK_THAT(run_tool({"grasp", scene("nic.toml")}).errors,
+             ContainsSubstring("[finger] is missing"));
   refused(one("{ normal = -1.0, tangential = 0.0, center = 0.0 }"), 2,
           "hand.toml:9:22: error: finger.contact.normal must be > 0 (got -1.0)");
   refused(one("{ center = 0.0 }"), 2, "nothing to compute");
@@ -187,7 +188,7 @@ TEST_CASE("what grasp cannot use is refused", "[cli]") {
   refused(one("{ scene = \"idle.toml\", readings = \"pull.csv\" }"), 2,
           "pull.csv:1:1: error: the file that the hand refers to is not in order here");
   // The same contact twice.
-  refused(load + squeezed + finger("a", -1.0, "{ center = 0.0 }") +
-              finger("b", -1.0, "{ center = 0.0 }"),
+  refused(load + squeezed + finger_table("a", -1.0, "{ center = 0.0 }") +
+              finger_table("b", -1.0, "{ center = 0.0 }"),
           2, "the contacts coincide");
 }

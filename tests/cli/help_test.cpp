@@ -1,17 +1,14 @@
 // What the command says of itself: help, the manual page, completion, suggestions.
 #include "tools/tactile-net/command_line/help.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "tactile_net/simulator/child_process.hpp"
 #include "tests/catch.hpp"
-#include "tests/cli/in_process.hpp"
+#include "tests/cli/tool.hpp"
 #include "tools/tactile-net/command_line/completion.hpp"
 #include "tools/tactile-net/command_line/man_page.hpp"
 #include "tools/tactile-net/options.hpp"
@@ -28,14 +25,7 @@ std::vector<std::string> words_of(const std::string& text) {
   return {std::istream_iterator<std::string>(in), {}};
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> lines;
-  for (std::string one; std::getline(in, one);) lines.push_back(one);
-  return lines;
-}
-
-void refused(const std::vector<std::string>& arguments, const std::string& message) {
+void usage_refused(const std::vector<std::string>& arguments, const std::string& message) {
   const ProcessResult result = test::run_in_process(arguments, "");
   CAPTURE(arguments, result.errors);
   CHECK(result.code == 2);
@@ -48,47 +38,35 @@ bool is_installed(const std::string& program) {
   return run_process({"sh", "-c", "command -v " + program}, {}).code == 0;
 }
 
-struct Folder {
-  Folder() : path(fs::temp_directory_path() / ("tactile-net-help-" + std::to_string(::getpid()))) {
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name) << text;
-    return (path / name).string();
-  }
-  fs::path path;
-};
-
 }  // namespace
 
 TEST_CASE("an option that there is not is named, with the one that was meant", "[cli]") {
-  refused({"run", "--jsno", "x", "S"}, "run has no option '--jsno'; did you mean '--json'?");
-  refused({"run", "--jsno=x", "S"}, "run has no option '--jsno'; did you mean '--json'?");
-  refused({"run", "-json", "-", "S"}, "run has no option '-json'; did you mean '--json'?");
-  refused({"solve", "S", "--reading", "x"},
-          "solve has no option '--reading'; did you mean '--readings'?");
-  refused({"--versoin"}, "tactile-net has no option '--versoin'; did you mean '--version'?");
-  refused({"gen", "S", "--quite"}, "did you mean '--quiet'?");
-  refused({"run", "S", "--zzzzzz"}, "run has no option '--zzzzzz'\nhint: tactile-net help run\n");
-  refused({"run", "S", "---"}, "run has no option '---'");
-  refused({"solve", "S", "--columns", "-3", "--jsno"}, "no option '--jsno'");  // -3 is a value
-  refused({"run", "S", "--", "--jsno"}, "not expected: --jsno");
+  usage_refused({"run", "--jsno", "x", "S"}, "run has no option '--jsno'; did you mean '--json'?");
+  usage_refused({"run", "--jsno=x", "S"}, "run has no option '--jsno'; did you mean '--json'?");
+  usage_refused({"run", "-json", "-", "S"}, "run has no option '-json'; did you mean '--json'?");
+  usage_refused({"solve", "S", "--reading", "x"},
+                "solve has no option '--reading'; did you mean '--readings'?");
+  usage_refused({"--versoin"}, "tactile-net has no option '--versoin'; did you mean '--version'?");
+  usage_refused({"gen", "S", "--quite"}, "did you mean '--quiet'?");
+  usage_refused({"run", "S", "--zzzzzz"},
+                "run has no option '--zzzzzz'\nhint: tactile-net help run\n");
+  usage_refused({"run", "S", "---"}, "run has no option '---'");
+  usage_refused({"solve", "S", "--columns", "-3", "--jsno"},
+                "no option '--jsno'");  // -3 is a value
+  usage_refused({"run", "S", "--", "--jsno"}, "not expected: --jsno");
 }
 
 TEST_CASE("a value that there is not is told with those that there are", "[cli]") {
-  refused(
+  usage_refused(
       {"gen", "S", "--realization", "crosbar"},
       "--realization: 'crosbar' is none of ideal, nic, rail, crossbar, least_squares, lattice, lc, "
       "ndr; "
       "did you mean 'crossbar'?");
-  refused({"plan", "S", "--precision", "float16"}, "'float16' is none of float64, float32");
-  refused({"run", "S", "--frame", "-1"}, "'-1' is no whole number");
-  refused({"relax", "S", "--tolerance", "1,5"}, "'1,5' is no number");
-  refused({"help", "slove"}, "did you mean 'solve'?");
-  refused({"help", "solve", "--man"}, "--man: is one page of all commands");
+  usage_refused({"plan", "S", "--precision", "float16"}, "'float16' is none of float64, float32");
+  usage_refused({"run", "S", "--frame", "-1"}, "'-1' is no whole number");
+  usage_refused({"relax", "S", "--tolerance", "1,5"}, "'1,5' is no number");
+  usage_refused({"help", "slove"}, "did you mean 'solve'?");
+  usage_refused({"help", "solve", "--man"}, "--man: is one page of all commands");
 }
 
 TEST_CASE("help keeps to the width, and to whole words", "[cli]") {
@@ -208,13 +186,13 @@ TEST_CASE("bash completes what the parser takes", "[cli]") {
       folder.write("completion", test::run_in_process({"completion", "bash"}, "").output);
   for (const char* name : {"pad.toml", "my pad.toml", "deck.cir", "frames.csv", "notes.txt"})
     folder.write(name, "");
-  fs::create_directory(folder.path / "out");
+  fs::create_directory(folder.path() / "out");
   const auto offered = [&](std::vector<std::string> words) {
     std::vector<std::string> command = {
         "bash",
         "--norc",
         "-c",
-        "cd '" + folder.path.string() + "' && exec bash '" TESTS "/drive_completion.bash' \"$@\"",
+        "cd '" + folder.path().string() + "' && exec bash '" TESTS "/drive_completion.bash' \"$@\"",
         "drive",
         script,
         "tactile-net"};

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "tests/catch.hpp"
+#include "tests/cli/json_number.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
@@ -15,23 +16,16 @@ std::string small(const std::string& reads, const std::string& material = "poiss
 std::string identified(const std::string& toml, std::vector<std::string> options = {}) {
   const Folder folder;
   options.insert(options.begin(), {"identify", folder.write("s.toml", toml)});
-  const ProcessResult result = tool(options);
+  const ProcessResult result = run_tool(options);
   CHECK(result.errors.empty());
   CHECK(result.code == 0);
   return result.output;
 }
 
-/// The number after the first `key` of the JSON.
-double number(const std::string& json, const std::string& key) {
-  const std::size_t at = json.find("\"" + key + "\": ");
-  REQUIRE(at != std::string::npos);
-  return std::stod(json.substr(at + key.size() + 4));
-}
-
 }  // namespace
 
 TEST_CASE("identify explains why two strains on 81 taxels are singular", "[cli]") {
-  const ProcessResult result = tool({"identify", scene("two-strains.toml")});
+  const ProcessResult result = run_tool({"identify", scene("two-strains.toml")});
   CHECK(result.code == 0);
   for (const char* text :
        {"Cannot tell: tangential traction, alternating from taxel to taxel (Nyquist)",
@@ -75,14 +69,14 @@ TEST_CASE("identify writes a report and JSON", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small("\"strain_x\", \"strain_y\""));
   const ProcessResult result =
-      tool({"identify", path, "--out", folder / "out", "--json", "-", "--traction", "0.5"});
+      run_tool({"identify", path, "--out", folder / "out", "--json", "-", "--traction", "0.5"});
   CHECK(result.code == 0);
   for (const char* key : {"\"tactile_net\"", "\"effects\"", "\"singular_values\"", "\"null_modes\"",
                           "\"resolvable_wavelength\"", "\"deviation\"", "\"alternatives\""})
     CHECK_THAT(result.output, ContainsSubstring(key));
-  CHECK(number(result.output, "traction") == 0.5);
-  CHECK(number(result.output, "rank") == 29.0);
-  CHECK(number(result.output, "rank_deficiency") == 1.0);
+  CHECK(json_number(result.output, "traction") == 0.5);
+  CHECK(json_number(result.output, "rank") == 29.0);
+  CHECK(json_number(result.output, "rank_deficiency") == 1.0);
   CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("<svg"));
   CHECK(read_text(folder / "out/result.json") == result.output);
 }
@@ -100,15 +94,16 @@ TEST_CASE("what identify tells does not depend on the units", "[cli][property]")
   };
   const std::string one = json("", "", "");
   const std::string other = json("e-3", "e6", "e3");
-  CHECK_THAT(number(other, "traction"), WithinRel(1e6 * number(one, "traction"), 1e-12));
-  CHECK_THAT(number(other, "normal"), WithinRel(1e-3 * number(one, "normal"), 1e-12));
-  CHECK(number(other, "rank") == number(one, "rank"));
-  CHECK_THAT(number(other, "noise_gain"), WithinRel(1e6 * number(one, "noise_gain"), 1e-3));
+  CHECK_THAT(json_number(other, "traction"), WithinRel(1e6 * json_number(one, "traction"), 1e-12));
+  CHECK_THAT(json_number(other, "normal"), WithinRel(1e-3 * json_number(one, "normal"), 1e-12));
+  CHECK(json_number(other, "rank") == json_number(one, "rank"));
+  CHECK_THAT(json_number(other, "noise_gain"),
+             WithinRel(1e6 * json_number(one, "noise_gain"), 1e-3));
 }
 
 TEST_CASE("more noise hides longer ripples", "[cli]") {
   const auto shortest = [](const char* noise) {
-    return number(
+    return json_number(
         identified(small("\"stress_x\", \"shear_xy\""), {"--json", "-", "--noise", noise}),
         "normal");
   };
@@ -116,16 +111,16 @@ TEST_CASE("more noise hides longer ripples", "[cli]") {
 }
 
 TEST_CASE("a recorded pad's sensors tell what presses on it, once its strength is known", "[cli]") {
-  const ProcessResult unknown = tool({"identify", scene("recorded/thin-pad.toml")});
+  const ProcessResult unknown = run_tool({"identify", scene("recorded/thin-pad.toml")});
   CHECK(unknown.code == 2);
   CHECK_THAT(unknown.errors, ContainsSubstring("--traction") && ContainsSubstring("--readings"));
-  const ProcessResult known = tool(
+  const ProcessResult known = run_tool(
       {"identify", scene("recorded/thin-pad.toml"), "--readings", scene("recorded/thin-pad.csv")});
   CHECK(known.code == 0);
   CHECK_THAT(known.output, ContainsSubstring("Of ripples with an amplitude of"));
   CHECK_THAT(known.output, !ContainsSubstring("no normal ripple"));
-  CHECK(tool({"identify", scene("recorded/thin-pad.toml"), "--readings",
-              scene("recorded/thin-pad.csv"), "--traction", "5"})
+  CHECK(run_tool({"identify", scene("recorded/thin-pad.toml"), "--readings",
+                  scene("recorded/thin-pad.csv"), "--traction", "5"})
             .code == 2);
 }
 
@@ -133,14 +128,14 @@ TEST_CASE("identify refuses what is no amplitude", "[cli]") {
   for (const char* option : {"--traction", "--noise"})
     for (const char* value : {"-1", "0", "nan", "inf"}) {
       CAPTURE(option, value);
-      const ProcessResult result = tool({"identify", scene("two-strains.toml"), option, value});
+      const ProcessResult result = run_tool({"identify", scene("two-strains.toml"), option, value});
       CHECK(result.code == 2);
       CHECK_THAT(result.errors, ContainsSubstring(option));
     }
 }
 
 TEST_CASE("identify says what a skin can tell", "[cli][skin]") {
-  const ProcessResult told = tool({"identify", scene("skins/pressure-alone.toml")});
+  const ProcessResult told = run_tool({"identify", scene("skins/pressure-alone.toml")});
   CHECK(told.code == 0);
   for (const char* text :
        {"The curl of q is seen by no depth of stress_x", "by the ends of the skin alone",
@@ -148,17 +143,17 @@ TEST_CASE("identify says what a skin can tell", "[cli][skin]") {
     CHECK_THAT(told.output, ContainsSubstring(text));
   const Folder folder;
   const ProcessResult page =
-      tool({"identify", scene("skins/row.toml"), "--out", folder / "out", "-q"});
+      run_tool({"identify", scene("skins/row.toml"), "--out", folder / "out", "-q"});
   CHECK(page.code == 0);
   CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("waves.csv"));
   CHECK_THAT(read_text(folder / "out/waves.csv"), ContainsSubstring("drag_across"));
   // A scene for recordings needs to know how strong a ripple is to be told.
   const std::string pad = scene("recorded/skin-pad.toml");
-  const ProcessResult bare = tool({"identify", pad});
+  const ProcessResult bare = run_tool({"identify", pad});
   CHECK(bare.code == 2);
   CHECK_THAT(bare.errors, ContainsSubstring("--traction"));
   const ProcessResult recorded =
-      tool({"identify", pad, "--readings", scene("recorded/skin-pad.csv"), "-q"});
+      run_tool({"identify", pad, "--readings", scene("recorded/skin-pad.csv"), "-q"});
   CAPTURE(recorded.errors);
   CHECK(recorded.code == 0);
 }

@@ -1,5 +1,5 @@
 /// @file
-/// The command in this process. Apart from tool.hpp, whose `tool` has the name of its namespace.
+/// The command in this process.
 #pragma once
 
 #include <string>

@@ -231,14 +231,14 @@ TEST_CASE("two runs into one folder: the second is told who has it", "[cli][left
        {std::vector<std::string>{"run", path, "--out", out},
         {"tradeoff", path, "--out", out + "/"},
         {"certify", path, "--out", folder / "./out"}}) {
-    const ProcessResult result = tool(second);
+    const ProcessResult result = run_tool(second);
     CHECK(result.code == 2);
     CHECK_THAT(result.errors, ContainsSubstring("out") && ContainsSubstring("error: process ") &&
                                   ContainsSubstring("is writing results into this folder"));
   }
   first.send(SIGKILL);
   CHECK(first.ended_by() == SIGKILL);
-  CHECK(tool({"certify", path, "--out", out}).code == 0);
+  CHECK(run_tool({"certify", path, "--out", out}).code == 0);
 }
 
 TEST_CASE("failing circuits leave what their message promises", "[cli][spice][left-behind]") {
@@ -269,6 +269,6 @@ TEST_CASE("errors name the reason and the place", "[cli][left-behind]") {
         {"solve", scene("recorded/thick-pad.toml"), "--readings", scene("recorded/thick-pad.csv"),
          "-o", "/dev/full"},
         {"simulate", folder.write("t.toml", small_scene), "-o", "/dev/full"}})
-    CHECK_THAT(tool(arguments).errors,
+    CHECK_THAT(run_tool(arguments).errors,
                ContainsSubstring("/dev/full could not be written: No space left"));
 }

@@ -29,12 +29,12 @@ Rows fields(const std::string& csv) {
 }
 
 constexpr int taxels = 11;
-const std::string pad =
+const std::string stress_pad =
     "[sensor]\ncount = 11\npitch = 1.0\ndepth = 1.5\nreads = [\"stress_x\"]\n"
     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
     "[noise]\nrms = 0.01\n[reconstruct]\n";
-const std::string given = pad + "surface = \"taxels\"\nalpha = 1e-3\n";
-const std::string by_rule = pad + "surface = \"taxels\"\nalpha = \"rgcv\"\n";
+const std::string given = stress_pad + "surface = \"taxels\"\nalpha = 1e-3\n";
+const std::string by_rule = stress_pad + "surface = \"taxels\"\nalpha = \"rgcv\"\n";
 
 std::string head(const std::string& before = "t,") {
   std::string text = before;
@@ -58,7 +58,7 @@ std::string solved(const std::vector<std::string>& more, const std::string& scen
                    const std::string& readings) {
   std::vector<std::string> arguments{"solve", scene_file, "--readings", "-"};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  const ProcessResult result = tool(arguments, readings);
+  const ProcessResult result = run_tool(arguments, readings);
   CAPTURE(result.errors);
   CHECK(result.code == 0);
   return result.output;
@@ -106,8 +106,8 @@ TEST_CASE("a frame that is skipped leaves its row, with its time and nothing els
   const std::string recording = head() + row(0) + row(1, {4}) + row(2) + row(3, {0}) + row(4, {1});
   const std::string csv = folder.write("r.csv", recording);
   const ProcessResult result =
-      tool({"solve", path, "--readings", csv, "--missing", "skip", "-o", folder / "f.csv",
-            "--uncertainty", folder / "u.csv", "--json", folder / "s.json"});
+      run_tool({"solve", path, "--readings", csv, "--missing", "skip", "-o", folder / "f.csv",
+                "--uncertainty", folder / "u.csv", "--json", folder / "s.json"});
   REQUIRE(result.code == 0);
   CHECK_THAT(
       result.errors,
@@ -137,8 +137,8 @@ TEST_CASE("a frame of which nothing is left has no estimate", "[cli][missing]") 
   const Folder folder;
   const std::string path = folder.write("s.toml", given);
   const ProcessResult result =
-      tool({"solve", path, "--readings", "-", "--missing", "estimate"},
-           head() + row(0) + row(1, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}) + row(2, {1}));
+      run_tool({"solve", path, "--readings", "-", "--missing", "estimate"},
+               head() + row(0) + row(1, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}) + row(2, {1}));
   CHECK(result.code == 0);
   CHECK_THAT(result.errors, ContainsSubstring("1 of 3 frames misses readings, and its row") &&
                                 ContainsSubstring("solved from the other taxels: frame 2"));
@@ -165,7 +165,7 @@ TEST_CASE("what --missing cannot do is told", "[cli][missing]") {
   const auto errors = [&](const std::vector<std::string>& more) {
     std::vector<std::string> arguments{"solve", path, "--readings", "-"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const ProcessResult result = tool(arguments, head() + row(0) + row(1, {4}));
+    const ProcessResult result = run_tool(arguments, head() + row(0) + row(1, {4}));
     CHECK(result.code == 2);
     return result.errors;
   };
@@ -186,16 +186,15 @@ TEST_CASE("NaN in a .npy is missing as in CSV, and an empty row is one of NaN", 
   for (const float number : {1.0f, 4.0f, 2.0f, std::nanf(""), 3.0f, 6.0f})
     bytes.append(reinterpret_cast<const char*>(&number), 4);
   const std::string file = folder.write("r.npy", bytes);
-  CHECK(tool({"solve", path, "--readings", file}).code == 2);
-  REQUIRE(
-      tool({"solve", path, "--readings", file, "--missing", "skip", "-o", folder / "f.npy"}).code ==
-      0);
+  CHECK(run_tool({"solve", path, "--readings", file}).code == 2);
+  REQUIRE(run_tool({"solve", path, "--readings", file, "--missing", "skip", "-o", folder / "f.npy"})
+              .code == 0);
   const std::string csv =
       solved({"--missing", "skip"}, path, "stress_x_0,stress_x_1,stress_x_2\n1,2,3\n4,NaN,6\n");
   const ProcessResult again =
-      tool({"solve", path, "--readings", folder / "f.npy", "--missing", "skip"});
+      run_tool({"solve", path, "--readings", folder / "f.npy", "--missing", "skip"});
   CHECK_THAT(again.errors, ContainsSubstring("1 of 2 frames misses readings"));
-  CHECK(tool({"solve", path, "--readings", file, "--missing", "skip"}).output == csv);
+  CHECK(run_tool({"solve", path, "--readings", file, "--missing", "skip"}).output == csv);
 }
 
 TEST_CASE("verdicts are told with their frames", "[cli]") {
@@ -209,8 +208,8 @@ TEST_CASE("verdicts are told with their frames", "[cli]") {
       recording += row(frame);
   const std::string csv = folder.write("r.csv", recording);
   const ProcessResult result =
-      tool({"solve", path, "--readings", csv, "-o", folder / "f.csv", "--uncertainty",
-            folder / "u.csv", "--json", folder / "s.json"});
+      run_tool({"solve", path, "--readings", csv, "-o", folder / "f.csv", "--uncertainty",
+                folder / "u.csv", "--json", folder / "s.json"});
   REQUIRE(result.code == 0);
   CHECK_THAT(result.errors,
              ContainsSubstring("3 of 6 frames have the verdict no_root: frames 1, 4-5\n"));
@@ -248,11 +247,11 @@ TEST_CASE("a spreadsheet's file gives what a plain one gives, and its time is ke
     CHECK(found.starts_with("t,normal_0"));
   }
   const std::string csv = folder.write("r.csv", "when,x,a,b,c\n0.5,7,1.5,2,3\n0.6,7,3,2,1\n");
-  const ProcessResult refused = tool({"solve", path, "--readings", csv});
+  const ProcessResult refused = run_tool({"solve", path, "--readings", csv});
   CHECK(refused.code == 2);
   CHECK_THAT(refused.errors, ContainsSubstring("'when', 'x', 'a', 'b', 'c'"));
-  CHECK(tool({"solve", path, "--readings", csv, "--columns", "t=1,3-5"}).output == expected);
-  const ProcessResult wrong = tool({"solve", path, "--readings", csv, "--columns", "1-2"});
+  CHECK(run_tool({"solve", path, "--readings", csv, "--columns", "t=1,3-5"}).output == expected);
+  const ProcessResult wrong = run_tool({"solve", path, "--readings", csv, "--columns", "1-2"});
   CHECK(wrong.code == 2);
   CHECK_THAT(wrong.errors, ContainsSubstring("--columns: names 2 columns of readings, and 3"));
 }
@@ -261,7 +260,8 @@ TEST_CASE("a header without frames and a time that runs backwards are noted", "[
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
   const auto errors = [&](const std::string& rows) {
-    return tool({"solve", path, "--readings", "-"}, "t,stress_x_0,stress_x_1,stress_x_2\n" + rows)
+    return run_tool({"solve", path, "--readings", "-"},
+                    "t,stress_x_0,stress_x_1,stress_x_2\n" + rows)
         .errors;
   };
   CHECK_THAT(errors(""), ContainsSubstring("note: 0 frames"));
@@ -296,8 +296,8 @@ TEST_CASE("plan and grasp take columns where they are told", "[cli]") {
   std::string recording = "nr";
   for (int i = 0; i < taxels; ++i) recording += std::string(",") + static_cast<char>('a' + i);
   const std::string csv = folder.write("r.csv", recording + '\n' + row(0) + row(1));
-  CHECK(tool({"plan", path, "--readings", csv}).code == 2);
-  const ProcessResult planned = tool({"plan", path, "--readings", csv, "--columns", "2-12"});
+  CHECK(run_tool({"plan", path, "--readings", csv}).code == 2);
+  const ProcessResult planned = run_tool({"plan", path, "--readings", csv, "--columns", "2-12"});
   CAPTURE(planned.errors);
   CHECK(planned.code == 0);
 }

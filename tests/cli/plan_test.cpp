@@ -32,8 +32,9 @@ TEST_CASE("a controller that loads the plan finds what `solve` finds", "[cli][pl
   const std::string recorded = read_text(scene("recorded/thick-pad.toml"));
   const std::string text = folder.write("pad.toml", recorded + "\n");
   // One alpha for both: the plan's, said by its JSON.
-  const ProcessResult planned = tool({"plan", text, "--readings", frames, "-o", folder / "pad.plan",
-                                      "--friction", "0.5", "--json", folder / "plan.json"});
+  const ProcessResult planned =
+      run_tool({"plan", text, "--readings", frames, "-o", folder / "pad.plan", "--friction", "0.5",
+                "--json", folder / "plan.json"});
   CAPTURE(planned.errors);
   REQUIRE(planned.code == 0);
   CHECK_THAT(planned.output, ContainsSubstring("parity") && ContainsSubstring("rgcv, the median"));
@@ -46,7 +47,7 @@ TEST_CASE("a controller that loads the plan finds what `solve` finds", "[cli][pl
   const std::string fixed =
       folder.write("fixed.toml", recorded + "\nalpha = " + json.at("alpha").dump() + "\n");
   const ProcessResult solved =
-      tool({"solve", fixed, "--readings", frames, "-o", folder / "tractions.csv"});
+      run_tool({"solve", fixed, "--readings", frames, "-o", folder / "tractions.csv"});
   CAPTURE(solved.errors);
   REQUIRE(solved.code == 0);
 
@@ -69,7 +70,7 @@ TEST_CASE("fft is planned where it is asked for, and offered where it is allowed
   const Folder folder;
   const std::string good = scene("thesis/cylinder.toml");
   const ProcessResult asked =
-      tool({"plan", good, "--structure", "fft", "-o", folder / "fft.plan", "--json", "-"});
+      run_tool({"plan", good, "--structure", "fft", "-o", folder / "fft.plan", "--json", "-"});
   CAPTURE(asked.errors);
   REQUIRE(asked.code == 0);
   const EstimatorPlan plan = load_plan(folder / "fft.plan");
@@ -78,11 +79,12 @@ TEST_CASE("fft is planned where it is asked for, and offered where it is allowed
   CHECK(nlohmann::json::parse(asked.output).at("candidates").at(0).at("transform_size") ==
         plan.reconstruction.transform_size);
 
-  const ProcessResult allowed = tool({"plan", good, "--allow-fft"});
+  const ProcessResult allowed = run_tool({"plan", good, "--allow-fft"});
   CHECK_THAT(allowed.output, ContainsSubstring("  fft float64, rank"));
-  const ProcessResult without = tool({"plan", good});
+  const ProcessResult without = run_tool({"plan", good});
   CHECK_THAT(without.output, ContainsSubstring("no fft: it needs an FFT"));
-  const ProcessResult single = tool({"plan", good, "--structure", "fft", "--precision", "float32"});
+  const ProcessResult single =
+      run_tool({"plan", good, "--structure", "fft", "--precision", "float32"});
   CHECK(single.code == 2);
   CHECK_THAT(single.errors, ContainsSubstring("float64 only"));
 }
@@ -91,7 +93,7 @@ TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") 
   const Folder folder;
   const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
     arguments.insert(arguments.end(), {"-o", folder / "x.plan"});
-    const ProcessResult result = tool(arguments);
+    const ProcessResult result = run_tool(arguments);
     CAPTURE(result.errors);
     CHECK(result.code == 2);
     CHECK_THAT(result.errors, ContainsSubstring(why));
@@ -115,10 +117,12 @@ TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") 
 TEST_CASE("a plan that misses its deadline is not written, and what helps is said", "[cli][plan]") {
   const Folder folder;
   const std::string file = scene("thesis/cylinder.toml");
-  const ProcessResult met = tool({"plan", file, "--deadline", "1s", "-o", folder / "good.plan"});
+  const ProcessResult met =
+      run_tool({"plan", file, "--deadline", "1s", "-o", folder / "good.plan"});
   CHECK(met.code == 0);
   CHECK(std::filesystem::exists(folder / "good.plan"));
-  const ProcessResult missed = tool({"plan", file, "--deadline", "1ns", "-o", folder / "x.plan"});
+  const ProcessResult missed =
+      run_tool({"plan", file, "--deadline", "1ns", "-o", folder / "x.plan"});
   CHECK(missed.code == 1);
   CHECK_THAT(missed.errors, ContainsSubstring("raise --accuracy, or leave the residual out"));
   CHECK_FALSE(std::filesystem::exists(folder / "x.plan"));

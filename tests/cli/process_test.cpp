@@ -80,7 +80,7 @@ TEST_CASE("the program does what its function does", "[cli]") {
       {"relax", path, "--ngspice", "no-such-ngspice"}};
   for (const std::vector<std::string>& arguments : commands) {
     CAPTURE(arguments);
-    const ProcessResult here = tool(arguments);
+    const ProcessResult here = run_tool(arguments);
     const ProcessResult there = program(arguments);
     CHECK(there.end == ProcessResult::End::exited);
     CHECK(there.code == here.code);

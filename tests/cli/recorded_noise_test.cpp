@@ -1,11 +1,11 @@
 // A coarse array whose scene does not state the noise: the recording shows it.
 #include <cmath>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/catch.hpp"
+#include "tests/cli/csv.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
@@ -13,7 +13,7 @@ using namespace tactile_net;
 namespace {
 
 /// Nine taxels, two depths apart; nothing for a second, then a press of 50 N/m for 1.5 s.
-const std::string finger =
+const std::string pressed_finger =
     "[units]\nlength = \"mm\"\nmodulus = \"kPa\"\nstress = \"kPa\"\nforce = \"N/m\"\n"
     "[sensor]\ncount = 9\npitch = 3.0\ndepth = 1.5\nreads = [\"stress_x\"]\n"
     "[material]\nyoungs_modulus = 200\npoisson_ratio = 0.45\n[time]\nrate = 100\nframes = 250\n"
@@ -21,15 +21,13 @@ const std::string finger =
     "force = 0.0 }, { t = 1.0, force = 0.0 }, { t = 1.2, force = 50.0 }, { t = 3.0, force = 50.0 "
     "}]\n";
 
-struct Row {
+struct SolvedRow {
   double force = 0.0;
   double deviation = 0.0;
   std::string verdict;
 };
-Row last_row(const std::string& csv) {
-  std::vector<std::string> fields;
-  std::istringstream line(csv.substr(csv.rfind('\n', csv.size() - 2) + 1));
-  for (std::string field; std::getline(line, field, ',');) fields.push_back(field);
+SolvedRow last_row(const std::string& csv) {
+  std::vector<std::string> fields = fields_of(csv.substr(csv.rfind('\n', csv.size() - 2) + 1));
   std::string& verdict = fields.back();
   verdict.erase(verdict.find_last_not_of("\r\n") + 1);
   return {std::stod(fields.at(1)), std::stod(fields.at(2)), verdict};
@@ -39,20 +37,20 @@ Row last_row(const std::string& csv) {
 
 TEST_CASE("the noise that a scene does not state is that of still frames", "[cli][noise]") {
   const Folder folder;
-  std::ofstream(folder / "stated.toml") << finger << "[noise]\nrms = 0.1\n";
-  std::ofstream(folder / "silent.toml") << finger;
-  REQUIRE(tool({"simulate", folder / "stated.toml", "-o", folder / "r.csv"}).code == 0);
+  std::ofstream(folder / "stated.toml") << pressed_finger << "[noise]\nrms = 0.1\n";
+  std::ofstream(folder / "silent.toml") << pressed_finger;
+  REQUIRE(run_tool({"simulate", folder / "stated.toml", "-o", folder / "r.csv"}).code == 0);
   const auto solve = [&](const std::string& scene, const std::string& readings) {
-    return tool({"solve", folder / scene, "--readings", readings, "-o", folder / "f.csv",
-                 "--uncertainty", folder / "u.csv"});
+    return run_tool({"solve", folder / scene, "--readings", readings, "-o", folder / "f.csv",
+                     "--uncertainty", folder / "u.csv"});
   };
   REQUIRE(solve("stated.toml", folder / "r.csv").code == 0);
-  const Row stated = last_row(read_text(folder / "u.csv"));
+  const SolvedRow stated = last_row(read_text(folder / "u.csv"));
   const ProcessResult taken = solve("silent.toml", folder / "r.csv");
   REQUIRE(taken.code == 0);
   CHECK_THAT(taken.errors, ContainsSubstring("the scene states no noise: ") &&
                                ContainsSubstring("under [noise], rms = 0.1"));
-  const Row found = last_row(read_text(folder / "u.csv"));
+  const SolvedRow found = last_row(read_text(folder / "u.csv"));
   CHECK(found.verdict == "ok");
   CHECK_THAT(found.force, WithinRel(stated.force, 0.01));
   CHECK_THAT(found.deviation, WithinRel(stated.deviation, 0.15));

@@ -1,6 +1,7 @@
 #include <sstream>
 
 #include "tests/catch.hpp"
+#include "tests/cli/json_number.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
@@ -19,37 +20,34 @@ std::string timeless(const std::string& json) {
   return kept;
 }
 
-/// The number after a key of the JSON.
-double number(const std::string& json, const std::string& key) {
-  const std::size_t at = json.find("\"" + key + "\": ");
-  REQUIRE(at != std::string::npos);
-  return std::stod(json.substr(at + key.size() + 4));
-}
-
 }  // namespace
 
 TEST_CASE("equal input gives equal bytes, times aside", "[cli][spice]") {
-  const auto json = [] { return timeless(tool({"run", scene("adc.toml"), "--json", "-"}).output); };
+  const auto json = [] {
+    return timeless(run_tool({"run", scene("adc.toml"), "--json", "-"}).output);
+  };
   const std::string once = json();
   CHECK(once.size() > 1000);
   CHECK(json() == once);
 }
 
 TEST_CASE("the thesis' printed errors come out of the command", "[cli]") {
-  CHECK_THAT(number(tool({"run", scene("thesis/example-3.1-stress.toml"), "--json", "-"}).output,
-                    "mean_abs"),
-             WithinRel(3.03e-7, 0.5 / 303.0));
-  CHECK_THAT(number(tool({"run", scene("thesis/example-3.1-strain.toml"), "--json", "-"}).output,
-                    "mean_abs"),
-             WithinRel(4.04e-5, 0.5 / 404.0));
+  CHECK_THAT(
+      json_number(run_tool({"run", scene("thesis/example-3.1-stress.toml"), "--json", "-"}).output,
+                  "mean_abs"),
+      WithinRel(3.03e-7, 0.5 / 303.0));
+  CHECK_THAT(
+      json_number(run_tool({"run", scene("thesis/example-3.1-strain.toml"), "--json", "-"}).output,
+                  "mean_abs"),
+      WithinRel(4.04e-5, 0.5 / 404.0));
 }
 
 TEST_CASE("results of run are input of solve", "[cli]") {
   const Folder folder;
   const std::string path = folder.write(
       "s.toml", small_scene + "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n");
-  REQUIRE(tool({"run", path, "--out", folder / "out"}).code == 0);
-  const ProcessResult result = tool({"solve", path, "--readings", folder / "out/readings.csv"});
+  REQUIRE(run_tool({"run", path, "--out", folder / "out"}).code == 0);
+  const ProcessResult result = run_tool({"solve", path, "--readings", folder / "out/readings.csv"});
   CHECK(result.code == 0);
   CHECK(result.output == read_text(folder / "out/tractions-tikhonov.csv"));
 }
@@ -58,7 +56,7 @@ TEST_CASE("an existing folder keeps what is not a result", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
   folder.write("mine.txt", "mine");
-  REQUIRE(tool({"run", path, "--out", folder.path().string()}).code == 0);
+  REQUIRE(run_tool({"run", path, "--out", folder.path().string()}).code == 0);
   CHECK(read_text(folder / "mine.txt") == "mine");
   CHECK(std::filesystem::exists(folder / "report.html"));
   for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
@@ -68,9 +66,9 @@ TEST_CASE("an existing folder keeps what is not a result", "[cli]") {
 TEST_CASE("files of another run are left, and named", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
-  REQUIRE(tool({"run", path, "--compare-rules", "--out", folder / "out"}).errors.empty());
+  REQUIRE(run_tool({"run", path, "--compare-rules", "--out", folder / "out"}).errors.empty());
   folder.write("out/mine.csv", "1");
-  const ProcessResult again = tool({"run", path, "--out", folder / "out"});
+  const ProcessResult again = run_tool({"run", path, "--out", folder / "out"});
   CHECK_THAT(again.errors, ContainsSubstring("holds files of another run too: mine.csv\n"));
   CHECK(read_text(folder / "out/mine.csv") == "1");
 
@@ -78,7 +76,7 @@ TEST_CASE("files of another run are left, and named", "[cli]") {
   std::filesystem::create_directory(folder / "out/result.json");
   const std::string before = read_text(folder / "out/report.html");
   folder.write("s.toml", "title = \"another\"\n" + small_scene);
-  const ProcessResult refused = tool({"run", path, "--out", folder / "out"});
+  const ProcessResult refused = run_tool({"run", path, "--out", folder / "out"});
   CHECK(refused.code == 2);
   CHECK_THAT(refused.errors, ContainsSubstring("result.json: error: is a folder"));
   CHECK(read_text(folder / "out/report.html") == before);
@@ -89,7 +87,7 @@ TEST_CASE("readings of zero leave the rules nothing, and the plots all they have
   std::string ruled = small_scene;
   ruled.erase(ruled.find("[reconstruct]"));
   const ProcessResult result =
-      tool({"run", folder.write("s.toml", ruled), "--out", folder / "out"});
+      run_tool({"run", folder.write("s.toml", ruled), "--out", folder / "out"});
   CHECK(result.code == 0);
   CHECK(result.errors.empty());
   const std::string html = read_text(folder / "out/report.html");
@@ -101,8 +99,8 @@ TEST_CASE("an alpha that explains nothing is not ok", "[cli]") {
   std::string far = small_scene;
   far.replace(far.find("1e-3"), 4, "1e10");
   const ProcessResult result =
-      tool({"run", folder.write("s.toml", far + "[[contact]]\nshape = \"cylinder\"\n"
-                                                "half_width = 1.0\nforce = 1.0\n")});
+      run_tool({"run", folder.write("s.toml", far + "[[contact]]\nshape = \"cylinder\"\n"
+                                                    "half_width = 1.0\nforce = 1.0\n")});
   CHECK_THAT(result.output, ContainsSubstring("oversmoothed") &&
                                 ContainsSubstring("100 % of the readings unexplained"));
 }
@@ -110,7 +108,7 @@ TEST_CASE("an alpha that explains nothing is not ok", "[cli]") {
 TEST_CASE("a file's name may be any bytes", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s\xff.toml", small_scene);
-  const ProcessResult result = tool({"run", path, "--json", "-", "--out", folder / "out"});
+  const ProcessResult result = run_tool({"run", path, "--json", "-", "--out", folder / "out"});
   CHECK(result.code == 0);
   CHECK(result.errors.empty());
   CHECK_THAT(result.output, ContainsSubstring("\"scene\": \"s\xef\xbf\xbd.toml\""));
@@ -120,10 +118,10 @@ TEST_CASE("an unloaded sensor has no traction and no relative error", "[cli][spi
   const Folder folder;
   const std::string path =
       folder.write("s.toml", small_scene + "methods = [\"tikhonov\", \"network\"]\n");
-  const ProcessResult result = tool({"run", path, "--json", "-"});
+  const ProcessResult result = run_tool({"run", path, "--json", "-"});
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("\"relative_l2\": null"));
-  CHECK(number(result.output, "difference_to_direct") == 0.0);
+  CHECK(json_number(result.output, "difference_to_direct") == 0.0);
 }
 
 TEST_CASE("a method that fails says so, the others answer, and the status is 1", "[cli]") {
@@ -134,7 +132,7 @@ TEST_CASE("a method that fails says so, the others answer, and the status is 1",
                    "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.3\n"
                    "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2.0\nforce = 1.0\n"
                    "[reconstruct]\nmethods = [\"dft\", \"tikhonov\"]\nalpha = 1e-3\n");
-  const ProcessResult result = tool({"run", path, "--out", folder / "out"});
+  const ProcessResult result = run_tool({"run", path, "--out", folder / "out"});
   CHECK(result.code == 1);
   CHECK_THAT(result.output,
              ContainsSubstring("dft: FAILED") && ContainsSubstring("invisible to shear_xy"));
@@ -152,7 +150,7 @@ TEST_CASE("what double precision cannot resolve is said, not shown as an answer"
                      "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2.0\nforce = 1.0\n"
                      "[reconstruct]\nmethods = [\"tikhonov\", \"network\"]\nalpha = " +
                          alpha + "\n");
-    return tool({"run", path});
+    return run_tool({"run", path});
   };
   CHECK_THAT(deep("1e-16").output, ContainsSubstring("ill_conditioned"));
   const ProcessResult lost = deep("1e-40");
@@ -164,7 +162,7 @@ TEST_CASE("without ngspice the other methods still answer", "[cli]") {
   const Folder folder;
   const std::string path =
       folder.write("s.toml", small_scene + "methods = [\"tikhonov\", \"network\"]\n");
-  const ProcessResult result = tool({"run", path, "--ngspice", "no-such-ngspice"});
+  const ProcessResult result = run_tool({"run", path, "--ngspice", "no-such-ngspice"});
   CHECK(result.code == 1);
   CHECK_THAT(result.output,
              ContainsSubstring("apt install ngspice") && ContainsSubstring("tikhonov  0.001"));

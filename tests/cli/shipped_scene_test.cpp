@@ -2,20 +2,10 @@
 #include <cstdlib>
 
 #include "tests/catch.hpp"
+#include "tests/cli/json_number.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
-
-namespace {
-
-/// The number after a key of the JSON.
-double number(const std::string& json, const std::string& key) {
-  const std::size_t at = json.find("\"" + key + "\": ");
-  REQUIRE(at != std::string::npos);
-  return std::stod(json.substr(at + key.size() + 4));
-}
-
-}  // namespace
 
 TEST_CASE("a shipped scene runs, agrees with its circuit and writes a report",
           "[.][shipped-scene]") {
@@ -23,7 +13,7 @@ TEST_CASE("a shipped scene runs, agrees with its circuit and writes a report",
   REQUIRE(path != nullptr);
   CAPTURE(path);
   const Folder folder;
-  const ProcessResult result = tool({"run", path, "--out", folder / "out"});
+  const ProcessResult result = run_tool({"run", path, "--out", folder / "out"});
   CHECK(result.errors.empty());
   REQUIRE(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("verdict"));
@@ -35,8 +25,8 @@ TEST_CASE("a shipped scene runs, agrees with its circuit and writes a report",
   if (json.find("\"network\": {") != std::string::npos) {
     // What op-amps and devices add, `run` has judged.
     if (json.find("\"difference_predicted\": null") != std::string::npos &&
-        number(json, "difference_of_devices") == 0.0)
-      CHECK(number(json, "difference_to_direct") <= 1e-9);
+        json_number(json, "difference_of_devices") == 0.0)
+      CHECK(json_number(json, "difference_to_direct") <= 1e-9);
     CHECK(std::filesystem::exists(folder / "out/network.cir"));
   }
 }

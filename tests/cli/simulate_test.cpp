@@ -18,8 +18,8 @@ const std::string moving_scene =
     "trajectory = [{ t = 0.0, force = 0.0 }, { t = 0.5, force = 1.0 }]\n";
 
 /// A .npy by hand: version 1.0, the dictionary and the numbers as given.
-std::string npy(const std::string& dictionary, const std::vector<double>& numbers,
-                char version = 1) {
+std::string npy_with_header(const std::string& dictionary, const std::vector<double>& numbers,
+                            char version = 1) {
   std::string text = "\x93NUMPY";
   text += version;
   text += '\0';
@@ -53,7 +53,7 @@ std::string without_time(const std::string& csv) {
 }
 
 /// The numbers of a CSV below its header, row by row; an empty field is NaN.
-std::vector<std::vector<double>> rows_of(const std::string& csv) {
+std::vector<std::vector<double>> rows_with_gaps(const std::string& csv) {
   std::istringstream in(csv);
   std::string line;
   std::getline(in, line);
@@ -72,7 +72,7 @@ std::vector<std::vector<double>> rows_of(const std::string& csv) {
 TEST_CASE("simulate records a frame a row, and what pressed beside it", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", moving_scene);
-  const ProcessResult result = tool({"simulate", path, "--truth", folder / "truth.csv"});
+  const ProcessResult result = run_tool({"simulate", path, "--truth", folder / "truth.csv"});
   REQUIRE(result.code == 0);
   CHECK(result.errors.empty());
   CHECK_THAT(result.output, StartsWith("t,stress_x_0,stress_x_1,stress_x_2\n0,0,0,0\n0.1,"));
@@ -90,8 +90,8 @@ TEST_CASE("a scene without time is recorded as one frame, that of run", "[cli]")
       "s.toml", small_scene +
                     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n"
                     "[noise]\nrms = 0.1\n");
-  REQUIRE(tool({"run", path, "--out", folder / "out"}).code == 0);
-  CHECK(tool({"simulate", path}).output == read_text(folder / "out/readings.csv"));
+  REQUIRE(run_tool({"run", path, "--out", folder / "out"}).code == 0);
+  CHECK(run_tool({"simulate", path}).output == read_text(folder / "out/readings.csv"));
 }
 
 TEST_CASE("tractions of a coarse array lie on a grid, and files say so", "[cli]") {
@@ -100,8 +100,10 @@ TEST_CASE("tractions of a coarse array lie on a grid, and files say so", "[cli]"
   const std::string at_taxels = "surface = \"taxels\"\n";
   coarse.erase(coarse.find(at_taxels), at_taxels.size());
   const std::string path = folder.write("s.toml", coarse);
-  REQUIRE(tool({"simulate", path, "-o", folder / "g.csv", "--truth", folder / "t.csv"}).code == 0);
-  REQUIRE(tool({"solve", path, "--readings", folder / "g.csv", "-o", folder / "f.csv"}).code == 0);
+  REQUIRE(run_tool({"simulate", path, "-o", folder / "g.csv", "--truth", folder / "t.csv"}).code ==
+          0);
+  REQUIRE(run_tool({"solve", path, "--readings", folder / "g.csv", "-o", folder / "f.csv"}).code ==
+          0);
   // Pitch and depth 1: a quarter apart, to less than two depths beyond the last of three taxels.
   constexpr std::ptrdiff_t values = 2 * 4 + 2 * 7 + 1;
   for (const char* file : {"t.csv", "f.csv"}) {
@@ -116,10 +118,10 @@ TEST_CASE("what simulate writes solve reads, CSV and .npy alike", "[cli]") {
   const Folder folder;
   const std::string path =
       folder.write("s.toml", moving_scene + "[noise]\nrms = 0.01\n[low_pass]\ncutoff = 3.0\n");
-  REQUIRE(tool({"simulate", path, "-o", folder / "g.csv"}).code == 0);
-  REQUIRE(tool({"simulate", path, "-o", folder / "g.npy"}).code == 0);
-  const ProcessResult csv = tool({"solve", path, "--readings", folder / "g.csv"});
-  const ProcessResult binary = tool({"solve", path, "--readings", folder / "g.npy"});
+  REQUIRE(run_tool({"simulate", path, "-o", folder / "g.csv"}).code == 0);
+  REQUIRE(run_tool({"simulate", path, "-o", folder / "g.npy"}).code == 0);
+  const ProcessResult csv = run_tool({"solve", path, "--readings", folder / "g.csv"});
+  const ProcessResult binary = run_tool({"solve", path, "--readings", folder / "g.npy"});
   REQUIRE(csv.code == 0);
   REQUIRE(binary.code == 0);
   CHECK(lines(binary.output) == 12);
@@ -132,13 +134,15 @@ TEST_CASE("what simulate writes solve reads, CSV and .npy alike", "[cli]") {
   CHECK(bytes[127] == '\n');
 
   // Tractions as .npy hold the numbers of the CSV: read back as readings of the same shape.
-  REQUIRE(tool({"solve", path, "--readings", folder / "g.npy", "-o", folder / "f.npy"}).code == 0);
-  REQUIRE(tool({"solve", path, "--readings", folder / "g.npy", "-o", folder / "f.csv"}).code == 0);
+  REQUIRE(run_tool({"solve", path, "--readings", folder / "g.npy", "-o", folder / "f.npy"}).code ==
+          0);
+  REQUIRE(run_tool({"solve", path, "--readings", folder / "g.npy", "-o", folder / "f.csv"}).code ==
+          0);
   std::string named = read_text(folder / "f.csv");
   for (std::size_t at = 0; (at = named.find("normal_", at)) != std::string::npos; at += 9)
     named.replace(at, 7, "stress_x_");
-  CHECK(tool({"solve", path, "--readings", folder / "f.npy"}).output ==
-        tool({"solve", path, "--readings", folder.write("f2.csv", named)}).output);
+  CHECK(run_tool({"solve", path, "--readings", folder / "f.npy"}).output ==
+        run_tool({"solve", path, "--readings", folder.write("f2.csv", named)}).output);
 }
 
 TEST_CASE("the course over time that run draws is what simulate and solve give", "[cli]") {
@@ -150,12 +154,12 @@ TEST_CASE("the course over time that run draws is what simulate and solve give",
           "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\n"
           "trajectory = [{ t = 0.0, force = 0.0, center = -0.2 }, { t = 0.5, force = 1.0, center = "
           "0.3 }]\n[noise]\nrms = 0.01\n[low_pass]\ncutoff = 3.0\n");
-  REQUIRE(tool({"run", path, "--frame", "4", "--out", folder / "out"}).code == 0);
-  const auto force = rows_of(read_text(folder / "out/force-over-time.csv"));
-  const auto centre = rows_of(read_text(folder / "out/centre-over-time.csv"));
-  REQUIRE(tool({"simulate", path, "-o", folder / "g.csv"}).code == 0);
-  const auto solved =
-      rows_of(tool({"solve", path, "--readings", folder / "g.csv"}).output);  // t, three tractions
+  REQUIRE(run_tool({"run", path, "--frame", "4", "--out", folder / "out"}).code == 0);
+  const auto force = rows_with_gaps(read_text(folder / "out/force-over-time.csv"));
+  const auto centre = rows_with_gaps(read_text(folder / "out/centre-over-time.csv"));
+  REQUIRE(run_tool({"simulate", path, "-o", folder / "g.csv"}).code == 0);
+  const auto solved = rows_with_gaps(
+      run_tool({"solve", path, "--readings", folder / "g.csv"}).output);  // t, three tractions
   REQUIRE(solved.size() == 11);
   REQUIRE(force.size() == 11);
   REQUIRE(centre.size() == 11);
@@ -172,7 +176,7 @@ TEST_CASE("the course over time that run draws is what simulate and solve give",
   }
   CHECK_THAT(read_text(folder / "out/report.html"),
              ContainsSubstring("href=\"force-over-time.csv"));
-  CHECK_THAT(tool({"run", path, "--explain"}).output,
+  CHECK_THAT(run_tool({"run", path, "--explain"}).output,
              ContainsSubstring("time_course") && ContainsSubstring("no --out"));
 }
 
@@ -181,22 +185,24 @@ TEST_CASE(".npy by hand, of any version and of floats, is read", "[cli]") {
   const std::string path = folder.write("s.toml", small_scene);
   const std::string csv =
       folder.write("r.csv", "stress_x_0,stress_x_1,stress_x_2\n1,2,3\n0.5,0.25,-1\n");
-  const std::string expected = tool({"solve", path, "--readings", csv}).output;
+  const std::string expected = run_tool({"solve", path, "--readings", csv}).output;
   const std::vector<double> numbers{1, 2, 3, 0.5, 0.25, -1};
   for (const char version : {'\1', '\2', '\3'}) {
-    const std::string file = folder.write("r.npy", npy(shape("(2, 3)"), numbers, version));
-    CHECK(tool({"solve", path, "--readings", file}).output == expected);
+    const std::string file =
+        folder.write("r.npy", npy_with_header(shape("(2, 3)"), numbers, version));
+    CHECK(run_tool({"solve", path, "--readings", file}).output == expected);
   }
   // Without the ending, by what it begins with.
-  const std::string other = folder.write("r.dat", npy(shape("(2, 3)"), numbers));
-  CHECK(tool({"solve", path, "--readings", other}).output == expected);
+  const std::string other = folder.write("r.dat", npy_with_header(shape("(2, 3)"), numbers));
+  CHECK(run_tool({"solve", path, "--readings", other}).output == expected);
 
-  std::string floats = npy("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }", {});
+  std::string floats =
+      npy_with_header("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }", {});
   for (const double number : numbers) {
     const auto word = std::bit_cast<std::uint32_t>(static_cast<float>(number));
     for (int i = 0; i < 4; ++i) floats += static_cast<char>(word >> (8 * i) & 0xff);
   }
-  CHECK(tool({"solve", path, "--readings", folder.write("f.npy", floats)}).output == expected);
+  CHECK(run_tool({"solve", path, "--readings", folder.write("f.npy", floats)}).output == expected);
 }
 
 TEST_CASE("a bad .npy is refused in words", "[cli]") {
@@ -206,21 +212,22 @@ TEST_CASE("a bad .npy is refused in words", "[cli]") {
   const auto [bytes, message] = GENERATE_COPY(table<std::string, std::string>({
       {"hello", "is not a .npy file"},
       {"", "is not a .npy file"},
-      {npy(shape("(1, 3)"), {1, 2, 3}, 9), "version 9, not 1 to 3"},
-      {npy("{'descr': '|b1', 'fortran_order': False, 'shape': (1, 3), }", {1, 2, 3}),
+      {npy_with_header(shape("(1, 3)"), {1, 2, 3}, 9), "version 9, not 1 to 3"},
+      {npy_with_header("{'descr': '|b1', 'fortran_order': False, 'shape': (1, 3), }", {1, 2, 3}),
        "truth values of type '|b1'"},
-      {npy(shape("(4,)"), {1, 2, 3, 4}), "has the shape (4,), not (frames, 3)"},
-      {npy(shape("(1, 1, 4)"), {1, 2, 3, 4}), "has the shape (1, 1, 4)"},
-      {npy("{'descr': '<f8', 'fortran_order': False}", {1}), "has the shape"},
-      {npy(shape("(1, 2)"), {1, 2}), "has 2 columns, the scene reads 3"},
-      {npy(shape("(2, 3)"), {1, 2, 3, 4}), "ends within frame 1 of 2"},
-      {npy(shape("(1, 3)"), {1, 2, 3, 4}), "goes on after the 1 frame of its header"},
-      {npy(shape("(2, 3)"), {1, 2, 3, 4, nan, 6}), "frame 1: column 1 (stress_x_1) is not finite"},
-      {npy(shape("(1, 3)"), {}).substr(0, 30), "header that is cut off"},
+      {npy_with_header(shape("(4,)"), {1, 2, 3, 4}), "has the shape (4,), not (frames, 3)"},
+      {npy_with_header(shape("(1, 1, 4)"), {1, 2, 3, 4}), "has the shape (1, 1, 4)"},
+      {npy_with_header("{'descr': '<f8', 'fortran_order': False}", {1}), "has the shape"},
+      {npy_with_header(shape("(1, 2)"), {1, 2}), "has 2 columns, the scene reads 3"},
+      {npy_with_header(shape("(2, 3)"), {1, 2, 3, 4}), "ends within frame 1 of 2"},
+      {npy_with_header(shape("(1, 3)"), {1, 2, 3, 4}), "goes on after the 1 frame of its header"},
+      {npy_with_header(shape("(2, 3)"), {1, 2, 3, 4, nan, 6}),
+       "frame 1: column 1 (stress_x_1) is not finite"},
+      {npy_with_header(shape("(1, 3)"), {}).substr(0, 30), "header that is cut off"},
   }));
   CAPTURE(message);
   const std::string file = folder.write("r.npy", bytes);
-  const ProcessResult result = tool({"solve", path, "--readings", file});
+  const ProcessResult result = run_tool({"solve", path, "--readings", file});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, StartsWith(file + ": error: ") && ContainsSubstring(message));
 }
@@ -230,7 +237,7 @@ TEST_CASE("a .npy cannot go to a pipe", "[cli]") {
   const std::string path = folder.write("s.toml", moving_scene);
   const std::string pipe = folder / "pipe.npy";
   REQUIRE(run_process({"ln", "-s", "/dev/null", pipe}).code == 0);
-  const ProcessResult result = tool({"simulate", path, "-o", pipe});
+  const ProcessResult result = run_tool({"simulate", path, "-o", pipe});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring("cannot go to a pipe or a device"));
 }
@@ -238,20 +245,20 @@ TEST_CASE("a .npy cannot go to a pipe", "[cli]") {
 TEST_CASE("run takes the last frame of a scene with time, or the one asked for", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", moving_scene + "[noise]\nrms = 0.01\n");
-  const ProcessResult last = tool({"run", path});
+  const ProcessResult last = run_tool({"run", path});
   CHECK_THAT(last.output, ContainsSubstring("the last of 11 frames: frame 10 at t = 1"));
   CHECK_THAT(
-      tool({"run", path, "--frame", "2"}).output,
+      run_tool({"run", path, "--frame", "2"}).output,
       ContainsSubstring("one of 11 frames: frame 2 at t = 0.2") && ContainsSubstring("force 0.4"));
-  CHECK_THAT(tool({"run", path, "--frame", "2", "--json", "-"}).output,
+  CHECK_THAT(run_tool({"run", path, "--frame", "2", "--json", "-"}).output,
              ContainsSubstring("\"index\": 2,\n  \"of\": 11,\n  \"t\": 0.2"));
-  const ProcessResult beyond = tool({"run", path, "--frame", "11"});
+  const ProcessResult beyond = run_tool({"run", path, "--frame", "11"});
   CHECK(beyond.code == 2);
   CHECK_THAT(beyond.errors, ContainsSubstring("frame must be from 0 to 10 (got 11)"));
   // Its readings are those that simulate records for it.
   for (const std::string frame : {"0", "4", "10"}) {
-    REQUIRE(tool({"run", path, "--frame", frame, "--out", folder / "out"}).code == 0);
-    std::istringstream all(without_time(tool({"simulate", path}).output));
+    REQUIRE(run_tool({"run", path, "--frame", frame, "--out", folder / "out"}).code == 0);
+    std::istringstream all(without_time(run_tool({"simulate", path}).output));
     std::string row;
     for (int i = 0; i <= std::stoi(frame) + 1; ++i) std::getline(all, row);
     CHECK_THAT(read_text(folder / "out/readings.csv"), EndsWith("\n" + row + "\n"));
@@ -262,21 +269,23 @@ TEST_CASE("readings that were cut off are said", "[cli]") {
   const Folder folder;
   const std::string path =
       folder.write("s.toml", moving_scene + "[saturation]\nrange = [-1.0, 0.1]\n");
-  const ProcessResult recorded = tool({"simulate", path, "-o", folder / "g.csv", "--json", "-"});
+  const ProcessResult recorded =
+      run_tool({"simulate", path, "-o", folder / "g.csv", "--json", "-"});
   CHECK_THAT(recorded.errors, ContainsSubstring("saturation cuts readings off in"));
   CHECK_THAT(recorded.output, ContainsSubstring("\"frames\": 11") &&
                                   ContainsSubstring("\"frames_cut_off\": {\n  \"saturation\": "));
-  CHECK_THAT(tool({"run", path}).output,
+  CHECK_THAT(run_tool({"run", path}).output,
              ContainsSubstring("warning: saturation: ") && ContainsSubstring(" of 3 readings"));
 }
 
 TEST_CASE("an effect of strength zero leaves every byte of a recording", "[cli]") {
   const Folder folder;
   const std::string bare =
-      tool({"simulate", folder.write("s.toml", moving_scene + "[noise]\nrms = 0.1\n")}).output;
+      run_tool({"simulate", folder.write("s.toml", moving_scene + "[noise]\nrms = 0.1\n")}).output;
   for (const char* table :
        {"[crosstalk]\nfraction = 0\n", "[taxel_noise]\nrms = [0, 0, 0]\n",
         "[viscoelasticity]\nterms = [{ fraction = 0, time = 1 }]\n", "[sampling]\naperture = 0\n"})
-    CHECK(tool({"simulate", folder.write("s.toml", moving_scene + "[noise]\nrms = 0.1\n" + table)})
+    CHECK(run_tool(
+              {"simulate", folder.write("s.toml", moving_scene + "[noise]\nrms = 0.1\n" + table)})
               .output == bare);
 }

@@ -23,7 +23,7 @@ const std::string skin =
     "[noise]\nrms = 0.02\n[reconstruct]\nalpha = 1e-4\n";
 
 /// A .npy of doubles in C order.
-std::string npy(const std::string& shape, const std::vector<double>& values) {
+std::string npy_of_doubles(const std::string& shape, const std::vector<double>& values) {
   std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + ", }";
   header.resize(117, ' ');
   header += '\n';
@@ -53,7 +53,7 @@ std::vector<double> numbers(const std::string& row) {
 TEST_CASE("run of a skin says force, drag and place, and draws maps", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
-  const ProcessResult result = tool({"run", path, "--out", folder / "out"});
+  const ProcessResult result = run_tool({"run", path, "--out", folder / "out"});
   CAPTURE(result.errors, result.output);
   REQUIRE(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("force into the skin"));
@@ -74,18 +74,17 @@ TEST_CASE("run of a skin says force, drag and place, and draws maps", "[cli][ski
 TEST_CASE("what simulate records of a skin, solve finds as run does", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
-  REQUIRE(
-      tool({"simulate", path, "-q", "-o", folder / "g.csv", "--truth", folder / "f.csv"}).code ==
-      0);
+  REQUIRE(run_tool({"simulate", path, "-q", "-o", folder / "g.csv", "--truth", folder / "f.csv"})
+              .code == 0);
   const std::string csv = read_text(folder / "g.csv");
   CHECK(csv.starts_with("stress_x_0_0,stress_x_0_1"));
   CHECK(read_text(folder / "f.csv").starts_with("normal_0_0,normal_0_1"));
-  const ProcessResult solved =
-      tool({"solve", path, "--readings", folder / "g.csv", "-q", "-o", folder / "t.csv",
-            "--uncertainty", folder / "u.csv", "--out", folder / "page", "--json", folder / "s"});
+  const ProcessResult solved = run_tool({"solve", path, "--readings", folder / "g.csv", "-q", "-o",
+                                         folder / "t.csv", "--uncertainty", folder / "u.csv",
+                                         "--out", folder / "page", "--json", folder / "s"});
   CAPTURE(solved.errors);
   REQUIRE(solved.code == 0);
-  const Json run = Json::parse(tool({"run", path, "--json", "-"}).output);
+  const Json run = Json::parse(run_tool({"run", path, "--json", "-"}).output);
   const Json json = Json::parse(read_text(folder / "s"));
   CHECK(json["kind"] == "skin_solve");
   const double force = run["answer"]["resultant"]["normal"]["value"];
@@ -100,17 +99,17 @@ TEST_CASE("what simulate records of a skin, solve finds as run does", "[cli][ski
     std::vector<double> channels_last;
     for (std::size_t taxel = 0; taxel < 20; ++taxel)
       for (std::size_t c = 0; c < 3; ++c) channels_last.push_back(channels_first[20 * c + taxel]);
-    folder.write("g.npy", npy("(1, 5, 4, 3)", channels_last));
-    const ProcessResult same = tool({"solve", path, "--readings", folder / "g.npy", "-q", "-o",
-                                     folder / "n.csv", "--json", folder / "n"});
+    folder.write("g.npy", npy_of_doubles("(1, 5, 4, 3)", channels_last));
+    const ProcessResult same = run_tool({"solve", path, "--readings", folder / "g.npy", "-q", "-o",
+                                         folder / "n.csv", "--json", folder / "n"});
     CAPTURE(same.errors);
     REQUIRE(same.code == 0);
     CHECK(Json::parse(read_text(folder / "n"))["frames"][0]["resultant"] ==
           json["frames"][0]["resultant"]);
   }
   SECTION("but not where rows and columns are exchanged: both shapes are named") {
-    folder.write("g.npy", npy("(1, 4, 5, 3)", std::vector<double>(60)));
-    const ProcessResult bad = tool({"solve", path, "--readings", folder / "g.npy", "-q"});
+    folder.write("g.npy", npy_of_doubles("(1, 4, 5, 3)", std::vector<double>(60)));
+    const ProcessResult bad = run_tool({"solve", path, "--readings", folder / "g.npy", "-q"});
     CHECK(bad.code != 0);
     CHECK_THAT(bad.errors, ContainsSubstring("(1, 4, 5, 3)") &&
                                ContainsSubstring("(frames, 5, 4, 3)") &&
@@ -122,7 +121,7 @@ TEST_CASE("dead taxels of a skin are crossed out on its page", "[cli][skin]") {
   const Folder folder;
   const auto crosses = [&](const std::string& more) {
     const ProcessResult result =
-        tool({"run", folder.write("skin.toml", skin + more), "--out", folder / "out"});
+        run_tool({"run", folder.write("skin.toml", skin + more), "--out", folder / "out"});
     CAPTURE(result.errors);
     REQUIRE(result.code == 0);
     const std::string page = read_text(folder / "out/report.html");
@@ -143,7 +142,7 @@ TEST_CASE("simulate and run of a skin go through its effects", "[cli][skin]") {
                                     "[saturation]\nrange = [-1, 1]\n[stuck_taxels]\n"
                                     "indices = [[2, 1], \"4_3\"]\nvalues = [0.5, 0.25]\n");
   const ProcessResult simulated =
-      tool({"simulate", path, "-o", folder / "g.csv", "--json", folder / "s"});
+      run_tool({"simulate", path, "-o", folder / "g.csv", "--json", folder / "s"});
   CAPTURE(simulated.errors);
   REQUIRE(simulated.code == 0);
   CHECK_THAT(simulated.errors, ContainsSubstring("saturation cuts readings off in 1 of 1 frame"));
@@ -156,23 +155,23 @@ TEST_CASE("simulate and run of a skin go through its effects", "[cli][skin]") {
   CHECK(json["effects"]["simulated"] == Json{"friction", "noise", "saturation", "stuck_taxels"});
   CHECK(json["effects"]["absent"].size() == 12);
   CHECK(json["frames_cut_off"]["saturation"] == 1);
-  const ProcessResult run = tool({"run", path});
+  const ProcessResult run = run_tool({"run", path});
   CHECK_THAT(run.output, ContainsSubstring("saturation"));
 }
 
 TEST_CASE("solve of a skin: what --missing says becomes of frames", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
-  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
+  REQUIRE(run_tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
   const std::string csv = read_text(folder / "g.csv");
   const std::string head = csv.substr(0, csv.find('\n') + 1);
   const std::string row = csv.substr(head.size());
   const std::string gap = row.substr(row.find(','));  // the first is missing
   folder.write("gap.csv", head + row + gap + row);
   const auto solve = [&](const std::string& missing) {
-    return tool({"solve", path, "--readings", folder / "gap.csv", "--missing", missing, "-o",
-                 folder / "t.csv", "--uncertainty", folder / "u.csv", "--json", folder / "s",
-                 "--out", folder / missing});
+    return run_tool({"solve", path, "--readings", folder / "gap.csv", "--missing", missing, "-o",
+                     folder / "t.csv", "--uncertainty", folder / "u.csv", "--json", folder / "s",
+                     "--out", folder / missing});
   };
   const ProcessResult failed = solve("fail");
   CHECK(failed.code == 2);
@@ -217,8 +216,8 @@ TEST_CASE("solve of a skin: what --missing says becomes of frames", "[cli][skin]
   CHECK(json["frames"][1]["resultant"] != json["frames"][0]["resultant"]);
 
   folder.write("none.csv", head);
-  const ProcessResult empty = tool({"solve", path, "--readings", folder / "none.csv", "-o",
-                                    folder / "e.csv", "--out", folder / "empty"});
+  const ProcessResult empty = run_tool({"solve", path, "--readings", folder / "none.csv", "-o",
+                                        folder / "e.csv", "--out", folder / "empty"});
   CAPTURE(empty.errors);
   CHECK(empty.code == 0);  // as of a line
   CHECK_THAT(empty.errors, ContainsSubstring("0 frames: the recording holds none"));
@@ -230,17 +229,18 @@ TEST_CASE("solve of a skin: neighbours share an alpha, and offsets are found", "
   std::string text = skin;
   const std::string ruled = text.replace(text.find("alpha = 1e-4"), 12, "alpha = \"aicc\"");
   const std::string path = folder.write("skin.toml", ruled + "offset = true\n");
-  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
-  const ProcessResult solved = tool({"solve", path, "--readings", folder / "g.csv", "-q", "-o",
-                                     folder / "t.csv", "--share-alpha", "3"});
+  REQUIRE(run_tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
+  const ProcessResult solved = run_tool({"solve", path, "--readings", folder / "g.csv", "-q", "-o",
+                                         folder / "t.csv", "--share-alpha", "3"});
   CAPTURE(solved.errors);
   CHECK(solved.code == 0);
-  CHECK_THAT(tool({"run", path}).output, ContainsSubstring("an offset that is not known"));
-  CHECK_THAT(tool({"solve", path, "--readings", folder / "g.csv", "--share-alpha", "0"}).errors,
+  CHECK_THAT(run_tool({"run", path}).output, ContainsSubstring("an offset that is not known"));
+  CHECK_THAT(run_tool({"solve", path, "--readings", folder / "g.csv", "--share-alpha", "0"}).errors,
              ContainsSubstring("at least 1 frame"));
   const std::string given = folder.write("given.toml", skin);
-  CHECK_THAT(tool({"solve", given, "--readings", folder / "g.csv", "--share-alpha", "3"}).errors,
-             ContainsSubstring("needs an alpha that a rule chooses"));
+  CHECK_THAT(
+      run_tool({"solve", given, "--readings", folder / "g.csv", "--share-alpha", "3"}).errors,
+      ContainsSubstring("needs an alpha that a rule chooses"));
 }
 
 TEST_CASE("readings and alphas that no double can take are refused", "[cli][skin]") {
@@ -248,18 +248,18 @@ TEST_CASE("readings and alphas that no double can take are refused", "[cli][skin
   std::string rough = skin;
   rough.replace(rough.find("alpha = 1e-4"), 12, "alpha = 1e-10");
   const std::string path = folder.write("skin.toml", rough);
-  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
+  REQUIRE(run_tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
   const std::string csv = read_text(folder / "g.csv");
   const std::string head = csv.substr(0, csv.find('\n') + 1);
   std::string huge = "9e304";
   for (int i = 1; i < 60; ++i) huge += i % 2 == 0 ? ",9e304" : ",-9e304";
   folder.write("huge.csv", head + huge + "\n");
-  const ProcessResult refused = tool({"solve", path, "--readings", folder / "huge.csv", "-q"});
+  const ProcessResult refused = run_tool({"solve", path, "--readings", folder / "huge.csv", "-q"});
   CHECK(refused.code == 2);
   CHECK_THAT(refused.errors, ContainsSubstring("huge.csv") && ContainsSubstring("overflow"));
   std::string small = skin;
   small.replace(small.find("alpha = 1e-4"), 12, "alpha = 1e-300");
-  const ProcessResult deficient = tool({"run", folder.write("small.toml", small)});
+  const ProcessResult deficient = run_tool({"run", folder.write("small.toml", small)});
   CHECK(deficient.code == 1);
   CHECK_THAT(deficient.output + deficient.errors, ContainsSubstring("raise alpha"));
 }
@@ -267,20 +267,21 @@ TEST_CASE("readings and alphas that no double can take are refused", "[cli][skin
 TEST_CASE("a skin's sketch, its spacing and a single taxel are said as they are", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin + "spacing = 0.45\n");
-  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
-  CHECK_THAT(tool({"init", "--from-csv", folder / "g.csv"}).errors,
+  REQUIRE(run_tool({"simulate", path, "-q", "-o", folder / "g.csv"}).code == 0);
+  CHECK_THAT(run_tool({"init", "--from-csv", folder / "g.csv"}).errors,
              ContainsSubstring("is of a skin") && ContainsSubstring("scenes/skins"));
-  CHECK_THAT(tool({"run", path}).output, ContainsSubstring("spacing = 450 µm was asked"));
+  CHECK_THAT(run_tool({"run", path}).output, ContainsSubstring("spacing = 450 µm was asked"));
   std::string one = skin;
   one.replace(one.find("rows = 5\ncolumns = 4"), 20, "rows = 1\ncolumns = 1");
-  CHECK_THAT(tool({"run", folder.write("one.toml", one)}).output, ContainsSubstring(" 1 taxel, "));
+  CHECK_THAT(run_tool({"run", folder.write("one.toml", one)}).output,
+             ContainsSubstring(" 1 taxel, "));
 }
 
 TEST_CASE("readings whose names are no taxels are refused", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
   folder.write("g.csv", "stress_x_9_9\n1.0\n");
-  const ProcessResult bad = tool({"solve", path, "--readings", folder / "g.csv", "-q"});
+  const ProcessResult bad = run_tool({"solve", path, "--readings", folder / "g.csv", "-q"});
   CHECK(bad.code != 0);
   CHECK_THAT(bad.errors, ContainsSubstring("g.csv"));
 }
@@ -289,7 +290,7 @@ TEST_CASE("a skin's plan is made, said and loaded", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
   const ProcessResult planned =
-      tool({"plan", path, "-o", folder / "skin.plan", "--json", folder / "plan.json"});
+      run_tool({"plan", path, "-o", folder / "skin.plan", "--json", folder / "plan.json"});
   CAPTURE(planned.errors);
   REQUIRE(planned.code == 0);
   CHECK_THAT(planned.output, ContainsSubstring("reflections"));
@@ -299,15 +300,15 @@ TEST_CASE("a skin's plan is made, said and loaded", "[cli][skin]") {
   const auto json = nlohmann::json::parse(read_text(folder / "plan.json"));
   CHECK(json.at("tractions") == plan.tractions());
   CHECK(json.at("filled_readings") == 0);
-  CHECK_THAT(tool({"plan", path, "--allow-fft"}).errors, ContainsSubstring("is of a skin"));
-  CHECK_THAT(tool({"plan", path, "--structure", "parity"}).errors,
+  CHECK_THAT(run_tool({"plan", path, "--allow-fft"}).errors, ContainsSubstring("is of a skin"));
+  CHECK_THAT(run_tool({"plan", path, "--structure", "parity"}).errors,
              ContainsSubstring("a skin has reflections"));
 }
 
 TEST_CASE("a skin's circuit is certified, relaxed and written as a deck", "[cli][skin]") {
   const Folder folder;
   const std::string path = std::string(SCENES) + "/skins/circuit.toml";
-  const ProcessResult certified = tool({"certify", path, "--out", folder / "out"});
+  const ProcessResult certified = run_tool({"certify", path, "--out", folder / "out"});
   CAPTURE(certified.errors, certified.output);
   REQUIRE(certified.code == 0);
   CHECK_THAT(certified.output, ContainsSubstring("least_squares: stable"));
@@ -315,7 +316,7 @@ TEST_CASE("a skin's circuit is certified, relaxed and written as a deck", "[cli]
   CHECK_THAT(html, ContainsSubstring("A skin of 4 x 4 x 3 as two crossbars"));
   CHECK_THAT(html, ContainsSubstring("Map of the tractions"));
 
-  const ProcessResult relaxed = tool({"relax", path, "--json", "-"});
+  const ProcessResult relaxed = run_tool({"relax", path, "--json", "-"});
   CAPTURE(relaxed.errors);
   REQUIRE(relaxed.code == 0);
   const Json network = Json::parse(relaxed.output).at("network");
@@ -326,9 +327,9 @@ TEST_CASE("a skin's circuit is certified, relaxed and written as a deck", "[cli]
             1.2 * network.at("difference_predicted").get<double>());
 
   // The deck stands for itself: ngspice finds in it what its header expects.
-  REQUIRE(tool({"gen", path, "-o", folder / "skin.cir"}).code == 0);
+  REQUIRE(run_tool({"gen", path, "-o", folder / "skin.cir"}).code == 0);
   CHECK_THAT(read_text(folder / "skin.cir"), ContainsSubstring("Node p_r_c, qy_r_c and qz_r_c"));
-  const ProcessResult deck = tool({"relax", folder / "skin.cir"});
+  const ProcessResult deck = run_tool({"relax", folder / "skin.cir"});
   CAPTURE(deck.errors, deck.output);
   CHECK(deck.code == 0);
   CHECK_THAT(deck.output, ContainsSubstring("48 nodes"));
@@ -338,7 +339,7 @@ TEST_CASE("what no circuit of a skin holds is refused by name", "[cli][skin]") {
   const Folder folder;
   const auto refused = [&](const std::string& more, const char* realization) {
     const ProcessResult result =
-        tool({"gen", folder.write("skin.toml", skin + more), "--realization", realization});
+        run_tool({"gen", folder.write("skin.toml", skin + more), "--realization", realization});
     CHECK(result.code != 0);
     return result.errors;
   };
@@ -355,19 +356,20 @@ TEST_CASE("what no circuit of a skin holds is refused by name", "[cli][skin]") {
 TEST_CASE("check says what is wrong with a skin's recording", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin + "[time]\nrate = 100.0\nframes = 60\n");
-  REQUIRE(tool({"simulate", path, "-q", "-o", folder / "clean.csv"}).code == 0);
-  const ProcessResult clean = tool({"check", path, "--readings", folder / "clean.csv", "--strict"});
+  REQUIRE(run_tool({"simulate", path, "-q", "-o", folder / "clean.csv"}).code == 0);
+  const ProcessResult clean =
+      run_tool({"check", path, "--readings", folder / "clean.csv", "--strict"});
   CAPTURE(clean.errors, clean.output);
   CHECK(clean.code == 0);
   CHECK_THAT(clean.output,
              ContainsSubstring("5 x 4 taxels") && ContainsSubstring("nothing suspicious"));
   // Row 2, column 1 is silent.
-  REQUIRE(tool({"simulate",
-                folder.write("dead.toml", skin + "[time]\nrate = 100.0\nframes = 60\n"
-                                                 "[dead_taxels]\nindices = [[2, 1]]\n"),
-                "-q", "-o", folder / "dead.csv"})
+  REQUIRE(run_tool({"simulate",
+                    folder.write("dead.toml", skin + "[time]\nrate = 100.0\nframes = 60\n"
+                                                     "[dead_taxels]\nindices = [[2, 1]]\n"),
+                    "-q", "-o", folder / "dead.csv"})
               .code == 0);
-  const ProcessResult dead = tool(
+  const ProcessResult dead = run_tool(
       {"check", path, "--readings", folder / "dead.csv", "--strict", "--json", folder / "json"});
   CAPTURE(dead.errors, dead.output);
   CHECK(dead.code != 0);
@@ -381,6 +383,6 @@ TEST_CASE("check says what is wrong with a skin's recording", "[cli][skin]") {
 TEST_CASE("an option that is of lines says so of a skin", "[cli][skin]") {
   const Folder folder;
   const std::string path = folder.write("skin.toml", skin);
-  CHECK_THAT(tool({"solve", path, "--method", "dft", "--readings", "x.csv"}).errors,
+  CHECK_THAT(run_tool({"solve", path, "--method", "dft", "--readings", "x.csv"}).errors,
              ContainsSubstring("--method"));
 }

@@ -4,6 +4,7 @@
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
+#include "tests/cli/csv.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
@@ -21,7 +22,7 @@ struct Planned {
       text.erase(at, text.find('\n', at) - at);  // which no plan holds
     // The scene's last table is [reconstruct].
     file = folder.write("fixed.toml", text + "\nalpha = " + alpha + "\n");
-    const ProcessResult made = tool({"plan", file, "-o", plan, "--friction", "0.5"});
+    const ProcessResult made = run_tool({"plan", file, "-o", plan, "--friction", "0.5"});
     CAPTURE(made.errors);
     REQUIRE(made.code == 0);
   }
@@ -30,19 +31,10 @@ struct Planned {
   std::string file{};
 };
 
-/// The rows of a CSV file, less its header; empty fields are NaN, words are left out.
-std::vector<std::vector<double>> rows_of(const std::string& file) {
-  std::vector<std::vector<double>> rows;
-  std::vector<std::string> lines = lines_of(read_text(file));
-  REQUIRE(!lines.empty());
-  for (std::size_t k = 1; k < lines.size(); ++k) {
-    std::istringstream row(lines[k]);
-    rows.emplace_back();
-    for (std::string field; std::getline(row, field, ',');)
-      if (field.empty() || field.find_first_not_of("0123456789+-.e") == std::string::npos)
-        rows.back().push_back(field.empty() ? std::nan("") : std::stod(field));
-  }
-  return rows;
+std::vector<std::vector<double>> rows_of_file(const std::string& file) {
+  const std::string csv = read_text(file);
+  REQUIRE(!csv.empty());
+  return csv_rows(csv);
 }
 
 double apart(const std::vector<double>& a, const std::vector<double>& b) {
@@ -56,8 +48,8 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
   return error / size;
 }
 
-void refused(const std::vector<std::string>& arguments, const std::string& why) {
-  const ProcessResult result = tool(arguments);
+void plan_refused(const std::vector<std::string>& arguments, const std::string& why) {
+  const ProcessResult result = run_tool(arguments);
   CAPTURE(result.errors);
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring(why));
@@ -69,19 +61,19 @@ TEST_CASE("solve by a plan is what a controller with it would have answered", "[
   const Folder folder;
   const Planned pad(folder, "skin-pad", "1e-4");
   const ProcessResult result =
-      tool({"solve", pad.file, "--readings", pad.readings, "--plan", pad.plan, "-o",
-            folder / "tractions.csv", "--contacts", folder / "contacts.csv"});
+      run_tool({"solve", pad.file, "--readings", pad.readings, "--plan", pad.plan, "-o",
+                folder / "tractions.csv", "--contacts", folder / "contacts.csv"});
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
-  const auto tractions = rows_of(folder / "tractions.csv");
-  const auto contacts = rows_of(folder / "contacts.csv");
+  const auto tractions = rows_of_file(folder / "tractions.csv");
+  const auto contacts = rows_of_file(folder / "contacts.csv");
   const auto names = lines_of(read_text(folder / "contacts.csv")).front();
   CHECK_THAT(names, ContainsSubstring("normal,tangential_y,tangential_z,centre_y,centre_z") &&
                         ContainsSubstring(",status"));
 
   const EstimatorPlan plan = load_plan(pad.plan);
   ContactEstimator estimator(plan);
-  const auto recorded = rows_of(pad.readings);
+  const auto recorded = rows_of_file(pad.readings);
   const std::size_t times = tractions.front().size() - estimator.tractions();
   REQUIRE(tractions.size() == recorded.size());
   REQUIRE(contacts.size() == recorded.size());
@@ -100,9 +92,10 @@ TEST_CASE("solve by a plan is what a controller with it would have answered", "[
   }
 
   // The same alpha by the solver of frames: the plan's accuracy apart.
-  REQUIRE(tool({"solve", pad.file, "--readings", pad.readings, "-o", folder / "own.csv"}).code ==
-          0);
-  const auto own = rows_of(folder / "own.csv");
+  REQUIRE(
+      run_tool({"solve", pad.file, "--readings", pad.readings, "-o", folder / "own.csv"}).code ==
+      0);
+  const auto own = rows_of_file(folder / "own.csv");
   for (std::size_t k = 0; k < own.size(); ++k) CHECK(apart(tractions[k], own[k]) < 1e-5);
 }
 
@@ -119,12 +112,12 @@ TEST_CASE("a line's recording by its plan is that of `solve` at one alpha", "[cl
     if (by_plan)
       arguments.insert(arguments.end(),
                        {"--plan", pad.plan, "--contacts", folder / "contacts.csv"});
-    const ProcessResult result = tool(arguments);
+    const ProcessResult result = run_tool(arguments);
     CAPTURE(result.errors);
     REQUIRE(result.code == 0);
   }
-  const auto plan = rows_of(folder / "plan.csv");
-  const auto own = rows_of(folder / "own.csv");
+  const auto plan = rows_of_file(folder / "plan.csv");
+  const auto own = rows_of_file(folder / "own.csv");
   REQUIRE(plan.size() == own.size());
   for (std::size_t k = 0; k < own.size(); ++k) {
     CAPTURE(k);
@@ -135,7 +128,7 @@ TEST_CASE("a line's recording by its plan is that of `solve` at one alpha", "[cl
 
   // Frame by frame, as they come by a pipe: the same bytes.
   const ProcessResult piped =
-      tool({"solve", pad.file, "--readings", "-", "--plan", pad.plan}, read_text(pad.readings));
+      run_tool({"solve", pad.file, "--readings", "-", "--plan", pad.plan}, read_text(pad.readings));
   CHECK(piped.code == 0);
   CHECK(piped.output == read_text(folder / "plan.csv"));
 }
@@ -147,16 +140,16 @@ TEST_CASE("a plan for raw numbers takes the baseline that the recording begins w
       "pad.toml", small_scene + "[calibration]\ngain = 2.0\nbaseline_frames = [0, 1]\n");
   const std::string readings =
       folder.write("r.csv", "stress_x_0,stress_x_1,stress_x_2\n5,6,7\n7,6,5\n7,9,6.5\n6.5,6,6\n");
-  REQUIRE(tool({"plan", file, "-o", folder / "pad.plan"}).code == 0);
+  REQUIRE(run_tool({"plan", file, "-o", folder / "pad.plan"}).code == 0);
   const std::vector<std::string> arguments = {"solve", file, "--readings", readings};
   std::vector<std::string> by_plan = arguments;
   by_plan.insert(by_plan.end(), {"--plan", folder / "pad.plan", "-o", folder / "plan.csv"});
   std::vector<std::string> own = arguments;
   own.insert(own.end(), {"-o", folder / "own.csv"});
-  REQUIRE(tool(by_plan).code == 0);
-  REQUIRE(tool(own).code == 0);
-  const auto plan = rows_of(folder / "plan.csv");
-  const auto expected = rows_of(folder / "own.csv");
+  REQUIRE(run_tool(by_plan).code == 0);
+  REQUIRE(run_tool(own).code == 0);
+  const auto plan = rows_of_file(folder / "plan.csv");
+  const auto expected = rows_of_file(folder / "own.csv");
   REQUIRE(plan.size() == 4);
   for (std::size_t k = 0; k < 4; ++k) CHECK(apart(plan[k], expected[k]) < 1e-6);
 }
@@ -164,15 +157,15 @@ TEST_CASE("a plan for raw numbers takes the baseline that the recording begins w
 TEST_CASE("frames that a plan cannot answer have empty rows or are refused", "[cli][plan]") {
   const Folder folder;
   const std::string file = folder.write("pad.toml", small_scene);
-  REQUIRE(tool({"plan", file, "-o", folder / "pad.plan"}).code == 0);
+  REQUIRE(run_tool({"plan", file, "-o", folder / "pad.plan"}).code == 0);
   const std::string header = "t,stress_x_0,stress_x_1,stress_x_2\n";
   const std::string missing = folder.write("missing.csv", header + "0,1,2,1\n1,1,,1\n2,1,3,1\n");
   const std::string plan = folder / "pad.plan";
-  refused({"solve", file, "--readings", missing, "--plan", plan, "-o", folder / "x.csv"},
-          "missing.csv:3");
+  plan_refused({"solve", file, "--readings", missing, "--plan", plan, "-o", folder / "x.csv"},
+               "missing.csv:3");
   const ProcessResult skipped =
-      tool({"solve", file, "--readings", missing, "--plan", plan, "--missing", "skip", "-o",
-            folder / "skipped.csv", "--contacts", folder / "contacts.csv"});
+      run_tool({"solve", file, "--readings", missing, "--plan", plan, "--missing", "skip", "-o",
+                folder / "skipped.csv", "--contacts", folder / "contacts.csv"});
   CAPTURE(skipped.errors);
   CHECK(skipped.code == 0);
   CHECK_THAT(skipped.errors, ContainsSubstring("1 of 3 frames misses readings"));
@@ -185,15 +178,15 @@ TEST_CASE("frames that a plan cannot answer have empty rows or are refused", "[c
   CHECK_THAT(contacts[2], StartsWith("1,,,") && EndsWith(",missing"));
 
   const std::string large = folder.write("large.csv", header + "0,1,2,1\n1,1e308,1,1\n");
-  refused({"solve", file, "--readings", large, "--plan", plan, "-o", folder / "x.csv"},
-          "frame 1: the frame's tractions overflow");
+  plan_refused({"solve", file, "--readings", large, "--plan", plan, "-o", folder / "x.csv"},
+               "frame 1: the frame's tractions overflow");
 }
 
 TEST_CASE("a plan that is not the scene's is refused, and what plans do not have", "[cli][plan]") {
   const Folder folder;
   const std::string file = folder.write("pad.toml", small_scene);
-  REQUIRE(tool({"plan", file, "-o", folder / "pad.plan"}).code == 0);
-  REQUIRE(tool({"plan", scene("skins/sphere.toml"), "-o", folder / "skin.plan"}).code == 0);
+  REQUIRE(run_tool({"plan", file, "-o", folder / "pad.plan"}).code == 0);
+  REQUIRE(run_tool({"plan", scene("skins/sphere.toml"), "-o", folder / "skin.plan"}).code == 0);
   const std::string readings = folder.write("r.csv", "stress_x_0,stress_x_1,stress_x_2\n1,2,1\n");
   const std::string plan = folder / "pad.plan";
   const auto with = [&](std::vector<std::string> more) {
@@ -203,23 +196,24 @@ TEST_CASE("a plan that is not the scene's is refused, and what plans do not have
   std::string wider = small_scene;
   wider.replace(wider.find("count = 3"), 9, "count = 5");
   const std::string other = folder.write("wider.toml", wider);
-  refused({"solve", other, "--readings", readings, "--plan", plan},
-          "is not a plan of this scene: it has 3 readings, the scene 5");
-  refused(with({"--plan", folder / "skin.plan"}), "it is of a skin, the scene of a line");
+  plan_refused({"solve", other, "--readings", readings, "--plan", plan},
+               "is not a plan of this scene: it has 3 readings, the scene 5");
+  plan_refused(with({"--plan", folder / "skin.plan"}), "it is of a skin, the scene of a line");
   std::string further = small_scene;
   further.replace(further.find("pitch = 1.0"), 11, "pitch = 1.5");
-  refused({"solve", folder.write("further.toml", further), "--readings", readings, "--plan", plan},
-          "their tractions lie at different places");
-  refused(with({"--plan", folder / "none.plan"}), "none.plan: error: cannot be opened");
-  refused(with({"--plan", folder.write("cut.plan", read_text(plan).substr(0, 60))}),
-          "cut.plan: error: ");
-  refused(with({"--contacts", folder / "c.csv"}), "it needs --plan");
-  refused(with({"--plan", plan, "--missing", "estimate"}), "estimate is not for plans");
-  refused(with({"--plan", plan, "--share-alpha", "5"}), "one alpha for all frames");
-  refused(with({"--plan", plan, "--uncertainty", folder / "u.csv"}), "has no bands");
-  refused(with({"--plan", plan, "--out", folder / "out"}), "has no bands");
-  refused(with({"--plan", plan, "--json", "-"}), "has no verdicts");
-  refused(with({"--plan", plan, "--method", "dft"}), "its own product");
+  plan_refused(
+      {"solve", folder.write("further.toml", further), "--readings", readings, "--plan", plan},
+      "their tractions lie at different places");
+  plan_refused(with({"--plan", folder / "none.plan"}), "none.plan: error: cannot be opened");
+  plan_refused(with({"--plan", folder.write("cut.plan", read_text(plan).substr(0, 60))}),
+               "cut.plan: error: ");
+  plan_refused(with({"--contacts", folder / "c.csv"}), "it needs --plan");
+  plan_refused(with({"--plan", plan, "--missing", "estimate"}), "estimate is not for plans");
+  plan_refused(with({"--plan", plan, "--share-alpha", "5"}), "one alpha for all frames");
+  plan_refused(with({"--plan", plan, "--uncertainty", folder / "u.csv"}), "has no bands");
+  plan_refused(with({"--plan", plan, "--out", folder / "out"}), "has no bands");
+  plan_refused(with({"--plan", plan, "--json", "-"}), "has no verdicts");
+  plan_refused(with({"--plan", plan, "--method", "dft"}), "its own product");
   CHECK(!std::filesystem::exists(folder / "out"));
   CHECK(!std::filesystem::exists(folder / "c.csv"));
 }

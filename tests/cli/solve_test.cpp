@@ -1,30 +1,15 @@
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 #include "tests/catch.hpp"
+#include "tests/cli/csv.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-std::vector<std::vector<double>> rows(const std::string& csv) {
-  std::istringstream lines(csv);
-  std::string line;
-  std::getline(lines, line);
-  std::vector<std::vector<double>> all;
-  while (std::getline(lines, line)) {
-    std::istringstream fields(line);
-    all.emplace_back();
-    for (std::string field; std::getline(fields, field, ',');)
-      if (field.empty() || field.find_first_not_of("0123456789+-.e") == std::string::npos)
-        all.back().push_back(field.empty() ? std::nan("") : std::stod(field));
-  }
-  return all;
-}
-
-const std::string header = "t,stress_x_0,stress_x_1,stress_x_2\n";
+const std::string stress_header = "t,stress_x_0,stress_x_1,stress_x_2\n";
 
 }  // namespace
 
@@ -44,11 +29,12 @@ struct Recorded {
 };
 
 Recorded recorded(const Pad& pad, const std::string& scene_name) {
-  const ProcessResult result = tool({"solve", scene("recorded/" + scene_name + ".toml"),
-                                     "--readings", scene("recorded/" + pad.name + ".csv")});
+  const ProcessResult result = run_tool({"solve", scene("recorded/" + scene_name + ".toml"),
+                                         "--readings", scene("recorded/" + pad.name + ".csv")});
   REQUIRE(result.code == 0);
   CHECK_THAT(result.errors, ContainsSubstring("columns are not read"));
-  return {rows(result.output), rows(read_text(scene("recorded/" + pad.name + ".truth.csv")))};
+  return {csv_rows(result.output),
+          csv_rows(read_text(scene("recorded/" + pad.name + ".truth.csv")))};
 }
 
 /// |found - truth| / |truth| over `count` values; the truth has four columns before its tractions.
@@ -145,13 +131,13 @@ TEST_CASE("a weight for the tangential traction makes recorded ones better", "[c
 TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
   const Pad& pad = GENERATE(from_range(std::vector{thin, thick}));
   const Folder folder;
-  REQUIRE(tool({"solve", scene("recorded/" + pad.name + ".toml"), "--readings",
-                scene("recorded/" + pad.name + ".csv"), "-o", folder / "tractions.csv",
-                "--uncertainty", folder / "uncertainty.csv"})
+  REQUIRE(run_tool({"solve", scene("recorded/" + pad.name + ".toml"), "--readings",
+                    scene("recorded/" + pad.name + ".csv"), "-o", folder / "tractions.csv",
+                    "--uncertainty", folder / "uncertainty.csv"})
               .code == 0);
-  const auto found = rows(read_text(folder / "tractions.csv"));
-  const auto bands = rows(read_text(folder / "uncertainty.csv"));
-  const auto truth = rows(read_text(scene("recorded/" + pad.name + ".truth.csv")));
+  const auto found = csv_rows(read_text(folder / "tractions.csv"));
+  const auto bands = csv_rows(read_text(folder / "uncertainty.csv"));
+  const auto truth = csv_rows(read_text(scene("recorded/" + pad.name + ".truth.csv")));
   REQUIRE(bands.size() == truth.size());
   std::size_t within = 0;
   std::size_t all = 0;
@@ -179,12 +165,12 @@ TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
 
 TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {
   const Folder folder;
-  const ProcessResult result = tool({"solve", scene("recorded/thin-pad.toml"), "--readings",
-                                     scene("recorded/thin-pad.csv"), "--out", folder / "out"});
+  const ProcessResult result = run_tool({"solve", scene("recorded/thin-pad.toml"), "--readings",
+                                         scene("recorded/thin-pad.csv"), "--out", folder / "out"});
   REQUIRE(result.code == 0);
   CHECK_THAT(result.errors, ContainsSubstring("report: "));
   CHECK(result.output.empty());
-  CHECK(rows(read_text(folder / "out/tractions.csv")).size() == 7);
+  CHECK(csv_rows(read_text(folder / "out/tractions.csv")).size() == 7);
   CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("largest normal force"));
   CHECK_THAT(read_text(folder / "out/result.json"), ContainsSubstring("\"frames\": 7"));
   CHECK_THAT(read_text(folder / "out/shown.csv"), ContainsSubstring("normal_40"));
@@ -192,7 +178,7 @@ TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {
   // Of a recording that breaks off nothing is kept, and nothing else is said.
   const std::string broken =
       folder.write("broken.csv", read_text(scene("recorded/thin-pad.csv")) + "0.07,x\n");
-  const ProcessResult failed = tool(
+  const ProcessResult failed = run_tool(
       {"solve", scene("recorded/thin-pad.toml"), "--readings", broken, "--out", folder / "no"});
   CHECK(failed.code == 2);
   CHECK_THAT(failed.errors, !ContainsSubstring("written to"));
@@ -200,8 +186,8 @@ TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {
 
   // Tractions that are wanted elsewhere are not written twice.
   const ProcessResult elsewhere =
-      tool({"solve", scene("recorded/thin-pad.toml"), "--readings", scene("recorded/thin-pad.csv"),
-            "--out", folder / "other", "-o", folder / "f.npy"});
+      run_tool({"solve", scene("recorded/thin-pad.toml"), "--readings",
+                scene("recorded/thin-pad.csv"), "--out", folder / "other", "-o", folder / "f.npy"});
   REQUIRE(elsewhere.code == 0);
   CHECK_FALSE(std::filesystem::exists(folder / "other/tractions.csv"));
   CHECK(std::filesystem::exists(folder / "f.npy"));
@@ -210,9 +196,10 @@ TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {
 TEST_CASE("frames stream from standard input, columns in any order", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
-  const std::string a = tool({"solve", path, "--readings", "-"}, header + "0.5,1,2,3\n").output;
-  const std::string b = tool({"solve", path, "--readings", "-"},
-                             "extra,\"stress_x_2\", stress_x_0,stress_x_1\r\n9,3,1,2\r\n")
+  const std::string a =
+      run_tool({"solve", path, "--readings", "-"}, stress_header + "0.5,1,2,3\n").output;
+  const std::string b = run_tool({"solve", path, "--readings", "-"},
+                                 "extra,\"stress_x_2\", stress_x_0,stress_x_1\r\n9,3,1,2\r\n")
                             .output;
   CHECK_THAT(a, StartsWith("t,normal_0,normal_1,normal_2\n0.5,"));
   CHECK(a.substr(a.find("\n0.5,") + 5) == b.substr(b.find('\n') + 1));
@@ -222,10 +209,10 @@ TEST_CASE("closed_form and dft solve frames too", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
   for (const char* method : {"closed_form", "dft"}) {
-    const ProcessResult result =
-        tool({"solve", path, "--readings", "-", "--method", method}, header + "0,1,2,1\n");
+    const ProcessResult result = run_tool({"solve", path, "--readings", "-", "--method", method},
+                                          stress_header + "0,1,2,1\n");
     CHECK(result.code == 0);
-    CHECK(rows(result.output).size() == 1);
+    CHECK(csv_rows(result.output).size() == 1);
   }
 }
 
@@ -242,21 +229,21 @@ TEST_CASE("a malformed row stops at its place with everything before it written"
       {"1,2,0x10,4", ":3:5: error: ", "'0x10' is not a number"},
   }));
   CAPTURE(row);
-  const std::string csv = folder.write("r.csv", header + "0,1,2,3\n" + row + "\n2,1,2,3\n");
-  const ProcessResult result = tool({"solve", path, "--readings", csv, "-o", folder / "f.csv"});
+  const std::string csv = folder.write("r.csv", stress_header + "0,1,2,3\n" + row + "\n2,1,2,3\n");
+  const ProcessResult result = run_tool({"solve", path, "--readings", csv, "-o", folder / "f.csv"});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, StartsWith(csv + place) && ContainsSubstring(message) &&
                                 ContainsSubstring("1 frame before it was written to " +
                                                   (folder / "f.csv.partial")));
   CHECK_FALSE(std::filesystem::exists(folder / "f.csv"));  // what looks whole is whole
-  CHECK(rows(read_text(folder / "f.csv.partial")).size() == 1);
+  CHECK(csv_rows(read_text(folder / "f.csv.partial")).size() == 1);
 }
 
 TEST_CASE("a header that does not fit the scene names the first missing column", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
   const auto errors = [&](const std::string& csv) {
-    const ProcessResult result = tool({"solve", path, "--readings", "-"}, csv);
+    const ProcessResult result = run_tool({"solve", path, "--readings", "-"}, csv);
     CHECK(result.code == 2);
     CHECK(result.output.empty());
     return result.errors;
@@ -271,9 +258,10 @@ TEST_CASE("a header that does not fit the scene names the first missing column",
 TEST_CASE("a dead taxel's column may hold anything", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene + "[dead_taxels]\nindices = [1]\n");
-  const ProcessResult result = tool({"solve", path, "--readings", "-"}, header + "0,1,broken,3\n");
+  const ProcessResult result =
+      run_tool({"solve", path, "--readings", "-"}, stress_header + "0,1,broken,3\n");
   CHECK(result.code == 0);
-  CHECK(rows(result.output).size() == 1);
+  CHECK(csv_rows(result.output).size() == 1);
 }
 
 TEST_CASE("a frame whose tractions overflow anywhere is refused, and what came before stands",
@@ -295,11 +283,11 @@ TEST_CASE("a frame whose tractions overflow anywhere is refused, and what came b
   CAPTURE(method);
   const std::string csv = folder.write(
       "r.csv", columns.substr(1) + '\n' + row("1", "2") + row("1e308", "-1e308") + row("1", "1"));
-  const ProcessResult result = tool({"solve", path, "--readings", csv, "--method", method, "-o",
-                                     folder / "f.csv", "--json", folder / "s.json"});
+  const ProcessResult result = run_tool({"solve", path, "--readings", csv, "--method", method, "-o",
+                                         folder / "f.csv", "--json", folder / "s.json"});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, StartsWith(csv + ":3:") && ContainsSubstring("overflow"));
-  const auto found = rows(read_text(folder / "f.csv.partial"));
+  const auto found = csv_rows(read_text(folder / "f.csv.partial"));
   REQUIRE(found.size() == 1);
   for (const double traction : found[0]) CHECK(std::isfinite(traction));
   CHECK_FALSE(std::filesystem::exists(folder / "s.json"));

@@ -9,10 +9,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string header = "T\n* expect a 1\n";
+const std::string deck_header = "T\n* expect a 1\n";
 const std::string circuit = "r1 a 0 1k\ni1 0 a 1m\n";
 
-const std::string finger =
+const std::string finger_touched_by =
     "[[finger]]\nbase = [0.0, 0.0]\nlinks = [1.0]\nangles = [0.5]\n"
     "pad = { center = 0.5, side = \"left\" }\ncontact = ";
 
@@ -28,22 +28,23 @@ TEST_CASE("no deck runs a command, whichever way ngspice is reached", "[cli][spi
   const std::string commands = ".control\nshell touch " + mark + "\n.endc\n";
   for (const std::string& deck :
        {"*ng_script\nshell touch " + mark + "\n",
-        header + circuit + ".include " + evil + "\n.op\n.end\n",
-        header + circuit + ".lib " + evil + " x\n.op\n.end\n",
-        header + circuit + " .INC\n+ " + evil + "\n.op\n.end\n",
-        header + circuit + commands + ".op\n.end\n",
-        header + circuit + "\t.CONTROL\n shell touch " + mark + "\n .endc\n.op\n.end\n",
-        header + circuit + ".op\n.end\n" + commands,
-        header + circuit + "aproc [d1] d1 null [d2] proc\n.model proc d_process(process_file=\"" +
-            script + "\")\n.op\n.end\n",
-        header + circuit + "afile %vd([b 0]) src\n.model src filesource (file=\"" + evil +
+        deck_header + circuit + ".include " + evil + "\n.op\n.end\n",
+        deck_header + circuit + ".lib " + evil + " x\n.op\n.end\n",
+        deck_header + circuit + " .INC\n+ " + evil + "\n.op\n.end\n",
+        deck_header + circuit + commands + ".op\n.end\n",
+        deck_header + circuit + "\t.CONTROL\n shell touch " + mark + "\n .endc\n.op\n.end\n",
+        deck_header + circuit + ".op\n.end\n" + commands,
+        deck_header + circuit +
+            "aproc [d1] d1 null [d2] proc\n.model proc d_process(process_file=\"" + script +
             "\")\n.op\n.end\n",
-        header + circuit + "r2 a 0 `touch " + mark + "`\n.op\n.end\n",
-        header + circuit + ".options shell=\"touch " + mark + "\"\n.op\n.end\n"}) {
+        deck_header + circuit + "afile %vd([b 0]) src\n.model src filesource (file=\"" + evil +
+            "\")\n.op\n.end\n",
+        deck_header + circuit + "r2 a 0 `touch " + mark + "`\n.op\n.end\n",
+        deck_header + circuit + ".options shell=\"touch " + mark + "\"\n.op\n.end\n"}) {
     CAPTURE(deck);
     const std::string path = folder.write("s.cir", deck);
     for (const char* simulator : {"process", "library"}) {
-      const ProcessResult result = tool({"relax", path, "--simulator", simulator});
+      const ProcessResult result = run_tool({"relax", path, "--simulator", simulator});
       CHECK(result.code == 2);
       CHECK_THAT(result.errors, ContainsSubstring("s.cir:") && ContainsSubstring("hint: "));
       CHECK(result.output.empty());
@@ -51,9 +52,9 @@ TEST_CASE("no deck runs a command, whichever way ngspice is reached", "[cli][spi
     }
   }
   // Comments are none of the simulator's business.
-  const std::string comments = header + circuit + "*# shell touch " + mark +
+  const std::string comments = deck_header + circuit + "*# shell touch " + mark +
                                "\n\t*# quit 1\n.op\n" + ".end\n*# shell touch " + mark + "\n";
-  CHECK(tool({"relax", folder.write("c.cir", comments)}).code == 0);
+  CHECK(run_tool({"relax", folder.write("c.cir", comments)}).code == 0);
   CHECK_FALSE(fs::exists(mark));
 }
 
@@ -62,7 +63,7 @@ TEST_CASE("the simulator's variables are no way in", "[cli][spice][strangers]") 
   const std::string mark = folder / "ran";
   folder.write(".spiceinit", "shell touch " + mark + "\n");
   folder.write("spinit", "shell touch " + mark + "\n");
-  const std::string deck = folder.write("s.cir", header + circuit + ".op\n.end\n");
+  const std::string deck = folder.write("s.cir", deck_header + circuit + ".op\n.end\n");
   const std::string here = folder.path().string();
   const ProcessResult result = run_process({"env", "HOME=" + here, "SPICE_SCRIPTS=" + here,
                                             "SPICE_USERINIT_DIR=" + here, TOOL, "relax", deck},
@@ -91,8 +92,9 @@ TEST_CASE("decks of every realisation and option pass", "[cli][spice][strangers]
       const std::string path =
           folder.write("s.toml", base + "realization = \"" + realization + "\"\n" + options);
       const std::string deck = folder / "s.cir";
-      if (tool({"gen", path, "-o", deck}).code != 0) continue;  // no such option for this circuit
-      const ProcessResult result = tool({"relax", deck});
+      if (run_tool({"gen", path, "-o", deck}).code != 0)
+        continue;  // no such option for this circuit
+      const ProcessResult result = run_tool({"relax", deck});
       CAPTURE(result.errors);
       CHECK(result.code != 2);
       ++taken;
@@ -108,10 +110,10 @@ TEST_CASE("a hand reads no file beyond its folder, and quotes none", "[cli][stra
   folder.write("hand/twice.csv", "secret,secret\n1,2\n");
   fs::create_symlink(folder / "secret", folder / "hand/link");
   const auto grasp = [&](const std::string& contact, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments = {"grasp",
-                                          folder.write("hand/hand.toml", finger + contact)};
+    std::vector<std::string> arguments = {
+        "grasp", folder.write("hand/hand.toml", finger_touched_by + contact)};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return tool(arguments);
+    return run_tool(arguments);
   };
   for (const std::string& path : {folder / "secret", std::string("../secret"), std::string("link"),
                                   std::string("/etc/passwd"), std::string("/dev/zero")})
@@ -141,8 +143,8 @@ TEST_CASE("devices and pipes are no files of a hand, and cost no memory", "[cli]
   const Folder folder;
   REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
   for (const std::string& path : {std::string("/dev/zero"), std::string("pipe")}) {
-    const std::string hand =
-        folder.write("hand.toml", finger + "{ tractions = \"" + path + "\", pitch = 1e-3 }");
+    const std::string hand = folder.write(
+        "hand.toml", finger_touched_by + "{ tractions = \"" + path + "\", pitch = 1e-3 }");
     const ProcessResult result = run_process(
         {"sh", "-c",
          "ulimit -v " MEMORY_LIMIT "; exec " TOOL " grasp " + hand + " --allow-outside"},
@@ -169,8 +171,8 @@ TEST_CASE("a header line without an end is refused", "[cli][strangers]") {
   const Folder folder;
   folder.write("t.csv", std::string(std::size_t{8} << 20, 'x'));
   const std::string hand =
-      folder.write("hand.toml", finger + "{ tractions = \"t.csv\", pitch = 1e-3 }");
-  const ProcessResult result = tool({"grasp", hand});
+      folder.write("hand.toml", finger_touched_by + "{ tractions = \"t.csv\", pitch = 1e-3 }");
+  const ProcessResult result = run_tool({"grasp", hand});
   CHECK(result.code == 2);
   CHECK(result.errors.size() < 1000);
 }
@@ -180,7 +182,7 @@ TEST_CASE("a study to go on with is a file, of bounded size", "[cli][strangers]"
   fs::create_directory(folder / "out");
   fs::create_symlink("/dev/zero", folder / "out/tradeoff.json");
   const std::string path = folder.write("s.toml", small_scene);
-  const ProcessResult result = tool({"tradeoff", path, "--out", folder / "out", "--resume"});
+  const ProcessResult result = run_tool({"tradeoff", path, "--out", folder / "out", "--resume"});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring("is not a regular file"));
 }
@@ -194,27 +196,27 @@ TEST_CASE("no control character reaches the terminal or a page", "[cli][stranger
   };
   const std::string title = "title = \"a\\u001b[2Jb\\u0000c\\u009b31m\\u202Ed\\u0007\"\n";
   const std::string path = folder.write("s\x1b]0;x\x07.toml", title + small_scene);
-  const ProcessResult run = tool({"run", path, "--out", folder / "out"});
+  const ProcessResult run = run_tool({"run", path, "--out", folder / "out"});
   harmless(run.output);
   harmless(run.errors);
   CHECK_THAT(run.output, ContainsSubstring("\\x1b"));
   const std::string page = read_text(folder / "out/report.html");
   harmless(page);
   CHECK_THAT(page, ContainsSubstring("a\\x1b[2Jb"));
-  harmless(tool({"run", path, "--json", "-"}).output);
-  harmless(tool({"identify", path}).output);
-  harmless(tool({"gen", path}).output);
+  harmless(run_tool({"run", path, "--json", "-"}).output);
+  harmless(run_tool({"identify", path}).output);
+  harmless(run_tool({"gen", path}).output);
 
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"run", "none\x1b[2J.toml"},
         {"run", path, "--\x1b[2J"},
         {"\x1b[2J"},
         {"relax", folder.write("x.cir", "T\n* expect \x1b[2J x\n" + circuit)},
-        {"relax", folder.write("y.cir", header + "\x1b[2J\n" + circuit)},
+        {"relax", folder.write("y.cir", deck_header + "\x1b[2J\n" + circuit)},
         {"solve", path, "--readings", folder.write("r.csv", "\x1b[2J,\x1b[2J\n")},
         {"grasp", folder.write("h.toml", "\"\\u001b[2J\" = 1\n")},
         {"gen", path, "-o", folder / "\x1b[2J/none.cir"}}) {
-    const ProcessResult result = tool(arguments);
+    const ProcessResult result = run_tool(arguments);
     CHECK(result.code == 2);
     CHECK_FALSE(result.errors.empty());
     harmless(result.errors);
@@ -225,7 +227,7 @@ TEST_CASE("a log that drives the terminal is told harmlessly", "[cli][strangers]
   const Folder folder;
   const std::string fake = folder.write("fake", "#!/bin/sh\nprintf 'error: \\033[2J\\n'\nexit 1\n");
   fs::permissions(fake, fs::perms::owner_all);
-  const std::string deck = folder.write("s.cir", header + circuit + ".op\n.end\n");
+  const std::string deck = folder.write("s.cir", deck_header + circuit + ".op\n.end\n");
   const ProcessResult result = run_process(
       {"env", "TMPDIR=" + folder.path().string(), TOOL, "relax", deck, "--ngspice", fake});
   CHECK(result.code == 1);

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string pad =
+const std::string swept_pad =
     "[sensor]\ncount = 41\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"
     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2.0\nforce = 1.0\n"
@@ -26,16 +26,16 @@ const std::string pad =
     "[reconstruct]\nmethods = [\"tikhonov\", \"closed_form\"]\nalpha = 1e-3\n";
 
 /// 20 points.
-const std::string study =
+const std::string depth_study =
     "title = \"Depths\"\nscene = \"pad.toml\"\nrepeats = 4\n"
     "[[axis]]\nkey = \"sensor.depth\"\nfrom = 0.5\nto = 2.5\ncount = 5\n";
 
 struct Sweep {
   Folder folder;
-  std::string file = folder.write("study.toml", study);
+  std::string file = folder.write("study.toml", depth_study);
   std::string out = folder / "out";
 
-  Sweep() { (void)folder.write("pad.toml", pad); }
+  Sweep() { (void)folder.write("pad.toml", swept_pad); }
   [[nodiscard]] std::vector<std::string> command(const std::string& into = "out") const {
     return {"sweep", file, "-o", folder / into, "--jobs", "2"};
   }
@@ -43,7 +43,7 @@ struct Sweep {
                                   const std::string& into = "out") const {
     std::vector<std::string> arguments = command(into);
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return tool(arguments);
+    return run_tool(arguments);
   }
   [[nodiscard]] std::string csv(const std::string& from = "out") const {
     return read_text(fs::path(folder / from) / "results.csv");
@@ -124,7 +124,7 @@ TEST_CASE("a sweep's JSON is what its rows come to, in the folder and where it i
   CHECK_THAT(again.output, ContainsSubstring("SHA-256"));
   CHECK(Json::parse(read_text(sweep.folder / "again.json"))["points_resumed"] == 20);
   const ProcessResult merged =
-      tool({"merge", sweep.out, "--out", sweep.folder / "m", "--json", "-"});
+      run_tool({"merge", sweep.out, "--out", sweep.folder / "m", "--json", "-"});
   CHECK(Json::parse(merged.output)["points_resumed"].is_null());
   CHECK(Json::parse(merged.output)["methods"] == json["methods"]);
   const ProcessResult part = sweep.run({"--shard", "1/2", "--json", "-"}, "part");
@@ -135,9 +135,9 @@ TEST_CASE("a sweep's JSON is what its rows come to, in the folder and where it i
 
 TEST_CASE("the units that a scene states stand on a sweep's axes", "[cli][sweep]") {
   const Sweep sweep;
-  (void)sweep.folder.write("pad.toml", "[units]\nlength = \"mm\"\nstress = \"kPa\"\n" + pad);
+  (void)sweep.folder.write("pad.toml", "[units]\nlength = \"mm\"\nstress = \"kPa\"\n" + swept_pad);
   (void)sweep.folder.write("study.toml",
-                           study + "[[axis]]\nkey = \"noise.rms\"\nvalues = [0.01, 0.1]\n");
+                           depth_study + "[[axis]]\nkey = \"noise.rms\"\nvalues = [0.01, 0.1]\n");
   const ProcessResult result = sweep.run({"--json", "-"});
   REQUIRE(result.code == 0);
   const Json json = Json::parse(result.output);
@@ -153,7 +153,7 @@ TEST_CASE("the units that a scene states stand on a sweep's axes", "[cli][sweep]
 
 TEST_CASE("rows have what a study keeps, and its page draws what there is", "[cli][sweep]") {
   const Sweep sweep;
-  (void)sweep.folder.write("study.toml", "keep = [\"readings\", \"force\"]\n" + study);
+  (void)sweep.folder.write("study.toml", "keep = [\"readings\", \"force\"]\n" + depth_study);
   REQUIRE(sweep.run().code == 0);
   const std::string csv = sweep.csv();
   CHECK(
@@ -178,7 +178,7 @@ TEST_CASE("a sweep without a single answer is written, and has failed", "[cli][s
     CHECK_THAT(result.output, ContainsSubstring("2 rows: sensor.depth must be > 0"));
   }
   CHECK(sweep.csv().find("sensor.depth must be > 0") != std::string::npos);
-  const ProcessResult merged = tool({"merge", sweep.out, "--json", "-"});
+  const ProcessResult merged = run_tool({"merge", sweep.out, "--json", "-"});
   CHECK(merged.code == 1);
   CHECK_THAT(merged.errors, ContainsSubstring(why));
   CHECK(Json::parse(merged.output)["points_failed"] == 2);
@@ -192,7 +192,7 @@ TEST_CASE("a sweep without a single answer is written, and has failed", "[cli][s
   CHECK_THAT(shard.errors, ContainsSubstring(why));
   CHECK_THAT(shard.output, ContainsSubstring("shard 1/2: 1 point is done"));
   CHECK(sweep.run({"--shard", "2/2"}, "shards").code == 0);
-  CHECK(tool({"merge", sweep.folder / "shards"}).code == 0);
+  CHECK(run_tool({"merge", sweep.folder / "shards"}).code == 0);
 }
 
 TEST_CASE("shards are merged when all are there, from one folder or from several", "[cli][sweep]") {
@@ -203,11 +203,11 @@ TEST_CASE("shards are merged when all are there, from one folder or from several
   CHECK_THAT(first.output, ContainsSubstring("shard 1/3: 7 points are done"));
   CHECK(sweep.run({"--shard", "2/3"}, "shared").code == 0);
   CHECK(sweep.run({"--shard", "3/3"}, "alone").code == 0);
-  const ProcessResult part = tool({"merge", sweep.folder / "shared"});
+  const ProcessResult part = run_tool({"merge", sweep.folder / "shared"});
   CHECK(part.code == 1);
   CHECK_THAT(part.errors, ContainsSubstring("6 of 20 points are missing, 2 first"));
   CHECK_FALSE(fs::exists(sweep.folder / "shared/results.csv"));
-  const ProcessResult all = tool(
+  const ProcessResult all = run_tool(
       {"merge", sweep.folder / "shared", sweep.folder / "alone", "--out", sweep.folder / "merged"});
   CAPTURE(all.errors);
   CHECK(all.code == 0);
@@ -258,14 +258,15 @@ TEST_CASE("what sweep and merge cannot do is said, with status 2", "[cli][sweep]
     CHECK_THAT(sweep.run({"--shard", shard}).errors, ContainsSubstring(shard));
   CHECK(sweep.run({"--shard", "5/4"}).code == 2);
   CHECK(sweep.run({"--jobs", "0"}).code == 2);
-  CHECK(tool({"sweep", sweep.file}).code == 2);  // no folder
-  CHECK(tool({"merge"}).code == 2);
-  CHECK(tool({"merge", sweep.folder / "none"}).code == 2);
-  CHECK(tool({"merge", sweep.folder.path().string()}).code == 2);
+  CHECK(run_tool({"sweep", sweep.file}).code == 2);  // no folder
+  CHECK(run_tool({"merge"}).code == 2);
+  CHECK(run_tool({"merge", sweep.folder / "none"}).code == 2);
+  CHECK(run_tool({"merge", sweep.folder.path().string()}).code == 2);
   CHECK_FALSE(fs::exists(sweep.out));
 
   REQUIRE(sweep.run().code == 0);
-  (void)sweep.folder.write("study.toml", study + "[[axis]]\nkey = \"noise.rms\"\nvalues = [0.1]\n");
+  (void)sweep.folder.write("study.toml",
+                           depth_study + "[[axis]]\nkey = \"noise.rms\"\nvalues = [0.1]\n");
   const ProcessResult other = sweep.run();
   CHECK(other.code == 2);
   CHECK_THAT(other.errors, ContainsSubstring("is the journal of another study"));
@@ -284,9 +285,9 @@ TEST_CASE("a report that is somebody's own stays", "[cli][sweep]") {
 TEST_CASE("the shipped study is one", "[cli][sweep]") {
   const Folder folder;
   const ProcessResult result =
-      tool({"sweep", scene("sweeps/depth.toml"), "-o", folder / "out", "--shard", "7/50"});
+      run_tool({"sweep", scene("sweeps/depth.toml"), "-o", folder / "out", "--shard", "7/50"});
   CAPTURE(result.errors);
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("shard 7/50: 2 points are done"));
-  CHECK(tool({"run", scene("sweeps/pad.toml")}).code == 0);
+  CHECK(run_tool({"run", scene("sweeps/pad.toml")}).code == 0);
 }

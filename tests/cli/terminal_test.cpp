@@ -53,8 +53,7 @@ std::size_t widest_line(std::string text) {
   return widest;
 }
 
-const std::string loaded =
-    small_scene + "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n";
+const std::string loaded_scene = small_scene + cylinder_load;
 
 }  // namespace
 
@@ -80,7 +79,7 @@ TEST_CASE("help is as wide as the terminal, and bold on one alone", "[cli]") {
   CHECK(widest_line(piped) <= 70);
   CHECK(widest_line(piped) > 60);
   ::setenv("COLUMNS", "wide", 1);
-  CHECK(program({"run", "--help"}).output == tool({"run", "--help"}).output);
+  CHECK(program({"run", "--help"}).output == run_tool({"run", "--help"}).output);
   ::unsetenv("COLUMNS");
 }
 
@@ -88,33 +87,33 @@ TEST_CASE("quiet leaves errors alone", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene + "nonnegative = true\n");
   const std::vector<std::string> loud = {"plan", path};
-  REQUIRE_THAT(tool(loud).errors, ContainsSubstring("warning: a plan is linear"));
+  REQUIRE_THAT(run_tool(loud).errors, ContainsSubstring("warning: a plan is linear"));
   for (const auto& arguments : std::vector<std::vector<std::string>>{{"-q", "plan", path},
                                                                      {"--quiet", "plan", path},
                                                                      {"plan", path, "--quiet"},
                                                                      {"plan", "-q", path}}) {
-    const ProcessResult result = tool(arguments);
+    const ProcessResult result = run_tool(arguments);
     CHECK(result.code == 0);
     CHECK(result.errors.empty());
     CHECK_THAT(result.output, ContainsSubstring("bytes"));
   }
-  const ProcessResult bad =
-      tool({"solve", path, "--readings", "-", "-q"}, "stress_x_0,stress_x_1,stress_x_2\n1,x,3\n");
+  const ProcessResult bad = run_tool({"solve", path, "--readings", "-", "-q"},
+                                     "stress_x_0,stress_x_1,stress_x_2\n1,x,3\n");
   CHECK(bad.code == 2);
   CHECK_THAT(bad.errors, ContainsSubstring("<stdin>:2:3: error: 'x'"));
-  CHECK_THAT(tool({"rnu", "-q"}).errors, ContainsSubstring("did you mean 'run'?"));
+  CHECK_THAT(run_tool({"rnu", "-q"}).errors, ContainsSubstring("did you mean 'run'?"));
 }
 
 TEST_CASE("a scene may come from standard input", "[cli]") {
   const Folder folder;
-  const std::string path = folder.write("s.toml", loaded);
+  const std::string path = folder.write("s.toml", loaded_scene);
   const auto same = [&](std::vector<std::string> arguments) {
     CAPTURE(arguments);
-    const ProcessResult by_name = tool(arguments);
+    const ProcessResult by_name = run_tool(arguments);
     REQUIRE(by_name.code == 0);
     for (const char* name : {"-", "/dev/stdin"}) {
       arguments[1] = name;
-      const ProcessResult piped = tool(arguments, loaded);
+      const ProcessResult piped = run_tool(arguments, loaded_scene);
       CHECK(piped.code == 0);
       std::string output = piped.output;
       for (std::size_t at = 0; (at = output.find("<stdin>", at)) != std::string::npos;)
@@ -127,31 +126,31 @@ TEST_CASE("a scene may come from standard input", "[cli]") {
   same({"identify", path, "--json", "-"});
   same({"simulate", path});
   same({"run", path, "--explain"});
-  const std::string readings = folder.write("g.csv", tool({"simulate", path}).output);
+  const std::string readings = folder.write("g.csv", run_tool({"simulate", path}).output);
   same({"solve", path, "--readings", readings});
-  CHECK_THAT(tool({"run", "-", "--json", "-"}, loaded).output,
+  CHECK_THAT(run_tool({"run", "-", "--json", "-"}, loaded_scene).output,
              ContainsSubstring("\"scene\": \"<stdin>\""));
-  CHECK(tool({"relax", "-"}, loaded).code == 0);
+  CHECK(run_tool({"relax", "-"}, loaded_scene).code == 0);
 
-  const ProcessResult bad = tool({"run", "-"}, "[sensor]\ncuont = 3\n");
+  const ProcessResult bad = run_tool({"run", "-"}, "[sensor]\ncuont = 3\n");
   CHECK(bad.code == 2);
   CHECK_THAT(bad.errors,
              ContainsSubstring("<stdin>:2:1: error: unknown key") && ContainsSubstring("count?"));
-  CHECK_THAT(tool({"run", "-"}, "").errors,
+  CHECK_THAT(run_tool({"run", "-"}, "").errors,
              ContainsSubstring("<stdin>: error: the scene is empty"));
-  CHECK_THAT(tool({"run", "-"}, "#" + std::string(17u << 20, ' ')).errors,
+  CHECK_THAT(run_tool({"run", "-"}, "#" + std::string(17u << 20, ' ')).errors,
              ContainsSubstring("<stdin>: error: is larger than 16 MiB"));
 }
 
 TEST_CASE("the program reads its scene from a pipe", "[cli]") {
-  CHECK(program({"gen", "-"}, loaded).output == tool({"gen", "-"}, loaded).output);
-  CHECK(program({"gen", "/dev/stdin"}, loaded).code == 0);
+  CHECK(program({"gen", "-"}, loaded_scene).output == run_tool({"gen", "-"}, loaded_scene).output);
+  CHECK(program({"gen", "/dev/stdin"}, loaded_scene).code == 0);
 }
 
 TEST_CASE("standard input holds a scene or readings, not both", "[cli]") {
   for (const char* command : {"solve", "plan"})
     for (const char* readings : {"-", "/dev/stdin"}) {
-      const ProcessResult result = tool({command, "-", "--readings", readings}, loaded);
+      const ProcessResult result = run_tool({command, "-", "--readings", readings}, loaded_scene);
       CHECK(result.code == 2);
       CHECK_THAT(result.errors, ContainsSubstring("standard input is the scene already"));
     }
@@ -159,8 +158,8 @@ TEST_CASE("standard input holds a scene or readings, not both", "[cli]") {
 
 TEST_CASE("a hand from standard input names files from the current folder", "[cli]") {
   const std::string hand = read_text(scene("hands/two-fingers.toml"));
-  const ProcessResult by_name = tool({"grasp", scene("hands/two-fingers.toml"), "--json", "-"});
-  ProcessResult piped = tool({"grasp", "-", "--json", "-"}, hand);
+  const ProcessResult by_name = run_tool({"grasp", scene("hands/two-fingers.toml"), "--json", "-"});
+  ProcessResult piped = run_tool({"grasp", "-", "--json", "-"}, hand);
   REQUIRE(piped.code == 0);
   piped.output.replace(piped.output.find("<stdin>"), 7, "two-fingers.toml");
   CHECK(piped.output == by_name.output);
@@ -171,9 +170,9 @@ TEST_CASE("a hand from standard input names files from the current folder", "[cl
 
 TEST_CASE("a frame is asked of a scene over time", "[cli]") {
   const Folder folder;
-  const std::string path = folder.write("s.toml", loaded);
-  CHECK(tool({"run", path, "--frame", "0"}).code == 0);
-  const ProcessResult result = tool({"run", path, "--frame", "3"});
+  const std::string path = folder.write("s.toml", loaded_scene);
+  CHECK(run_tool({"run", path, "--frame", "0"}).code == 0);
+  const ProcessResult result = run_tool({"run", path, "--frame", "3"});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors,
              ContainsSubstring("no frame 3: the scene has no [time], and so frame 0 alone"));
@@ -181,8 +180,8 @@ TEST_CASE("a frame is asked of a scene over time", "[cli]") {
 
 TEST_CASE("somebody's own report is not replaced", "[cli]") {
   const Folder folder;
-  const std::string path = folder.write("s.toml", loaded);
-  const std::string readings = folder.write("g.csv", tool({"simulate", path}).output);
+  const std::string path = folder.write("s.toml", loaded_scene);
+  const std::string readings = folder.write("g.csv", run_tool({"simulate", path}).output);
   const std::vector<std::vector<std::string>> commands = {
       {"run", path},
       {"identify", path},
@@ -196,7 +195,7 @@ TEST_CASE("somebody's own report is not replaced", "[cli]") {
     std::filesystem::create_directory(folder / "out");
     folder.write("out/report.html", "<!DOCTYPE html>\nmine");
     command.insert(command.end(), {"--out", folder / "out"});
-    const ProcessResult refused = tool(command);
+    const ProcessResult refused = run_tool(command);
     CHECK(refused.code == 2);
     CHECK_THAT(refused.errors,
                ContainsSubstring("out/report.html: error: was not written by tactile-net"));
@@ -204,19 +203,19 @@ TEST_CASE("somebody's own report is not replaced", "[cli]") {
     CHECK(std::distance(std::filesystem::directory_iterator(folder / "out"), {}) == 1);
 
     command.emplace_back("--force");
-    CHECK(tool(command).code == 0);
+    CHECK(run_tool(command).code == 0);
     command.pop_back();
-    CHECK(tool(command).code == 0);  // it is ours now
+    CHECK(run_tool(command).code == 0);  // it is ours now
   }
 }
 
 TEST_CASE("a file of one's own that a result would replace stays", "[cli]") {
   const Folder folder;
-  const std::string path = folder.write("s.toml", loaded);
+  const std::string path = folder.write("s.toml", loaded_scene);
   std::filesystem::create_directory(folder / "data");
   folder.write("data/readings.csv", "a day's work");
   const std::vector<std::string> command = {"run", path, "--out", folder / "data"};
-  const ProcessResult refused = tool(command);
+  const ProcessResult refused = run_tool(command);
   CHECK(refused.code == 2);
   CHECK_THAT(refused.errors, ContainsSubstring("data/readings.csv: error: is there already") &&
                                  ContainsSubstring("--force"));
@@ -224,6 +223,6 @@ TEST_CASE("a file of one's own that a result would replace stays", "[cli]") {
   CHECK(std::distance(std::filesystem::directory_iterator(folder / "data"), {}) == 1);
 
   std::filesystem::rename(folder / "data/readings.csv", folder / "data/mine.csv");
-  CHECK(tool(command).code == 0);
-  CHECK(tool(command).code == 0);
+  CHECK(run_tool(command).code == 0);
+  CHECK(run_tool(command).code == 0);
 }

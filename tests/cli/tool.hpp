@@ -55,8 +55,8 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-inline ProcessResult tool(const std::vector<std::string>& arguments,
-                          const std::string& input = {}) {
+inline ProcessResult run_tool(const std::vector<std::string>& arguments,
+                              const std::string& input = {}) {
   return test::run_in_process(arguments, input);
 }
 
@@ -75,5 +75,8 @@ inline const std::string small_scene =
     "[sensor]\ncount = 3\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\"]\n"
     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.3\n"
     "[reconstruct]\nalpha = 1e-3\nsurface = \"taxels\"\n";
+
+inline const std::string cylinder_load =
+    "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n";
 
 }  // namespace tactile_net

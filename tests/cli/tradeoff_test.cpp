@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::string pressed = R"(
+const std::string pressed_line = R"(
 [sensor]
 count = 21
 pitch = 0.5
@@ -35,7 +35,7 @@ alpha = 1e-3
 )";
 
 /// What does not depend on the clock.
-std::vector<std::string> timeless(const Json& study) {
+std::vector<std::string> timeless_points(const Json& study) {
   std::vector<std::string> text;
   for (const Json& job : study.at("jobs"))
     for (const Json& point : job.at("points"))
@@ -49,9 +49,9 @@ std::vector<std::string> timeless(const Json& study) {
 TEST_CASE("a study of the arithmetic is complete, plausible, and the same but for its times",
           "[cli][tradeoff]") {
   const Folder folder;
-  const std::string file = folder.write("scene.toml", pressed);
+  const std::string file = folder.write("scene.toml", pressed_line);
   const ProcessResult result =
-      tool({"tradeoff", file, "--digital", "--out", folder / "a", "--accuracy", "1e-3"});
+      run_tool({"tradeoff", file, "--digital", "--out", folder / "a", "--accuracy", "1e-3"});
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("for 1 % error within 1 ms: ") &&
@@ -84,14 +84,15 @@ TEST_CASE("a study of the arithmetic is complete, plausible, and the same but fo
 
   for (const char* name : {"report.html", "tradeoff.csv", "error-to-solution.svg"})
     CHECK(std::filesystem::file_size((folder / "a/") + name) > 500);
-  REQUIRE(tool({"tradeoff", file, "--digital", "--out", folder / "b"}).code == 0);
-  CHECK(timeless(study) == timeless(Json::parse(read_text(folder / "b/tradeoff.json"))));
+  REQUIRE(run_tool({"tradeoff", file, "--digital", "--out", folder / "b"}).code == 0);
+  CHECK(timeless_points(study) ==
+        timeless_points(Json::parse(read_text(folder / "b/tradeoff.json"))));
 }
 
 TEST_CASE("circuits settle in the time that bandwidth and error ask for", "[cli][tradeoff]") {
   const Folder folder;
   const ProcessResult result =
-      tool({"tradeoff", folder.write("scene.toml", pressed), "--out", folder / "out"});
+      run_tool({"tradeoff", folder.write("scene.toml", pressed_line), "--out", folder / "out"});
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("with op-amps of 10 MHz, settles to 1 % in") &&
@@ -118,8 +119,8 @@ TEST_CASE("circuits settle in the time that bandwidth and error ask for", "[cli]
 
 TEST_CASE("a demand that nothing meets fails and says what would be", "[cli][tradeoff]") {
   const Folder folder;
-  const ProcessResult result = tool({"tradeoff", folder.write("scene.toml", pressed), "--digital",
-                                     "--deadline", "1ns", "--accuracy", "1e-9"});
+  const ProcessResult result = run_tool({"tradeoff", folder.write("scene.toml", pressed_line),
+                                         "--digital", "--deadline", "1ns", "--accuracy", "1e-9"});
   CHECK(result.code == 1);
   CHECK_THAT(result.output, ContainsSubstring("none meets both; accurate enough, and fastest"));
   CHECK_THAT(result.errors, ContainsSubstring("no method meets the demand"));
@@ -127,7 +128,7 @@ TEST_CASE("a demand that nothing meets fails and says what would be", "[cli][tra
 
 TEST_CASE("Ctrl-C leaves a valid part, and --resume goes on from it", "[cli][tradeoff]") {
   const Folder folder;
-  const std::string file = folder.write("scene.toml", pressed);
+  const std::string file = folder.write("scene.toml", pressed_line);
   const std::string out = folder / "out";
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
@@ -150,7 +151,7 @@ TEST_CASE("Ctrl-C leaves a valid part, and --resume goes on from it", "[cli][tra
   CHECK(WEXITSTATUS(status) == (stopped ? 1 : 0));  // a fast machine may have been done
   CHECK(std::filesystem::exists(out + "/report.html"));
 
-  const ProcessResult resumed = tool({"tradeoff", file, "--out", out, "--resume"});
+  const ProcessResult resumed = run_tool({"tradeoff", file, "--out", out, "--resume"});
   CAPTURE(resumed.errors);
   REQUIRE(resumed.code == 0);
   const Json whole = Json::parse(read_text(json));
@@ -158,17 +159,17 @@ TEST_CASE("Ctrl-C leaves a valid part, and --resume goes on from it", "[cli][tra
   CHECK(whole.at("jobs").size() >= part.at("jobs").size());
   CHECK(whole.at("jobs").at(0) == part.at("jobs").at(0));  // not measured again
 
-  folder.write("scene.toml", pressed + "# another\n");
-  const ProcessResult other = tool({"tradeoff", file, "--out", out, "--resume"});
+  folder.write("scene.toml", pressed_line + "# another\n");
+  const ProcessResult other = run_tool({"tradeoff", file, "--out", out, "--resume"});
   CHECK(other.code == 2);
   CHECK_THAT(other.errors, ContainsSubstring("it was made for another scene"));
 }
 
 TEST_CASE("a study's bad options are refused", "[cli][tradeoff]") {
   const Folder folder;
-  const std::string file = folder.write("scene.toml", pressed);
+  const std::string file = folder.write("scene.toml", pressed_line);
   const auto refused = [&](std::vector<std::string> arguments, const std::string& why) {
-    const ProcessResult result = tool(arguments);
+    const ProcessResult result = run_tool(arguments);
     CAPTURE(result.errors);
     CHECK(result.code == 2);
     CHECK_THAT(result.errors, ContainsSubstring(why));
@@ -187,8 +188,8 @@ TEST_CASE("a study's bad options are refused", "[cli][tradeoff]") {
 TEST_CASE("a study that cannot be saved ends with the reason", "[cli][tradeoff]") {
   const Folder folder;
   std::filesystem::create_directories(folder / "out/tradeoff.json");
-  const ProcessResult result =
-      tool({"tradeoff", folder.write("s.toml", pressed), "--digital", "--out", folder / "out"});
+  const ProcessResult result = run_tool(
+      {"tradeoff", folder.write("s.toml", pressed_line), "--digital", "--out", folder / "out"});
   CHECK(result.end == ProcessResult::End::exited);
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring("tradeoff.json: error: is a folder"));
@@ -197,18 +198,18 @@ TEST_CASE("a study that cannot be saved ends with the reason", "[cli][tradeoff]"
 TEST_CASE("a study needs its simulator from the start, and --resume tries again what failed",
           "[cli][tradeoff]") {
   const Folder folder;
-  const std::string file = folder.write("s.toml", pressed);
-  const ProcessResult without = tool({"tradeoff", file, "--ngspice", "no-such-ngspice"});
+  const std::string file = folder.write("s.toml", pressed_line);
+  const ProcessResult without = run_tool({"tradeoff", file, "--ngspice", "no-such-ngspice"});
   CHECK(without.code == 1);
   CHECK_THAT(without.errors, ContainsSubstring("not installed") && ContainsSubstring("--digital"));
 
   const std::string out = folder / "out";
-  REQUIRE(tool({"tradeoff", file, "--digital", "--out", out}).code == 0);
+  REQUIRE(run_tool({"tradeoff", file, "--digital", "--out", out}).code == 0);
   Json study = Json::parse(read_text(out + "/tradeoff.json"));
   const std::string kept = study.at("jobs").at(0).dump();
   study.at("jobs").at(1).at("points").at(0).at("failure") = "the machine was asleep";
   folder.write("out/tradeoff.json", study.dump());
-  REQUIRE(tool({"tradeoff", file, "--digital", "--out", out, "--resume"}).code == 0);
+  REQUIRE(run_tool({"tradeoff", file, "--digital", "--out", out, "--resume"}).code == 0);
   study = Json::parse(read_text(out + "/tradeoff.json"));
   CHECK(study.at("jobs").at(0).dump() == kept);
   CHECK(study.at("jobs").at(1).at("points").at(0).at("failure") == "");
@@ -217,10 +218,10 @@ TEST_CASE("a study needs its simulator from the start, and --resume tries again 
 TEST_CASE("three taxels: what the first instant reaches takes no time, and is no failure",
           "[cli][tradeoff]") {
   const Folder folder;
-  std::string three = pressed;
+  std::string three = pressed_line;
   three.replace(three.find("count = 21"), 10, "count = 3");
   three.replace(three.find("half_width = 2.0"), 16, "half_width = 0.5");
-  const ProcessResult result = tool({"tradeoff", folder.write("s.toml", three), "--json", "-"});
+  const ProcessResult result = run_tool({"tradeoff", folder.write("s.toml", three), "--json", "-"});
   REQUIRE(result.code == 0);
   const Json study = Json::parse(result.output);
   std::set<std::string> settling;
@@ -239,11 +240,11 @@ TEST_CASE("three taxels: what the first instant reaches takes no time, and is no
 
 TEST_CASE("a family of methods that fails is listed, and leaves the others", "[cli][tradeoff]") {
   const Folder folder;
-  std::string shallow = pressed;
+  std::string shallow = pressed_line;
   shallow.replace(shallow.find("depth = 1.0"), 11, "depth = 1e-5");
   shallow.replace(shallow.find("\"strain_x\""), 10, "\"shear_xy\", \"stress_x\"");
   shallow += "[forward]\nmodel = \"sampled\"\n";
-  const ProcessResult result = tool({"tradeoff", folder.write("s.toml", shallow), "--digital"});
+  const ProcessResult result = run_tool({"tradeoff", folder.write("s.toml", shallow), "--digital"});
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("left out: forward model: ") &&
                                 ContainsSubstring("the integral is known only to"));
@@ -251,14 +252,14 @@ TEST_CASE("a family of methods that fails is listed, and leaves the others", "[c
 
 TEST_CASE("a study says which problem it studied", "[cli][tradeoff]") {
   const Folder folder;
-  const ProcessResult result =
-      tool({"tradeoff", folder.write("s.toml", pressed + "nonnegative = true\n"), "--digital"});
+  const ProcessResult result = run_tool(
+      {"tradeoff", folder.write("s.toml", pressed_line + "nonnegative = true\n"), "--digital"});
   CHECK(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("is that without the scene's constraints"));
-  std::string noise = pressed;
+  std::string noise = pressed_line;
   noise.erase(noise.find("[[contact]]"), noise.find("[reconstruct]") - noise.find("[[contact]]"));
   const ProcessResult silent =
-      tool({"tradeoff", folder.write("n.toml", noise + "[noise]\nrms = 1e-3\n"), "--digital"});
+      run_tool({"tradeoff", folder.write("n.toml", noise + "[noise]\nrms = 1e-3\n"), "--digital"});
   CHECK(silent.code == 0);
   CHECK_THAT(silent.output, ContainsSubstring("the scene has no contact"));
 }
@@ -267,7 +268,7 @@ TEST_CASE("a skin's study has its methods, arrays of other sizes, circuits, and 
           "[cli][tradeoff][skin][long]") {
   const Folder folder;
   const std::string path = std::string(SCENES) + "/skins/circuit.toml";
-  const ProcessResult result = tool({"tradeoff", path, "--out", folder / "out"});
+  const ProcessResult result = run_tool({"tradeoff", path, "--out", folder / "out"});
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
   CHECK_THAT(result.output,
@@ -320,7 +321,7 @@ TEST_CASE("a skin's study has its methods, arrays of other sizes, circuits, and 
   CHECK_THAT(read_text(folder / "out/report.html"),
              ContainsSubstring("Larger and smaller arrays") && ContainsSubstring("such taxels, ") &&
                  !ContainsSubstring("nan"));
-  const ProcessResult again = tool({"tradeoff", path, "--out", folder / "out", "--resume"});
+  const ProcessResult again = run_tool({"tradeoff", path, "--out", folder / "out", "--resume"});
   REQUIRE(again.code == 0);
   CHECK(Json::parse(read_text(folder / "out/tradeoff.json")).at("jobs") == study.at("jobs"));
 }
@@ -330,21 +331,23 @@ TEST_CASE("a skin's study takes a demand, and refuses what it cannot study",
   const Folder folder;
   const std::string path = std::string(SCENES) + "/skins/circuit.toml";
   const ProcessResult met =
-      tool({"tradeoff", path, "--digital", "--deadline", "1s", "--accuracy", "1e-6"});
+      run_tool({"tradeoff", path, "--digital", "--deadline", "1s", "--accuracy", "1e-6"});
   CHECK(met.code == 0);
   CHECK_THAT(met.output, ContainsSubstring("asked for 1e-06 error within 1 s: "));
   const ProcessResult unmet =
-      tool({"tradeoff", path, "--digital", "--deadline", "1ns", "--accuracy", "1e-9"});
+      run_tool({"tradeoff", path, "--digital", "--deadline", "1ns", "--accuracy", "1e-9"});
   CHECK(unmet.code == 1);
   CHECK_THAT(unmet.output, ContainsSubstring("none meets both"));
   std::string scene = read_text(path);
   scene.erase(scene.find("[[contact]]"), scene.find("[noise]") - scene.find("[[contact]]"));
   scene.erase(scene.find("[noise]"), scene.find("[reconstruct]") - scene.find("[noise]"));
-  const ProcessResult silent = tool({"tradeoff", folder.write("silent.toml", scene), "--digital"});
+  const ProcessResult silent =
+      run_tool({"tradeoff", folder.write("silent.toml", scene), "--digital"});
   CHECK(silent.code == 2);
   CHECK_THAT(silent.errors, ContainsSubstring("every reading is zero"));
   scene.replace(scene.find("columns = 4"), 11, "columns = 0");
-  const ProcessResult wrong = tool({"tradeoff", folder.write("wrong.toml", scene), "--digital"});
+  const ProcessResult wrong =
+      run_tool({"tradeoff", folder.write("wrong.toml", scene), "--digital"});
   CHECK(wrong.code == 2);
   CHECK_THAT(wrong.errors, ContainsSubstring("wrong.toml:") && ContainsSubstring("columns"));
 }

@@ -1,12 +1,12 @@
 // [units] and [calibration] through the command: raw numbers in, SI out.
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
+#include "tests/cli/csv.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
@@ -14,23 +14,8 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// The numbers of a CSV text, row by row, without its header.
-std::vector<std::vector<double>> rows(const std::string& text) {
-  std::istringstream in(text);
-  std::string line;
-  std::getline(in, line);
-  std::vector<std::vector<double>> result;
-  while (std::getline(in, line)) {
-    std::istringstream row(line);
-    result.emplace_back();
-    for (std::string field; std::getline(row, field, ',');)
-      result.back().push_back(std::stod(field));
-  }
-  return result;
-}
-
-ProcessResult done(const std::vector<std::string>& arguments, const std::string& input = {}) {
-  ProcessResult result = tool(arguments, input);
+ProcessResult succeeded(const std::vector<std::string>& arguments, const std::string& input = {}) {
+  ProcessResult result = run_tool(arguments, input);
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
   return result;
@@ -51,12 +36,12 @@ const std::string fingertip =
 
 TEST_CASE("the shipped recording in counts gives the tractions of the one in Pa", "[cli][units]") {
   const Folder folder;
-  done({"solve", counts_scene, "--readings", counts, "-o", folder / "f.csv", "--json",
-        folder / "f.json"});
-  done({"solve", scene("recorded/thin-pad.toml"), "--readings", scene("recorded/thin-pad.csv"),
-        "-o", folder / "g.csv", "--json", folder / "g.json"});
-  const auto found = rows(read_text(folder / "f.csv"));
-  const auto expected = rows(read_text(folder / "g.csv"));
+  succeeded({"solve", counts_scene, "--readings", counts, "-o", folder / "f.csv", "--json",
+             folder / "f.json"});
+  succeeded({"solve", scene("recorded/thin-pad.toml"), "--readings", scene("recorded/thin-pad.csv"),
+             "-o", folder / "g.csv", "--json", folder / "g.json"});
+  const auto found = csv_rows(read_text(folder / "f.csv"));
+  const auto expected = csv_rows(read_text(folder / "g.csv"));
   REQUIRE(found.size() == 7);
   REQUIRE(found.front().size() == expected.front().size());
   // But for counts of 10 Pa, beside noise of 53 Pa.
@@ -77,33 +62,36 @@ TEST_CASE("what simulate writes is what solve reads, in counts too", "[cli][unit
   const std::string plain = folder.write("plain.toml", fingertip);
   const std::string raw = folder.write(
       "raw.toml", fingertip + "[calibration]\ngain = 0.01\nbaseline = 2048\noffset = 0.5\n");
-  done({"simulate", plain, "-o", folder / "plain.csv"});
-  done({"simulate", raw, "-o", folder / "raw.csv"});
-  const auto kilopascals = rows(read_text(folder / "plain.csv")).front();
-  const auto numbers = rows(read_text(folder / "raw.csv")).front();
+  succeeded({"simulate", plain, "-o", folder / "plain.csv"});
+  succeeded({"simulate", raw, "-o", folder / "raw.csv"});
+  const auto kilopascals = csv_rows(read_text(folder / "plain.csv")).front();
+  const auto numbers = csv_rows(read_text(folder / "raw.csv")).front();
   for (std::size_t i = 0; i < numbers.size(); ++i)
     CHECK_THAT(0.01 * (numbers[i] - 2048) + 0.5, WithinAbs(kilopascals[i], 1e-10));
-  const auto f = rows(done({"solve", plain, "--readings", folder / "plain.csv"}).output).front();
-  const auto g = rows(done({"solve", raw, "--readings", folder / "raw.csv"}).output).front();
+  const auto f =
+      csv_rows(succeeded({"solve", plain, "--readings", folder / "plain.csv"}).output).front();
+  const auto g =
+      csv_rows(succeeded({"solve", raw, "--readings", folder / "raw.csv"}).output).front();
   CHECK(relative_l2_error(g, f) < 1e-8);
   double force = 0.0;  // in SI: 500 N/m
   for (const double traction : f) force += 0.5e-3 * traction;
   CHECK_THAT(force, WithinRel(500.0, 0.05));
   // run writes its readings for solve as well.
-  done({"run", raw, "--out", folder / "out"});
-  CHECK(relative_l2_error(rows(read_text(folder / "out/readings.csv")).front(), numbers) < 1e-12);
+  succeeded({"run", raw, "--out", folder / "out"});
+  CHECK(relative_l2_error(csv_rows(read_text(folder / "out/readings.csv")).front(), numbers) <
+        1e-12);
 }
 
 TEST_CASE("words and tables carry units where the scene states them", "[cli][units]") {
   const Folder folder;
-  const std::string text = done({"run", folder.write("mm.toml", fingertip)}).output;
+  const std::string text = succeeded({"run", folder.write("mm.toml", fingertip)}).output;
   CHECK_THAT(text, ContainsSubstring("pitch 500 µm") && ContainsSubstring("depth 1.5 mm") &&
                        ContainsSubstring("E = 200 kPa") &&
                        ContainsSubstring("half width 2 mm, force 500 N/m") &&
                        ContainsSubstring(" N/m exact") && ContainsSubstring(" ± "));
-  const std::string explained = done({"run", folder / "mm.toml", "--explain"}).output;
+  const std::string explained = succeeded({"run", folder / "mm.toml", "--explain"}).output;
   CHECK_THAT(explained, ContainsSubstring("rms 20 Pa"));
-  const std::string told = done({"identify", counts_scene, "--readings", counts}).output;
+  const std::string told = succeeded({"identify", counts_scene, "--readings", counts}).output;
   CHECK_THAT(told, ContainsSubstring("down to wavelength") && ContainsSubstring(" mm"));
   CHECK_THAT(told, ContainsSubstring("ripples with an amplitude of") && ContainsSubstring(" kPa,"));
 }
@@ -112,7 +100,7 @@ TEST_CASE("identify and grasp read counts as solve does", "[cli][units]") {
   const Folder folder;
   const auto traction = [&](const std::string& pad, const std::string& readings) {
     const std::string json = folder / "i.json";
-    done({"identify", pad, "--readings", readings, "--json", json});
+    succeeded({"identify", pad, "--readings", readings, "--json", json});
     return Json::parse(read_text(json)).at("traction").get<double>();
   };
   CHECK_THAT(
@@ -126,7 +114,7 @@ TEST_CASE("identify and grasp read counts as solve does", "[cli][units]") {
     hand.replace(at, 9, "\"thin-pad-counts");
   folder.write("hand.toml", hand);
   const auto torque = [&](const std::string& file) {
-    done({"grasp", file, "--json", folder / "g.json"});
+    succeeded({"grasp", file, "--json", folder / "g.json"});
     return Json::parse(read_text(folder / "g.json"))
         .at("measured")
         .at("fingers")
@@ -156,22 +144,22 @@ TEST_CASE("a plan takes the baseline of the recording's first frames with it", "
   }
   const std::string frames = folder.write(
       "frames.csv", header + '\n' + lines[0] + '\n' + lines[1] + '\n' + lines[2] + '\n');
-  const ProcessResult planned =
-      done({"plan", path, "--readings", frames, "--accuracy", "1e-9", "-o", folder / "p.plan"});
+  const ProcessResult planned = succeeded(
+      {"plan", path, "--readings", frames, "--accuracy", "1e-9", "-o", folder / "p.plan"});
   CHECK_THAT(planned.output,
              ContainsSubstring("the scene's units and calibration are in the plan\n"));
   const EstimatorPlan plan = load_plan(folder / "p.plan");
   REQUIRE(plan.baseline.size() == 31);
   CHECK(plan.baseline[3] == 504.0);
 
-  const auto expected = rows(done({"solve", path, "--readings", frames}).output);
+  const auto expected = csv_rows(succeeded({"solve", path, "--readings", frames}).output);
   ContactEstimator estimator(plan);
   std::vector<double> f(31);
   ContactEstimate estimate{.tractions = f};
-  REQUIRE(estimator.update(rows(read_text(frames)).at(2), estimate) == FrameStatus::ok);
+  REQUIRE(estimator.update(csv_rows(read_text(frames)).at(2), estimate) == FrameStatus::ok);
   CHECK(relative_l2_error(f, expected.at(2)) < 1e-6);
 
-  const ProcessResult without = done({"plan", path, "-o", folder / "q.plan"});
+  const ProcessResult without = succeeded({"plan", path, "-o", folder / "q.plan"});
   CHECK_THAT(without.output, ContainsSubstring("call set_baseline with an unloaded frame"));
 }
 
@@ -182,9 +170,9 @@ TEST_CASE("the time of a frame that is kept for the baseline is its own", "[cli]
                    "[sensor]\ncount = 2\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\"]\n"
                    "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.3\n"
                    "[calibration]\nbaseline_frames = [0, 1]\n[reconstruct]\nalpha = 1e-3\n");
-  const auto answers = rows(
-      done({"solve", path, "--readings", "-"}, "t,stress_x_0,stress_x_1\n5,1,1\n6,3,3\n7,2,2\n")
-          .output);
+  const auto answers = csv_rows(succeeded({"solve", path, "--readings", "-"},
+                                          "t,stress_x_0,stress_x_1\n5,1,1\n6,3,3\n7,2,2\n")
+                                    .output);
   REQUIRE(answers.size() == 3);
   for (std::size_t i = 0; i < 3; ++i) CHECK(answers[i][0] == 5.0 + static_cast<double>(i));
   CHECK(answers[2][1] == 0.0);

@@ -8,26 +8,20 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tests/catch.hpp"
+#include "tests/cli/csv.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const std::string pad =
+const std::string offset_pad =
     "[sensor]\ncount = 17\npitch = 1e-3\ndepth = 2e-3\nreads = [\"stress_x\", \"stress_y\"]\n"
     "[material]\nyoungs_modulus = 2e5\npoisson_ratio = 0.45\n[noise]\nrms = 1.0\n"
     "[time]\nrate = 10\nframes = 3\n"
     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2e-3\nfriction = 0.0\n"
     "trajectory = [{ t = 0.0, force = 5.0 }, { t = 0.2, force = 20.0 }]\n"
     "[reconstruct]\ntangential = false\noffset = true\n";
-
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream in(line);
-  for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
-  return fields;
-}
 
 struct Table {
   std::vector<std::string> names;
@@ -58,8 +52,8 @@ Table table(const std::string& csv) {
 TEST_CASE("the offsets that were found move with the readings, and nothing else does",
           "[cli][offset]") {
   const Folder folder;
-  std::ofstream(folder / "pad.toml") << pad;
-  REQUIRE(tool({"simulate", folder / "pad.toml", "-o", folder / "r.csv"}).code == 0);
+  std::ofstream(folder / "pad.toml") << offset_pad;
+  REQUIRE(run_tool({"simulate", folder / "pad.toml", "-o", folder / "r.csv"}).code == 0);
   const Table readings = table(read_text(folder / "r.csv"));
   {
     std::ofstream moved(folder / "moved.csv");
@@ -74,8 +68,8 @@ TEST_CASE("the offsets that were found move with the readings, and nothing else 
     moved << '\n';
   }
   const auto solved = [&](const std::string& csv) {
-    REQUIRE(tool({"solve", folder / "pad.toml", "--readings", folder / csv, "-o", folder / "f.csv",
-                  "--uncertainty", folder / "u.csv"})
+    REQUIRE(run_tool({"solve", folder / "pad.toml", "--readings", folder / csv, "-o",
+                      folder / "f.csv", "--uncertainty", folder / "u.csv"})
                 .code == 0);
     return table(read_text(folder / "u.csv"));
   };

@@ -5,28 +5,28 @@
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/control/pad.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-constexpr double noise = 1e-3;
-constexpr double alpha = 1e-4;
-const Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
-const SensorArray array{.count = 41, .pitch = 0.5, .depths = {1.5}, .reads = {Quantity::stress_x}};
+constexpr double noise_rms = 1e-3;
+const SensorArray pad_array{
+    .count = 41, .pitch = 0.5, .depths = {1.5}, .reads = {Quantity::stress_x}};
 
 EstimatorPlan plan_with(const PlannerOptions& options) {
-  const InverseProblem problem = make_problem(array, pad, {.smoothing_length = 1.5});
-  return plan_estimator(problem, alpha, options).plan;
+  const InverseProblem problem = make_problem(pad_array, pad, {.smoothing_length = 1.5});
+  return plan_estimator(problem, pad_alpha, options).plan;
 }
 
-EstimatorPlan whole_plan() { return plan_with({.noise_rms = noise, .traction_limit = 1.0}); }
+EstimatorPlan whole_plan() { return plan_with({.noise_rms = noise_rms, .traction_limit = 1.0}); }
 
 std::vector<double> frame(std::size_t number) {
   const std::vector<Contact> contacts = {
       RigidContact{.center = 0.3, .half_width = 2.0, .force = 0.4}};
-  std::vector<double> readings = exact_readings(array, pad, contacts);
-  add_noise(readings, noise, number, 0);
+  std::vector<double> readings = exact_readings(pad_array, pad, contacts);
+  add_noise(readings, noise_rms, number, 0);
   return readings;
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("an estimator has no doubts about frames of contacts, nor of noise", "
   for (std::size_t k = 0; k < 200; ++k) {
     CHECK(flags(plan, frame(k)) == Flags{});
     std::vector<double> readings(41);
-    add_noise(readings, noise, k, 0);
+    add_noise(readings, noise_rms, k, 0);
     CHECK(flags(plan, readings) == Flags{});
   }
 }
@@ -74,18 +74,18 @@ TEST_CASE("what a plan does not have, its frames are not doubted by", "[planner]
   CHECK(flags(whole_plan(), readings) == Flags{true, true, true});
   CHECK(flags(plan_with({}), readings) == Flags{});
   CHECK(flags(plan_with({.traction_limit = 1.0}), readings) == Flags{.implausible = true});
-  CHECK(flags(plan_with({.diagnostics = false, .noise_rms = noise}), readings) ==
+  CHECK(flags(plan_with({.diagnostics = false, .noise_rms = noise_rms}), readings) ==
         Flags{.pulls = true});
 }
 
 TEST_CASE("the deviation of a plan's force is that of the noise and of the smoothing",
           "[planner]") {
   const EstimatorPlan plan = whole_plan();
-  const EstimatorPlan noisier = plan_with({.noise_rms = 3.0 * noise});
+  const EstimatorPlan noisier = plan_with({.noise_rms = 3.0 * noise_rms});
   CHECK_THAT(noisier.force_deviation, WithinRel(3.0 * plan.force_deviation, 1e-9));
   CHECK_THAT(noisier.residual_limit, WithinRel(3.0 * plan.residual_limit, 1e-12));
   // 99.9 % of chi squared with 41 degrees of freedom is 74.745.
-  CHECK_THAT(plan.residual_limit, WithinRel(noise * std::sqrt(74.745 / 41.0), 1e-4));
+  CHECK_THAT(plan.residual_limit, WithinRel(noise_rms * std::sqrt(74.745 / 41.0), 1e-4));
 }
 
 TEST_CASE("a plan's limits survive its file, and have a version of their own", "[planner]") {

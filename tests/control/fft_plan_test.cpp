@@ -12,13 +12,11 @@
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/control/frames.hpp"
+#include "tests/control/pad.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-constexpr double alpha = 1e-4;
-const Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
 
 /// Fixed pitch: the longer, the more taxels.
 InverseProblem long_array(std::size_t count, std::vector<Quantity> reads = {Quantity::stress_x}) {
@@ -31,7 +29,7 @@ PlannedEstimator fft_plan(const InverseProblem& problem, double accuracy = 1e-7,
                           bool diagnostics = false) {
   PlannerOptions options{.accuracy = accuracy, .structure = Structure::fft};
   options.diagnostics = diagnostics;
-  return plan_estimator(problem, alpha, options);
+  return plan_estimator(problem, pad_alpha, options);
 }
 
 std::vector<double> solved(ContactEstimator& estimator, const std::vector<double>& readings) {
@@ -79,7 +77,7 @@ ProductPlan small_convolution() {
 TEST_CASE("the convolution alone is percents off at the array's end, and right with its correction",
           "[fft]") {
   const InverseProblem problem = long_array(256);
-  const Reconstruction dense = tikhonov(problem, alpha);
+  const Reconstruction dense = tikhonov(problem, pad_alpha);
   const PlannedEstimator planned = fft_plan(problem);
   EstimatorPlan bare = planned.plan;
   for (Factor& factor : bare.reconstruction.factors)
@@ -101,7 +99,7 @@ TEST_CASE("the convolution alone is percents off at the array's end, and right w
 TEST_CASE("at a fixed pitch the correction's rank does not grow with the array", "[fft]") {
   const auto low_rank = [](std::size_t count) {
     return total_rank(
-        plan_estimator(long_array(count), alpha,
+        plan_estimator(long_array(count), pad_alpha,
                        {.structure = Structure::parity_low_rank, .precision = Precision::float64}));
   };
   // On circles that nothing wraps around, which the finest accuracies need.
@@ -120,7 +118,7 @@ TEST_CASE("a plan by FFT keeps its accuracy, proven and measured, on long arrays
   CAPTURE(count, two, accuracy);
   const InverseProblem problem =
       two ? long_array(count, {Quantity::stress_x, Quantity::shear_xy}) : long_array(count);
-  const Reconstruction dense = tikhonov(problem, alpha);
+  const Reconstruction dense = tikhonov(problem, pad_alpha);
   const PlannedEstimator planned = fft_plan(problem, accuracy);
   const Candidate& candidate = planned.candidates.front();
   CHECK(candidate.accurate);
@@ -228,30 +226,31 @@ TEST_CASE("fft is offered only where it is allowed and the array is symmetric, a
     return false;
   };
   PlannerOptions options{.diagnostics = false};
-  const PlannedEstimator without = plan_estimator(problem, alpha, options);
+  const PlannedEstimator without = plan_estimator(problem, pad_alpha, options);
   CHECK_FALSE(offered(without));
   CHECK_THAT(without.why(), ContainsSubstring("no fft: it needs an FFT"));
 
   options.allow_fft = true;
-  const PlannedEstimator with = plan_estimator(problem, alpha, options);
+  const PlannedEstimator with = plan_estimator(problem, pad_alpha, options);
   CHECK(offered(with));
   CHECK(with.plan.reconstruction.structure == Structure::fft);  // the cheapest at this length
   CHECK_THAT(with.why(), ContainsSubstring("* fft float64, rank") &&
                              ContainsSubstring("transforms of") && !ContainsSubstring("no fft"));
-  const PlannedEstimator short_array = plan_estimator(long_array(40), alpha, options);
+  const PlannedEstimator short_array = plan_estimator(long_array(40), pad_alpha, options);
   CHECK(offered(short_array));
   CHECK(short_array.plan.reconstruction.structure != Structure::fft);
 
   const InverseProblem dead = make_problem({40, 0.125, {1.5}, {Quantity::stress_x}}, pad,
                                            {.smoothing_length = 1.0, .dead_taxels = {3}});
-  const PlannedEstimator asymmetric = plan_estimator(dead, alpha, options);
+  const PlannedEstimator asymmetric = plan_estimator(dead, pad_alpha, options);
   CHECK_FALSE(offered(asymmetric));
   CHECK_THAT(asymmetric.why(), ContainsSubstring("no fft: the array is not mirror symmetric"));
 
   options.structure = Structure::fft;
-  CHECK_THROWS_WITH(plan_estimator(dead, alpha, options), ContainsSubstring("fft cannot be used"));
+  CHECK_THROWS_WITH(plan_estimator(dead, pad_alpha, options),
+                    ContainsSubstring("fft cannot be used"));
   options.precision = Precision::float32;
-  CHECK_THROWS_WITH(plan_estimator(problem, alpha, options), ContainsSubstring("float64 only"));
+  CHECK_THROWS_WITH(plan_estimator(problem, pad_alpha, options), ContainsSubstring("float64 only"));
 }
 
 TEST_CASE("residual and dead taxels are those of the dense plan", "[fft]") {
@@ -262,7 +261,7 @@ TEST_CASE("residual and dead taxels are those of the dense plan", "[fft]") {
   const EstimatorPlan plan = fft_plan(problem, 1e-9, true).plan;
   if (!two) REQUIRE(plan.prediction->structure == Structure::fft);
   const EstimatorPlan exact =
-      plan_estimator(problem, alpha, {.accuracy = 1e-9, .structure = Structure::dense}).plan;
+      plan_estimator(problem, pad_alpha, {.accuracy = 1e-9, .structure = Structure::dense}).plan;
   ContactEstimator estimator(plan, fft_convolutions());
   ContactEstimator reference(exact);
   std::vector<double> g = contact_readings(problem, 2);

@@ -14,7 +14,7 @@ using namespace tactile_net;
 
 namespace {
 
-constexpr double alpha = 1e-3;
+constexpr double skin_alpha = 1e-3;
 
 double product_error(KroneckerSum& sum, const Reconstruction& inverse,
                      const std::vector<double>& readings) {
@@ -62,7 +62,7 @@ TEST_CASE("all Kronecker products together are the matrix itself", "[kronecker]"
   for (const Skin& skin :
        {square(4), rectangle(3, 5), rectangle(1, 6), square(5, 1, {7}), two_depths(4)}) {
     CAPTURE(skin.name);
-    const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(alpha);
+    const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(skin_alpha);
     KroneckerSum sum = KroneckerTerms(skin.problem, inverse).sum(1e-15);
     CHECK(product_error(sum, inverse, noise(inverse.readings())) < 1e-12);
   }
@@ -71,7 +71,7 @@ TEST_CASE("all Kronecker products together are the matrix itself", "[kronecker]"
 TEST_CASE("a sum's error is what it says, below what was asked for, and falls with its terms",
           "[kronecker]") {
   const Skin skin = rectangle(4, 6);
-  const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(alpha);
+  const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(skin_alpha);
   const KroneckerTerms terms(skin.problem, inverse);
   double before = 1.0;
   std::size_t terms_before = 0;
@@ -91,7 +91,7 @@ TEST_CASE("a sum's error is what it says, below what was asked for, and falls wi
 TEST_CASE("Kronecker products are of even skins, of their own inverse, and of a bounded size",
           "[kronecker]") {
   const Skin skin = square(4);
-  const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(alpha);
+  const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(skin_alpha);
   CHECK_THROWS_AS(KroneckerTerms(square(5).problem, inverse), std::invalid_argument);
   CHECK_THROWS_AS(KroneckerTerms(skin.problem, inverse).sum(0.0), std::invalid_argument);
   std::vector<SkinTaxel> taxels;
@@ -99,6 +99,6 @@ TEST_CASE("Kronecker products are of even skins, of their own inverse, and of a 
     taxels.push_back({"", 2e-3 * i, 1e-3 * i * i, 3e-3, {SkinQuantity::stress_x}});
   const Skin uneven = skin_of("uneven", uneven_skin(taxels), {.components = 1});
   CHECK_THROWS_WITH(
-      KroneckerTerms(uneven.problem, SkinFamily(uneven.problem).reconstruction(alpha)),
+      KroneckerTerms(uneven.problem, SkinFamily(uneven.problem).reconstruction(skin_alpha)),
       ContainsSubstring("rows and columns"));
 }

@@ -13,11 +13,11 @@ using namespace tactile_net;
 
 namespace {
 
-constexpr std::size_t frames = 301;
+constexpr std::size_t replayed_frames = 301;
 
 std::vector<double> recording(std::size_t readings) {
   std::mt19937 generator(5);
-  std::vector<double> all(frames * readings);
+  std::vector<double> all(replayed_frames * readings);
   for (double& reading : all) reading = static_cast<double>(generator()) / 0x1p31 - 1.0;
   return all;
 }
@@ -31,7 +31,7 @@ struct Answer {
 
 /// What `replay` hands out, until `stop` frames were read: then reading fails.
 std::vector<Answer> replayed(ContactEstimator& estimator, const std::vector<double>& recording,
-                             const ReplayOptions& options, std::size_t stop = frames + 1) {
+                             const ReplayOptions& options, std::size_t stop = replayed_frames + 1) {
   std::vector<Answer> answers;
   std::size_t read = 0;
   const std::size_t n = estimator.readings();
@@ -65,7 +65,7 @@ TEST_CASE("a replayed recording is what the controller answered, to the bit", "[
   const std::size_t n = estimator.readings();
   const std::vector<double> all = recording(n);
   std::vector<Answer> expected;
-  for (std::size_t k = 0; k < frames; ++k) {
+  for (std::size_t k = 0; k < replayed_frames; ++k) {
     std::vector<double> tractions(estimator.tractions());
     ContactEstimate estimate{.tractions = tractions};
     REQUIRE(estimator.update(std::span(all).subspan(k * n, n), estimate) == FrameStatus::ok);
@@ -97,8 +97,8 @@ TEST_CASE("a bad frame of a replay has its status and nothing else, the others t
   all[202 * n] = -std::numeric_limits<double>::infinity();
   const std::size_t block = GENERATE(0U, 1U, 64U);
   const std::vector<Answer> answers = replayed(estimator, all, {.block = block});
-  REQUIRE(answers.size() == frames);
-  for (std::size_t k = 0; k < frames; ++k) {
+  REQUIRE(answers.size() == replayed_frames);
+  for (std::size_t k = 0; k < replayed_frames; ++k) {
     CAPTURE(k);
     if (k == 100 || k == 200 || k == 202) {
       CHECK(answers[k].status == (k == 100 ? FrameStatus::too_large : FrameStatus::not_finite));

@@ -2,20 +2,17 @@
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "tests/catch.hpp"
+#include "tests/elasticity/not_finite.hpp"
 
 using namespace tactile_net;
 using std::numbers::pi;
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string refusal(const Contact& contact) {
   try {

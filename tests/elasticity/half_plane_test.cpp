@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 namespace {
 
-using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+using SurfaceRule = boost::math::quadrature::gauss_kronrod<double, 61>;
 
 /// Integral over all y of kernel(y) phase(y), y = depth tan t.
 double over_surface(Quantity quantity, Traction load, const Material& material, double depth) {
@@ -23,26 +23,28 @@ double over_surface(Quantity quantity, Traction load, const Material& material, 
     return half_plane_kernel(quantity, load, material, depth, depth * std::tan(t)) * depth /
            (c * c);
   };
-  return Rule::integrate(integrand, -0.5 * pi, 0.0, 0, 0.0) +
-         Rule::integrate(integrand, 0.0, 0.5 * pi, 0, 0.0);
+  return SurfaceRule::integrate(integrand, -0.5 * pi, 0.0, 0, 0.0) +
+         SurfaceRule::integrate(integrand, 0.0, 0.5 * pi, 0, 0.0);
 }
 
 bool is_even(Quantity quantity, Traction load) {
   return (quantity == Quantity::shear_xy) == (load == Traction::tangential);
 }
 
-constexpr Material pad{.youngs_modulus = 3.0, .poisson_ratio = 0.4};
+constexpr Material rubber{.youngs_modulus = 3.0, .poisson_ratio = 0.4};
 
 }  // namespace
 
 TEST_CASE("every depth carries the whole load", "[half_plane][property]") {
   const double depth = GENERATE(1e-6, 0.3, 1.0, 7.0, 1e9);
   CAPTURE(depth);
-  CHECK_THAT(over_surface(Quantity::stress_x, Traction::normal, pad, depth), WithinRel(1.0, 1e-13));
-  CHECK_THAT(over_surface(Quantity::shear_xy, Traction::tangential, pad, depth),
+  CHECK_THAT(over_surface(Quantity::stress_x, Traction::normal, rubber, depth),
              WithinRel(1.0, 1e-13));
-  CHECK_THAT(over_surface(Quantity::shear_xy, Traction::normal, pad, depth), WithinAbs(0.0, 1e-14));
-  CHECK_THAT(over_surface(Quantity::stress_x, Traction::tangential, pad, depth),
+  CHECK_THAT(over_surface(Quantity::shear_xy, Traction::tangential, rubber, depth),
+             WithinRel(1.0, 1e-13));
+  CHECK_THAT(over_surface(Quantity::shear_xy, Traction::normal, rubber, depth),
+             WithinAbs(0.0, 1e-14));
+  CHECK_THAT(over_surface(Quantity::stress_x, Traction::tangential, rubber, depth),
              WithinAbs(0.0, 1e-14));
 }
 
@@ -51,13 +53,13 @@ TEST_CASE("a quarter circle around the load carries half of it", "[half_plane][p
   // the load. This ties stress_y and both shears to stress_x.
   const double r = 2.5;
   const auto pull = [&](Traction load, bool along_x) {
-    return Rule::integrate(
+    return SurfaceRule::integrate(
         [&](double angle) {
           const double x = r * std::cos(angle);
           const double y = r * std::sin(angle);
-          const double stress_x = half_plane_kernel(Quantity::stress_x, load, pad, x, y);
-          const double stress_y = half_plane_kernel(Quantity::stress_y, load, pad, x, y);
-          const double shear = half_plane_kernel(Quantity::shear_xy, load, pad, x, y);
+          const double stress_x = half_plane_kernel(Quantity::stress_x, load, rubber, x, y);
+          const double stress_y = half_plane_kernel(Quantity::stress_y, load, rubber, x, y);
+          const double shear = half_plane_kernel(Quantity::shear_xy, load, rubber, x, y);
           return along_x ? stress_x * x + shear * y : shear * x + stress_y * y;
         },
         0.0, 0.5 * pi, 0, 0.0);
@@ -73,7 +75,7 @@ TEST_CASE("the stress balances at every point", "[half_plane][property]") {
   const double x = 1.3;
   const double h = 1e-4;
   const auto k = [&](Quantity quantity, double dx, double dy) {
-    return half_plane_kernel(quantity, load, pad, x + dx, y + dy);
+    return half_plane_kernel(quantity, load, rubber, x + dx, y + dy);
   };
   const auto along_x = [&](Quantity quantity) {
     return (k(quantity, h, 0.0) - k(quantity, -h, 0.0)) / (2.0 * h);
@@ -89,15 +91,15 @@ TEST_CASE("kernels are even or odd, to the bit", "[half_plane][property]") {
   for (const Quantity quantity : quantities)
     for (const Traction load : {Traction::normal, Traction::tangential})
       for (const double y : {1e-3, 0.4, 1.0, 30.0}) {
-        const double right = half_plane_kernel(quantity, load, pad, 0.8, y);
-        const double left = half_plane_kernel(quantity, load, pad, 0.8, -y);
+        const double right = half_plane_kernel(quantity, load, rubber, 0.8, y);
+        const double left = half_plane_kernel(quantity, load, rubber, 0.8, -y);
         CHECK(left == (is_even(quantity, load) ? right : -right));
       }
 }
 
 TEST_CASE("a drag along +y compresses what lies ahead", "[half_plane]") {
-  CHECK(half_plane_kernel(Quantity::stress_y, Traction::tangential, pad, 1.0, 1.0) > 0.0);
-  CHECK(half_plane_kernel(Quantity::stress_x, Traction::tangential, pad, 1.0, 1.0) > 0.0);
+  CHECK(half_plane_kernel(Quantity::stress_y, Traction::tangential, rubber, 1.0, 1.0) > 0.0);
+  CHECK(half_plane_kernel(Quantity::stress_x, Traction::tangential, rubber, 1.0, 1.0) > 0.0);
 }
 
 TEST_CASE("a push turned by a right angle is a drag", "[half_plane][property]") {
@@ -105,10 +107,10 @@ TEST_CASE("a push turned by a right angle is a drag", "[half_plane][property]") 
   for (const double x : {0.2, 1.0, 5.0}) {
     const double y = 1.4;
     const auto push = [&](Quantity quantity) {
-      return half_plane_kernel(quantity, Traction::normal, pad, x, y);
+      return half_plane_kernel(quantity, Traction::normal, rubber, x, y);
     };
     const auto drag = [&](Quantity quantity) {
-      return half_plane_kernel(quantity, Traction::tangential, pad, y, x);
+      return half_plane_kernel(quantity, Traction::tangential, rubber, y, x);
     };
     CHECK_THAT(drag(Quantity::stress_y), WithinRel(push(Quantity::stress_x), 1e-14));
     CHECK_THAT(drag(Quantity::stress_x), WithinRel(push(Quantity::stress_y), 1e-14));
@@ -148,15 +150,15 @@ TEST_CASE("an incompressible pad keeps its volume, to the bit", "[half_plane][pr
 TEST_CASE("stress does not depend on the material", "[half_plane]") {
   const Material other{.youngs_modulus = 1e6, .poisson_ratio = 0.1};
   for (const Quantity quantity : {Quantity::stress_x, Quantity::stress_y, Quantity::shear_xy})
-    CHECK(half_plane_kernel(quantity, Traction::normal, pad, 1.0, 0.5) ==
+    CHECK(half_plane_kernel(quantity, Traction::normal, rubber, 1.0, 0.5) ==
           half_plane_kernel(quantity, Traction::normal, other, 1.0, 0.5));
 }
 
 TEST_CASE("far away the stress decays with its power of the distance", "[half_plane][property]") {
   // stress_x 1/y^4, stress_y 1/y^2, shear_xy 1/y^3 under a push; under a drag one power less each.
   const auto power = [](Quantity quantity, Traction load) {
-    const double near = half_plane_kernel(quantity, load, pad, 1.0, 1e4);
-    const double far = half_plane_kernel(quantity, load, pad, 1.0, 2e4);
+    const double near = half_plane_kernel(quantity, load, rubber, 1.0, 1e4);
+    const double far = half_plane_kernel(quantity, load, rubber, 1.0, 2e4);
     return std::log2(near / far);
   };
   CHECK_THAT(power(Quantity::stress_x, Traction::normal), WithinAbs(4.0, 1e-6));
@@ -172,17 +174,17 @@ TEST_CASE("a unit of length or modulus scales the kernel and nothing else",
   const double unit = GENERATE(1e-150, 1e-3, 1e3, 1e150);
   const double stiffness = GENERATE(1e-6, 1.0, 1e9);
   CAPTURE(unit, stiffness);
-  const Material scaled{.youngs_modulus = pad.youngs_modulus * stiffness,
-                        .poisson_ratio = pad.poisson_ratio};
+  const Material scaled{.youngs_modulus = rubber.youngs_modulus * stiffness,
+                        .poisson_ratio = rubber.poisson_ratio};
   for (const Quantity quantity : quantities)
     for (const Traction load : {Traction::normal, Traction::tangential})
       for (const double y : {-2.0, 0.5, 40.0}) {
         const double factor = is_strain(quantity) ? stiffness : 1.0;
         CHECK_THAT(half_plane_kernel(quantity, load, scaled, 1.5 * unit, y * unit) * unit * factor,
-                   WithinRel(half_plane_kernel(quantity, load, pad, 1.5, y), 1e-14));
+                   WithinRel(half_plane_kernel(quantity, load, rubber, 1.5, y), 1e-14));
         CHECK_THAT(
             half_plane_transform(quantity, load, scaled, 1.5 * unit, 0.7 / unit).real() * factor,
-            WithinRel(half_plane_transform(quantity, load, pad, 1.5, 0.7).real(), 1e-14));
+            WithinRel(half_plane_transform(quantity, load, rubber, 1.5, 0.7).real(), 1e-14));
       }
 }
 
@@ -198,21 +200,21 @@ TEST_CASE("the transform is the kernel's transform", "[half_plane][property]") {
       CAPTURE(name(quantity), load == Traction::normal);
       const double h = 0.2;
       const auto damped = [&](double e) {
-        std::complex<double> sum = half_plane_kernel(quantity, load, pad, depth, 0.0);
+        std::complex<double> sum = half_plane_kernel(quantity, load, rubber, depth, 0.0);
         const int last = static_cast<int>(6.5 / (e * h));
         for (int m = 1; m <= last; ++m) {
           const double y = m * h;
           const double window = std::exp(-e * e * y * y);
-          sum +=
-              window * half_plane_kernel(quantity, load, pad, depth, y) * std::polar(1.0, -k * y);
-          sum +=
-              window * half_plane_kernel(quantity, load, pad, depth, -y) * std::polar(1.0, k * y);
+          sum += window * half_plane_kernel(quantity, load, rubber, depth, y) *
+                 std::polar(1.0, -k * y);
+          sum += window * half_plane_kernel(quantity, load, rubber, depth, -y) *
+                 std::polar(1.0, k * y);
         }
         return sum * h;
       };
       // The window's error is even in e while k / e is large: one Richardson step leaves e^4.
       const std::complex<double> sum = (4.0 * damped(0.005) - damped(0.01)) / 3.0;
-      const std::complex<double> expected = half_plane_transform(quantity, load, pad, depth, k);
+      const std::complex<double> expected = half_plane_transform(quantity, load, rubber, depth, k);
       CHECK_THAT(sum.real(), WithinAbs(expected.real(), 1e-6));
       CHECK_THAT(sum.imag(), WithinAbs(expected.imag(), 1e-6));
     }
@@ -221,21 +223,21 @@ TEST_CASE("the transform is the kernel's transform", "[half_plane][property]") {
 TEST_CASE("at k = 0 the transform is the resultant", "[half_plane]") {
   for (const Quantity quantity : quantities)
     for (const Traction load : {Traction::normal, Traction::tangential}) {
-      const std::complex<double> mean = half_plane_transform(quantity, load, pad, 1.3, 0.0);
+      const std::complex<double> mean = half_plane_transform(quantity, load, rubber, 1.3, 0.0);
       CHECK(mean.imag() == 0.0);
       if (is_even(quantity, load))
-        CHECK_THAT(mean.real(), WithinAbs(over_surface(quantity, load, pad, 1.3), 1e-13));
+        CHECK_THAT(mean.real(), WithinAbs(over_surface(quantity, load, rubber, 1.3), 1e-13));
       else
         CHECK(mean.real() == 0.0);
     }
-  CHECK(half_plane_transform(Quantity::stress_x, Traction::normal, pad, 1.3, 0.0) == 1.0);
+  CHECK(half_plane_transform(Quantity::stress_x, Traction::normal, rubber, 1.3, 0.0) == 1.0);
 }
 
 TEST_CASE("two stresses tell both loads apart as the determinants say", "[half_plane][property]") {
   const double depth = 0.9;
   for (const double k : {-3.0, -0.2, 0.1, 1.0, 5.0}) {
     const auto t = [&](Quantity quantity, Traction load) {
-      return half_plane_transform(quantity, load, pad, depth, k);
+      return half_plane_transform(quantity, load, rubber, depth, k);
     };
     const auto determinant = [&](Quantity first, Quantity second) {
       return t(first, Traction::normal) * t(second, Traction::tangential) -
@@ -249,9 +251,9 @@ TEST_CASE("two stresses tell both loads apart as the determinants say", "[half_p
     const auto with_stress_y = determinant(Quantity::stress_x, Quantity::stress_y);
     CHECK_THAT(with_stress_y.imag(), WithinRel(-2.0 * sign * decay, 1e-12));
     const auto strains = determinant(Quantity::strain_x, Quantity::strain_y);
-    const double nu = pad.poisson_ratio;
-    const double weak =
-        (1.0 + nu) * (1.0 + nu) * (1.0 - 2.0 * nu) / (pad.youngs_modulus * pad.youngs_modulus);
+    const double nu = rubber.poisson_ratio;
+    const double weak = (1.0 + nu) * (1.0 + nu) * (1.0 - 2.0 * nu) /
+                        (rubber.youngs_modulus * rubber.youngs_modulus);
     CHECK_THAT(strains.imag(), WithinRel(-2.0 * sign * decay * weak, 1e-11));
   }
 }
@@ -261,5 +263,5 @@ TEST_CASE("a short wave dies before it arrives, without NaN", "[half_plane]") {
   const double depth = GENERATE(1.0, 1e10);
   for (const Quantity quantity : quantities)
     for (const Traction load : {Traction::normal, Traction::tangential})
-      CHECK(half_plane_transform(quantity, load, pad, depth, k) == 0.0);
+      CHECK(half_plane_transform(quantity, load, rubber, depth, k) == 0.0);
 }

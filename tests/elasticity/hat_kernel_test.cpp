@@ -16,8 +16,8 @@ using namespace tactile_net;
 
 namespace {
 
-using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                           boost::multiprecision::et_off>;
+using FiftyDigits = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                                  boost::multiprecision::et_off>;
 
 /// Gauss-Legendre over [-width, width], by panels that grow by powers of 4 with the distance from
 /// the taxel at u and meet at the hat's corners: `add(s, weight of ds)`.
@@ -48,14 +48,14 @@ void over_hat(Number u, Number depth, Number width, const auto& add) {
 
 /// The stresses below a hat on a half plane to 25 digits: x, y, shear of a normal load, then of a
 /// tangential one.
-std::array<Real, 6> stresses(double u, double depth, double width) {
-  std::array<Real, 6> sum{};
-  const Real x = depth;
-  over_hat<Real, 30>(u, x, Real(width), [&](Real s, Real weight) {
-    const Real y = u - s;
-    const Real r2 = x * x + y * y;
-    const Real f =
-        weight * (1 - abs(s) / width) * 2 / (boost::math::constants::pi<Real>() * r2 * r2);
+std::array<FiftyDigits, 6> stresses(double u, double depth, double width) {
+  std::array<FiftyDigits, 6> sum{};
+  const FiftyDigits x = depth;
+  over_hat<FiftyDigits, 30>(u, x, FiftyDigits(width), [&](FiftyDigits s, FiftyDigits weight) {
+    const FiftyDigits y = u - s;
+    const FiftyDigits r2 = x * x + y * y;
+    const FiftyDigits f =
+        weight * (1 - abs(s) / width) * 2 / (boost::math::constants::pi<FiftyDigits>() * r2 * r2);
     sum[0] += f * x * x * x;
     sum[1] += f * x * y * y;
     sum[2] += f * x * x * y;
@@ -66,12 +66,12 @@ std::array<Real, 6> stresses(double u, double depth, double width) {
   return sum;
 }
 
-Real reading(Quantity quantity, Traction component, const Material& material,
-             const std::array<Real, 6>& stresses) {
+FiftyDigits reading(Quantity quantity, Traction component, const Material& material,
+                    const std::array<FiftyDigits, 6>& stresses) {
   const std::size_t first = component == Traction::normal ? 0 : 3;
-  const Real x = stresses[first];
-  const Real y = stresses[first + 1];
-  const Real nu = material.poisson_ratio;
+  const FiftyDigits x = stresses[first];
+  const FiftyDigits y = stresses[first + 1];
+  const FiftyDigits nu = material.poisson_ratio;
   switch (quantity) {
     case Quantity::stress_x:
       return x;
@@ -87,7 +87,7 @@ Real reading(Quantity quantity, Traction component, const Material& material,
   return 0;
 }
 
-Material half_plane(double nu) { return {.youngs_modulus = 3.0, .poisson_ratio = nu}; }
+Material half_plane_of(double nu) { return {.youngs_modulus = 3.0, .poisson_ratio = nu}; }
 
 Material layer(Base base, double nu, double thickness = 1.3) {
   return {.youngs_modulus = 3.0, .poisson_ratio = nu, .layer = Layer{thickness, base}};
@@ -124,15 +124,15 @@ TEST_CASE("a hat is read as the integral says to 50 digits, deep, shallow and fa
       0.0,         depth / 3,         -depth,         width,         -width,        width / 2,
       2.0 * width, width + depth / 2, -width - depth, 2.999 * width, 3.001 * width, 30.0 * depth,
       1e4 * depth};
-  std::vector<std::array<Real, 6>> expected;
+  std::vector<std::array<FiftyDigits, 6>> expected;
   for (const double u : places) expected.push_back(stresses(u, depth, width));
   for (const double nu : {0.0, 0.45, 0.5})
     for_every_kernel([&](Quantity quantity, Traction component) {
-      const Material material = half_plane(nu);
+      const Material material = half_plane_of(nu);
       const HatKernel hat(quantity, component, material, depth, width);
       const double scale = peak(quantity, component, material, depth, width);
       for (std::size_t i = 0; i < places.size(); ++i) {
-        const Real exact = reading(quantity, component, material, expected[i]);
+        const FiftyDigits exact = reading(quantity, component, material, expected[i]);
         const auto error = static_cast<double>(abs(hat(places[i]) - exact));
         CAPTURE(nu, places[i]);
         CHECK(error < 5e-14 * scale);
@@ -154,8 +154,8 @@ TEST_CASE("in a layer a hat is the integral of the layer's kernel", "[hat_kernel
     const HatKernel hat(quantity, component, pad, depth, width);
     // The kernel's own error, summed over the hat, is what limits this comparison.
     const double line = std::max(
-        std::abs(half_plane_kernel(quantity, component, half_plane(nu), thickness, 0.0)),
-        std::abs(half_plane_kernel(quantity, component, half_plane(nu), thickness, thickness)));
+        std::abs(half_plane_kernel(quantity, component, half_plane_of(nu), thickness, 0.0)),
+        std::abs(half_plane_kernel(quantity, component, half_plane_of(nu), thickness, thickness)));
     const double tolerance = 4e-13 * (peak(quantity, component, pad, depth, width) + line * width);
     for (const double u : {0.0, 0.3 * depth, -width, 0.4 * width, width + 2.0 * thickness,
                            47.0 * thickness, width + 49.0 * thickness}) {
@@ -173,7 +173,7 @@ TEST_CASE("the hats of a grid reproduce straight lines", "[hat_kernel][property]
   // A hat is the sum of narrower ones with its own values at their middles.
   const double depth = 0.8;
   const Material pad =
-      GENERATE(half_plane(0.45), layer(Base::bonded, 0.45), layer(Base::frictionless, 0.3));
+      GENERATE(half_plane_of(0.45), layer(Base::bonded, 0.45), layer(Base::frictionless, 0.3));
   const double narrow = GENERATE(0.2, 9.0);
   const int parts = 3;
   CAPTURE(pad.layer.has_value(), narrow);
@@ -202,7 +202,7 @@ TEST_CASE("a grid of hats is a plateau, which a pad carries as it carries a unif
   };
   const double u = GENERATE(0.0, 0.013, -0.4);
   SECTION("far from its ends a half plane's stress_x is the pressure, its shear the drag") {
-    const Material pad = half_plane(0.45);  // the ends are (depth / distance)^3 away
+    const Material pad = half_plane_of(0.45);  // the ends are (depth / distance)^3 away
     CHECK_THAT(plateau(Quantity::stress_x, Traction::normal, pad, 0.01, 0.1, 800, u),
                WithinAbs(1.0, 1e-11));
     CHECK_THAT(plateau(Quantity::stress_x, Traction::tangential, pad, 0.01, 0.1, 800, 0.0),
@@ -233,7 +233,7 @@ TEST_CASE("a grid of hats is a plateau, which a pad carries as it carries a unif
 
 TEST_CASE("a narrow hat is a line load of its area", "[hat_kernel][property]") {
   const Material pad =
-      GENERATE(half_plane(0.45), layer(Base::bonded, 0.5), layer(Base::frictionless, 0.0));
+      GENERATE(half_plane_of(0.45), layer(Base::bonded, 0.5), layer(Base::frictionless, 0.0));
   const double depth = 1.1;
   for_every_kernel([&](Quantity quantity, Traction component) {
     const PadKernel line(quantity, component, pad, depth);
@@ -250,7 +250,7 @@ TEST_CASE("a narrow hat is a line load of its area", "[hat_kernel][property]") {
 
 TEST_CASE("a hat's reading is even or odd, to the bit", "[hat_kernel][property]") {
   const Material pad =
-      GENERATE(half_plane(0.45), layer(Base::bonded, 0.45), layer(Base::frictionless, 0.45));
+      GENERATE(half_plane_of(0.45), layer(Base::bonded, 0.45), layer(Base::frictionless, 0.45));
   const double width = GENERATE(0.1, 20.0);
   for_every_kernel([&](Quantity quantity, Traction component) {
     const HatKernel hat(quantity, component, pad, 0.9, width);
@@ -266,7 +266,7 @@ TEST_CASE("a unit of length or modulus scales a hat's reading and nothing else",
   const double stiffness = GENERATE(1e-6, 1e9);
   const double width = GENERATE(0.1, 4.0);
   for_every_kernel([&](Quantity quantity, Traction component) {
-    const Material pad = half_plane(0.4);
+    const Material pad = half_plane_of(0.4);
     Material scaled = pad;
     scaled.youngs_modulus *= stiffness;
     const double factor = is_strain(quantity) ? stiffness : 1.0;

@@ -4,22 +4,17 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <complex>
-#include <limits>
 
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tests/catch.hpp"
+#include "tests/elasticity/layer.hpp"
+#include "tests/elasticity/not_finite.hpp"
 
 using namespace tactile_net;
 using Complex = std::complex<double>;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Material layer(double nu, double thickness, Base base) {
-  return {.youngs_modulus = 2.0, .poisson_ratio = nu, .layer = Layer{thickness, base}};
-}
 
 /// The layer solved from its boundary conditions: an Airy stress function per wavenumber,
 /// phi = (A + B x) cosh kx + (C + D x) sinh kx times exp(iky), with Hooke's law for the base. It

@@ -1,19 +1,16 @@
 #include "tactile_net/elasticity/material.hpp"
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "tests/catch.hpp"
+#include "tests/elasticity/not_finite.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string refusal(const Material& material) {
+std::string refusal_of_material(const Material& material) {
   try {
     check(material);
   } catch (const std::invalid_argument& error) {
@@ -25,17 +22,22 @@ std::string refusal(const Material& material) {
 }  // namespace
 
 TEST_CASE("both ends of Poisson's range are materials", "[material]") {
-  CHECK(refusal({}).empty());
-  CHECK(refusal({.poisson_ratio = 0.0}).empty());
-  CHECK(refusal({.poisson_ratio = 0.5}).empty());
+  CHECK(refusal_of_material({}).empty());
+  CHECK(refusal_of_material({.poisson_ratio = 0.0}).empty());
+  CHECK(refusal_of_material({.poisson_ratio = 0.5}).empty());
 }
 
 TEST_CASE("a refusal names field, rule and value", "[material]") {
-  CHECK(refusal({.youngs_modulus = 0.0}) == "youngs_modulus must be > 0 (got 0)");
-  CHECK(refusal({.youngs_modulus = -2.5}) == "youngs_modulus must be > 0 (got -2.5)");
-  CHECK(refusal({.youngs_modulus = infinity}) == "youngs_modulus must be finite (got inf)");
-  CHECK(refusal({.youngs_modulus = not_a_number}) == "youngs_modulus must be finite (got nan)");
-  CHECK(refusal({.poisson_ratio = 0.51}) == "poisson_ratio must lie in [0, 0.5] (got 0.51)");
-  CHECK(refusal({.poisson_ratio = -0.1}) == "poisson_ratio must lie in [0, 0.5] (got -0.1)");
-  CHECK(refusal({.poisson_ratio = not_a_number}) == "poisson_ratio must lie in [0, 0.5] (got nan)");
+  CHECK(refusal_of_material({.youngs_modulus = 0.0}) == "youngs_modulus must be > 0 (got 0)");
+  CHECK(refusal_of_material({.youngs_modulus = -2.5}) == "youngs_modulus must be > 0 (got -2.5)");
+  CHECK(refusal_of_material({.youngs_modulus = infinity}) ==
+        "youngs_modulus must be finite (got inf)");
+  CHECK(refusal_of_material({.youngs_modulus = not_a_number}) ==
+        "youngs_modulus must be finite (got nan)");
+  CHECK(refusal_of_material({.poisson_ratio = 0.51}) ==
+        "poisson_ratio must lie in [0, 0.5] (got 0.51)");
+  CHECK(refusal_of_material({.poisson_ratio = -0.1}) ==
+        "poisson_ratio must lie in [0, 0.5] (got -0.1)");
+  CHECK(refusal_of_material({.poisson_ratio = not_a_number}) ==
+        "poisson_ratio must lie in [0, 0.5] (got nan)");
 }

@@ -14,7 +14,7 @@ using namespace tactile_net;
 
 namespace {
 
-constexpr double depth = 1.5;
+constexpr double taxel_depth = 1.5;
 const Material half_plane{.youngs_modulus = 0.2, .poisson_ratio = 0.45};
 const Material bonded{
     .youngs_modulus = 0.2, .poisson_ratio = 0.45, .layer = Layer{.thickness = 2.5}};
@@ -30,8 +30,8 @@ double reading(const PatchKernel& kernel, const LoadPatch& patch, double y) {
 
 /// The tractions as their names say, integrated over t = a sin v with the line loads' readings.
 double integrated(Quantity quantity, const LoadPatch& patch, const Material& material, double y) {
-  const PadKernel normal(quantity, Traction::normal, material, depth);
-  const PadKernel tangential(quantity, Traction::tangential, material, depth);
+  const PadKernel normal(quantity, Traction::normal, material, taxel_depth);
+  const PadKernel tangential(quantity, Traction::tangential, material, taxel_depth);
   const double a = patch.half_width;
   const auto integrand = [&](double v) {
     const double t = a * std::sin(v);
@@ -68,8 +68,8 @@ TEST_CASE("a patch's reading is the integral of its tractions' line loads", "[el
                         .tangential = -0.7,
                         .moment = form == LoadPatch::Form::linear ? 0.5 * half_width : 0.0};
   for (const Quantity quantity : quantities) {
-    const PatchKernel kernel(std::array{quantity}, material, depth);
-    const PadKernel line(quantity, Traction::normal, material, depth);
+    const PatchKernel kernel(std::array{quantity}, material, taxel_depth);
+    const PadKernel line(quantity, Traction::normal, material, taxel_depth);
     const double scale = is_strain(quantity) ? 1.0 / material.youngs_modulus : 1.0;
     const double tolerance = (material.layer ? 1e-11 : 1e-13) * scale * 2.7;
     for (const double y : {-40.0, -2.0, 0.3, 1.1, 9.2, 200.0}) {
@@ -83,8 +83,8 @@ TEST_CASE("a patch's reading is the integral of its tractions' line loads", "[el
 TEST_CASE("a narrow patch far away is a line load at its centre", "[elasticity][patch]") {
   const LoadPatch patch{
       .form = LoadPatch::Form::linear, .center = 1.0, .half_width = 1e-4, .normal = 3.0};
-  const PatchKernel kernel(std::array{Quantity::stress_x}, half_plane, depth);
-  const PadKernel line(Quantity::stress_x, Traction::normal, half_plane, depth);
+  const PatchKernel kernel(std::array{Quantity::stress_x}, half_plane, taxel_depth);
+  const PadKernel line(Quantity::stress_x, Traction::normal, half_plane, taxel_depth);
   CHECK_THAT(reading(kernel, patch, 2.0), WithinRel(3.0 * line(1.0), 1e-8));
 }
 
@@ -94,8 +94,8 @@ TEST_CASE("mirrored patches have mirrored readings", "[elasticity][patch]") {
       .form = form, .center = 0.0, .half_width = 1.2, .normal = 1.0, .moment = 0.25};
   LoadPatch mirrored = patch;
   mirrored.moment = -patch.moment;
-  const PatchKernel even(std::array{Quantity::stress_x}, half_plane, depth);
-  const PatchKernel odd(std::array{Quantity::shear_xy}, half_plane, depth);
+  const PatchKernel even(std::array{Quantity::stress_x}, half_plane, taxel_depth);
+  const PatchKernel odd(std::array{Quantity::shear_xy}, half_plane, taxel_depth);
   for (const double y : {0.4, 1.3, 5.0, 30.0}) {
     CAPTURE(y);
     CHECK_THAT(reading(even, mirrored, -y), WithinAbs(reading(even, patch, y), 1e-15));

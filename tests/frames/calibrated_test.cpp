@@ -32,7 +32,7 @@ struct Read {
 };
 
 /// All frames of a text on standard input.
-Read read(const Scene& scene, const std::string& text, bool accept_missing = false) {
+Read read_frames(const Scene& scene, const std::string& text, bool accept_missing = false) {
   std::istringstream in(text);
   ReadingsFile file("-", scene, &in, {.accept_missing = accept_missing});
   Read result;
@@ -54,15 +54,15 @@ const std::string four_frames = "t,stress_x_0,stress_x_1\n0,1,2\n1,3,6\n2,10,20\
 
 TEST_CASE("without [calibration] and [units] the numbers are the readings",
           "[frames][calibration]") {
-  const Read all = read(scene_with(""), four_frames);
+  const Read all = read_frames(scene_with(""), four_frames);
   CHECK(all.frames == std::vector<Numbers>{{1, 2}, {3, 6}, {10, 20}, {11, 22}});
   CHECK_FALSE(all.calibration);
 }
 
 TEST_CASE("units and calibration are applied to every frame", "[frames][calibration]") {
-  CHECK(read(scene_with("[units]\nstress = \"kPa\"\n"), four_frames).frames.at(1) ==
+  CHECK(read_frames(scene_with("[units]\nstress = \"kPa\"\n"), four_frames).frames.at(1) ==
         Numbers{3000, 6000});
-  const Read all = read(
+  const Read all = read_frames(
       scene_with("[units]\nstress = \"kPa\"\n[calibration]\ngain = [0.5, -0.5]\nbaseline = 1\n"),
       four_frames);
   CHECK(all.frames.at(0) == Numbers{0, -500});
@@ -72,7 +72,7 @@ TEST_CASE("units and calibration are applied to every frame", "[frames][calibrat
 
 TEST_CASE("the mean of frames is the baseline of all, theirs too", "[frames][calibration]") {
   const Scene scene = scene_with("[calibration]\ngain = 2\nbaseline_frames = [0, 1]\n");
-  const Read all = read(scene, four_frames);
+  const Read all = read_frames(scene, four_frames);
   CHECK(all.error.empty());
   CHECK(all.frames == std::vector<Numbers>{{-2, -4}, {2, 4}, {16, 32}, {18, 36}});
   CHECK(all.times == std::vector<std::string>{"0", "1", "2", "3"});
@@ -81,22 +81,22 @@ TEST_CASE("the mean of frames is the baseline of all, theirs too", "[frames][cal
   CHECK_FALSE(all.calibration->baseline_frames);
 
   const Scene later = scene_with("[calibration]\nbaseline_frames = [1, 1]\n");
-  CHECK(read(later, four_frames).frames ==
+  CHECK(read_frames(later, four_frames).frames ==
         std::vector<Numbers>{{-2, -4}, {0, 0}, {7, 14}, {8, 16}});
 }
 
 TEST_CASE("frames that cannot tell the baseline are refused", "[frames][calibration]") {
   const Scene scene = scene_with("[calibration]\nbaseline_frames = [0, 4]\n");
-  CHECK_THAT(read(scene, four_frames).error, ContainsSubstring("ends after 4 frames"));
+  CHECK_THAT(read_frames(scene, four_frames).error, ContainsSubstring("ends after 4 frames"));
   const Scene one = scene_with("[calibration]\nbaseline_frames = [0, 1]\n");
-  const Read missing = read(one, "stress_x_0,stress_x_1\n1,NaN\n3,NaN\n5,6\n", true);
+  const Read missing = read_frames(one, "stress_x_0,stress_x_1\n1,NaN\n3,NaN\n5,6\n", true);
   CHECK_THAT(missing.error, ContainsSubstring("has no 'stress_x_1' in any frame"));
 }
 
 TEST_CASE("what is missing stays missing, and is no part of the baseline",
           "[frames][calibration]") {
   const Scene scene = scene_with("[calibration]\nbaseline_frames = [0, 1]\n");
-  const Read all = read(scene, "stress_x_0,stress_x_1\n1,NaN\n3,6\n5,7\n", true);
+  const Read all = read_frames(scene, "stress_x_0,stress_x_1\n1,NaN\n3,6\n5,7\n", true);
   REQUIRE(all.frames.size() == 3);
   CHECK(std::isnan(all.frames[0][1]));
   CHECK(all.frames[0][0] == -1.0);
@@ -106,7 +106,8 @@ TEST_CASE("what is missing stays missing, and is no part of the baseline",
 TEST_CASE("a dead taxel reads zero, whatever its calibration", "[frames][calibration]") {
   const Scene scene =
       scene_with("[calibration]\nbaseline = 7\noffset = 3\n[dead_taxels]\nindices = [1]\n");
-  CHECK(read(scene, "stress_x_0,stress_x_1\n9,broken\n").frames == std::vector<Numbers>{{5, 0}});
+  CHECK(read_frames(scene, "stress_x_0,stress_x_1\n9,broken\n").frames ==
+        std::vector<Numbers>{{5, 0}});
 }
 
 TEST_CASE("a frame that was kept for the baseline is named by its number",

@@ -58,15 +58,17 @@ std::string bytes_of(const std::vector<double>& numbers, const std::string& kind
   return bytes;
 }
 
-const Names wanted{"a_0", "a_1", "a_2", "b_0", "b_1", "b_2"};  // two channels of three taxels
+const Names channel_columns{"a_0", "a_1", "a_2",
+                            "b_0", "b_1", "b_2"};  // two channels of three taxels
 
-Frames read(const std::string& file, const std::string& places = {}, bool missing = false,
-            Names* times = nullptr) {
+Frames read_npy(const std::string& file, const std::string& places = {}, bool missing = false,
+                Names* times = nullptr) {
   std::istringstream in(file);
-  NpyFrames source(in, "f.npy",
-                   {.names = wanted, .taxels = 3, .places = places, .accept_missing = missing});
+  NpyFrames source(
+      in, "f.npy",
+      {.names = channel_columns, .taxels = 3, .places = places, .accept_missing = missing});
   Frames frames;
-  std::vector<double> values(wanted.size());
+  std::vector<double> values(channel_columns.size());
   while (source.next(values)) {
     frames.push_back(values);
     if (times != nullptr) times->emplace_back(source.time());
@@ -76,9 +78,9 @@ Frames read(const std::string& file, const std::string& places = {}, bool missin
   return frames;
 }
 
-std::string refusal(const std::string& file) {
+std::string npy_refusal(const std::string& file) {
   try {
-    (void)read(file);
+    (void)read_npy(file);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -115,40 +117,41 @@ TEST_CASE("an array of any type, byte order and index order holds the same frame
   CAPTURE(kind, big, fortran);
   const Frames frames = counting(5, 6);
   const std::string type = std::string(big ? "'>" : "'<") + kind + "'";
-  CHECK(read(npy(type, fortran, "(5, 6)", bytes_of(flat(frames, fortran), kind, big))) == frames);
+  CHECK(read_npy(npy(type, fortran, "(5, 6)", bytes_of(flat(frames, fortran), kind, big))) ==
+        frames);
 }
 
 TEST_CASE("numbers with a sign keep it, and halves are halves", "[frames][npy]") {
-  CHECK(read(npy("'|i1'", false, "(1, 6)", "\xff\x80\x7f\x01\x02\x03")) ==
+  CHECK(read_npy(npy("'|i1'", false, "(1, 6)", "\xff\x80\x7f\x01\x02\x03")) ==
         Frames{{-1, -128, 127, 1, 2, 3}});
-  CHECK(read(npy("'|u1'", false, "(1, 6)", "\xff\x80\x7f\x01\x02\x03")) ==
+  CHECK(read_npy(npy("'|u1'", false, "(1, 6)", "\xff\x80\x7f\x01\x02\x03")) ==
         Frames{{255, 128, 127, 1, 2, 3}});
   std::string halves;  // 1, -2, 65504, the least normal, the least of all, -0
   for (const int bits : {0x3c00, 0xc000, 0x7bff, 0x0400, 0x0001, 0x8000})
     halves += bytes_of(static_cast<std::uint16_t>(bits), false);
-  CHECK(read(npy("'<f2'", false, "(1, 6)", halves)) ==
+  CHECK(read_npy(npy("'<f2'", false, "(1, 6)", halves)) ==
         Frames{{1.0, -2.0, 65504.0, std::ldexp(1.0, -14), std::ldexp(1.0, -24), -0.0}});
 }
 
 TEST_CASE("Fortran's order is read across blocks", "[frames][npy]") {
   const Frames frames = counting(200'000, 6);  // 9.6 MB: more than is held at once
-  CHECK(read(npy("'<f8'", true, "(200000, 6)", bytes_of(flat(frames, true), "f8", false))) ==
+  CHECK(read_npy(npy("'<f8'", true, "(200000, 6)", bytes_of(flat(frames, true), "f8", false))) ==
         frames);
 }
 
 TEST_CASE("(frames, channels, taxels) is one frame after another", "[frames][npy]") {
   const Frames frames = counting(4, 6);
-  CHECK(read(npy("'<f8'", false, "(4, 2, 3)", bytes_of(flat(frames, false), "f8", false))) ==
+  CHECK(read_npy(npy("'<f8'", false, "(4, 2, 3)", bytes_of(flat(frames, false), "f8", false))) ==
         frames);
   std::vector<double> numbers;  // the frame fastest, then the channel, then the taxel
   for (std::size_t taxel = 0; taxel < 3; ++taxel)
     for (std::size_t channel = 0; channel < 2; ++channel)
       for (const auto& frame : frames) numbers.push_back(frame[3 * channel + taxel]);
-  CHECK(read(npy("'<f8'", true, "(4, 2, 3)", bytes_of(numbers, "f8", false))) == frames);
+  CHECK(read_npy(npy("'<f8'", true, "(4, 2, 3)", bytes_of(numbers, "f8", false))) == frames);
   const Frames one = counting(1, 6);
-  CHECK(read(npy("'<f8'", false, "(6,)", bytes_of(one[0], "f8", false))) == one);
-  CHECK(read(npy("'<f8'", true, "(6,)", bytes_of(one[0], "f8", false))) == one);
-  CHECK(read(npy("'<f8'", false, "(4, 1, 6)", bytes_of(flat(frames, false), "f8", false))) ==
+  CHECK(read_npy(npy("'<f8'", false, "(6,)", bytes_of(one[0], "f8", false))) == one);
+  CHECK(read_npy(npy("'<f8'", true, "(6,)", bytes_of(one[0], "f8", false))) == one);
+  CHECK(read_npy(npy("'<f8'", false, "(4, 1, 6)", bytes_of(flat(frames, false), "f8", false))) ==
         frames);
 }
 
@@ -158,22 +161,22 @@ TEST_CASE("columns of an array are read where --columns says, times too", "[fram
   const std::string file =
       npy("'<f8'", fortran, "(4, 8)", bytes_of(flat(stored, fortran), "f8", false));
   Names times;
-  const Frames frames = read(file, "t=1,3-8", false, &times);
+  const Frames frames = read_npy(file, "t=1,3-8", false, &times);
   CHECK(times == Names{"0", "8", "16", "24"});
   for (std::size_t i = 0; i < 4; ++i)
     CHECK(frames[i] == std::vector<double>(stored[i].begin() + 2, stored[i].end()));
-  CHECK(read(file, "8,7,6,5,4,3")[0] == std::vector<double>{7, 6, 5, 4, 3, 2});
+  CHECK(read_npy(file, "8,7,6,5,4,3")[0] == std::vector<double>{7, 6, 5, 4, 3, 2});
 }
 
 TEST_CASE("NaN and infinity are missing where that is accepted", "[frames][npy]") {
   const double inf = std::numeric_limits<double>::infinity();
   const std::string file =
       npy("'<f8'", false, "(1, 6)", bytes_of({1, std::nan(""), inf, -inf, 5, 6}, "f8", false));
-  const Frames frames = read(file, {}, true);
+  const Frames frames = read_npy(file, {}, true);
   for (const std::size_t i : {1u, 2u, 3u}) CHECK(std::isnan(frames[0][i]));
   CHECK(frames[0][4] == 5.0);
-  CHECK_THAT(refusal(file), ContainsSubstring("frame 0: column 1 (a_1) is not finite") &&
-                                ContainsSubstring("--missing skip"));
+  CHECK_THAT(npy_refusal(file), ContainsSubstring("frame 0: column 1 (a_1) is not finite") &&
+                                    ContainsSubstring("--missing skip"));
 }
 
 TEST_CASE("an array that does not fit is refused with the line that mends it", "[frames][npy]") {
@@ -195,19 +198,19 @@ TEST_CASE("an array that does not fit is refused with the line that mends it", "
           {"'<f8'", "(999999999999999999, 6)", "larger than any recording", ""},
       }));
   CAPTURE(type, shape);
-  CHECK_THAT(refusal(npy(type, false, shape, "")),
+  CHECK_THAT(npy_refusal(npy(type, false, shape, "")),
              StartsWith("f.npy: error: ") && ContainsSubstring(message) && ContainsSubstring(hint));
 }
 
 TEST_CASE("an array that ends early is told so, in either order", "[frames][npy]") {
   const std::string bytes = bytes_of(flat(counting(4, 6), false), "f8", false);
-  CHECK_THAT(refusal(npy("'<f8'", false, "(5, 6)", bytes)),
+  CHECK_THAT(npy_refusal(npy("'<f8'", false, "(5, 6)", bytes)),
              ContainsSubstring("ends within frame 4 of 5"));
-  CHECK_THAT(refusal(npy("'<f8'", true, "(5, 6)", bytes)),
+  CHECK_THAT(npy_refusal(npy("'<f8'", true, "(5, 6)", bytes)),
              ContainsSubstring("ends within column 5 of 6"));
   for (const bool fortran : {false, true})
-    CHECK_THAT(refusal(npy("'<f8'", fortran, "(3, 6)", bytes)),
+    CHECK_THAT(npy_refusal(npy("'<f8'", fortran, "(3, 6)", bytes)),
                ContainsSubstring("goes on after the 3 frames"));
-  CHECK_THAT(refusal(npy("'<f8'", true, "(1000000000000, 6)", bytes)),
+  CHECK_THAT(npy_refusal(npy("'<f8'", true, "(1000000000000, 6)", bytes)),
              ContainsSubstring("ends within column 1"));
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const Names wanted{"stress_x_0", "stress_x_1", "stress_x_2", "stress_x_3"};
+const Names stress_columns{"stress_x_0", "stress_x_1", "stress_x_2", "stress_x_3"};
 
 /// All that a file says.
 struct Recording {
@@ -23,11 +23,12 @@ struct Recording {
   bool has_time = false;
 };
 
-Recording read(const std::string& text, const std::string& places = {}, bool missing = false) {
+Recording read_csv(const std::string& text, const std::string& places = {}, bool missing = false) {
   std::istringstream in(text);
-  CsvFrames source(in, "f.csv", {.names = wanted, .places = places, .accept_missing = missing});
+  CsvFrames source(in, "f.csv",
+                   {.names = stress_columns, .places = places, .accept_missing = missing});
   Recording recording;
-  std::vector<double> values(wanted.size());
+  std::vector<double> values(stress_columns.size());
   while (source.next(values)) {
     recording.frames.push_back(values);
     recording.times.emplace_back(source.time());
@@ -40,9 +41,9 @@ Recording read(const std::string& text, const std::string& places = {}, bool mis
   return recording;
 }
 
-std::string refusal(const std::string& text, const std::string& places = {}) {
+std::string csv_refusal(const std::string& text, const std::string& places = {}) {
   try {
-    (void)read(text, places);
+    (void)read_csv(text, places);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -74,7 +75,7 @@ TEST_CASE("the same frames are read however the text is laid out", "[frames][rea
       "\n" + plain + "\n\n",
   }));
   CAPTURE(text);
-  CHECK(read(text).frames == two_frames);
+  CHECK(read_csv(text).frames == two_frames);
 }
 
 TEST_CASE("names in another spelling are understood, and said", "[frames][reading]") {
@@ -96,10 +97,10 @@ TEST_CASE("names in another spelling are understood, and said", "[frames][readin
   CAPTURE(header);
   const std::string text = header + "\n" + plain_rows;
   if (note.find("missing") != std::string::npos) {
-    CHECK_THAT(refusal(text), ContainsSubstring(note));
+    CHECK_THAT(csv_refusal(text), ContainsSubstring(note));
     return;
   }
-  const Recording recording = read(text);
+  const Recording recording = read_csv(text);
   CHECK(recording.frames == two_frames);
   REQUIRE_FALSE(recording.notes.empty());
   CHECK_THAT(recording.notes.front() + recording.notes.back(), ContainsSubstring(note));
@@ -107,21 +108,21 @@ TEST_CASE("names in another spelling are understood, and said", "[frames][readin
 
 TEST_CASE("an exact name goes before one that is spelt otherwise", "[frames][reading]") {
   const Recording recording =
-      read("Stress_X_0,stress_x_0,stress_x_1,stress_x_2,stress_x_3\n9,1,2,3,4\n");
+      read_csv("Stress_X_0,stress_x_0,stress_x_1,stress_x_2,stress_x_3\n9,1,2,3,4\n");
   CHECK(recording.frames == std::vector<std::vector<double>>{{1, 2, 3, 4}});
   CHECK(recording.ignored == Names{"Stress_X_0"});
   CHECK(recording.notes.empty());
 }
 
 TEST_CASE("numbered columns may stand in any order, beside an index", "[frames][reading]") {
-  CHECK(read(",taxel2,taxel0,taxel3,taxel1\n7,-3,1.5,4e3,2\n8,7,5,8,6\n").frames == two_frames);
-  const Recording pandas = read(",0,1,2,3\n0,1.5,2,-3,4e3\n1,5,6,7,8\n");
+  CHECK(read_csv(",taxel2,taxel0,taxel3,taxel1\n7,-3,1.5,4e3,2\n8,7,5,8,6\n").frames == two_frames);
+  const Recording pandas = read_csv(",0,1,2,3\n0,1.5,2,-3,4e3\n1,5,6,7,8\n");
   CHECK(pandas.frames == two_frames);
   CHECK(pandas.ignored == Names{""});
 }
 
 TEST_CASE("a file without a header is read if it has just the columns", "[frames][reading]") {
-  const Recording recording = read(plain_rows);
+  const Recording recording = read_csv(plain_rows);
   CHECK(recording.frames == two_frames);
   REQUIRE(recording.notes.size() == 1);
   CHECK_THAT(recording.notes[0], ContainsSubstring("no header: the 4 columns are taken for"));
@@ -146,7 +147,7 @@ TEST_CASE("what is not understood is refused with what was found, and a way out"
       {"stress_x_0,stress_x_1,stress_x_2,stress_x_3,stress_x_1\n", "f.csv:1:45", ""},
   }));
   CAPTURE(text);
-  const std::string said = refusal(text);
+  const std::string said = csv_refusal(text);
   CHECK_THAT(said, StartsWith("f.csv:1:") && ContainsSubstring(message) && ContainsSubstring(hint));
 }
 
@@ -155,18 +156,19 @@ TEST_CASE("columns are read where --columns says that they stand", "[frames][rea
   const std::string named = "when,b,c,d,e,f\n" + rows;
   for (const char* places : {"3-6", "3,4,5-6", "c,d,e,f", "c,4-5,F"}) {
     CAPTURE(places);
-    const Recording recording = read(named, places);
+    const Recording recording = read_csv(named, places);
     CHECK(recording.frames == two_frames);
     CHECK_FALSE(recording.has_time);
   }
   for (const std::string& text : {named, rows}) {
-    const Recording recording = read(text, "t=1,3-6");
+    const Recording recording = read_csv(text, "t=1,3-6");
     CHECK(recording.frames == two_frames);
     CHECK(recording.times == Names{"0.5", "0.6"});
     CHECK(recording.ignored.size() == 1);
   }
-  CHECK(read("6,5,4,3,2,1\n", "6,5,4,3").frames == std::vector<std::vector<double>>{{1, 2, 3, 4}});
-  CHECK(read("t,b,c,d,e,f\n" + rows, "3-6").has_time);  // by its name
+  CHECK(read_csv("6,5,4,3,2,1\n", "6,5,4,3").frames ==
+        std::vector<std::vector<double>>{{1, 2, 3, 4}});
+  CHECK(read_csv("t,b,c,d,e,f\n" + rows, "3-6").has_time);  // by its name
 }
 
 TEST_CASE("a list of columns that does not fit is refused in words", "[frames][reading]") {
@@ -185,7 +187,7 @@ TEST_CASE("a list of columns that does not fit is refused in words", "[frames][r
   }));
   CAPTURE(places);
   if (places.empty()) return;
-  CHECK_THROWS_WITH(read("a,b,c,d,e\n1,2,3,4,5\n", places),
+  CHECK_THROWS_WITH(read_csv("a,b,c,d,e\n1,2,3,4,5\n", places),
                     StartsWith("--columns: ") && ContainsSubstring(message));
 }
 
@@ -194,8 +196,8 @@ TEST_CASE("a column of times is kept, by any of its names, wherever it stands",
   const std::string name =
       GENERATE("t", "T", "time", "Time", "TIME [s]", "t [s]", "time_s", "t (s)", "\"t [ms]\"");
   CAPTURE(name);
-  const Recording first = read(name + "," + plain.substr(0, 43) + "\n0.5,1.5,2,-3,4e3\n");
-  const Recording last = read(plain.substr(0, 43) + "," + name + "\n1.5,2,-3,4e3,0.5\n");
+  const Recording first = read_csv(name + "," + plain.substr(0, 43) + "\n0.5,1.5,2,-3,4e3\n");
+  const Recording last = read_csv(plain.substr(0, 43) + "," + name + "\n1.5,2,-3,4e3,0.5\n");
   for (const Recording& recording : {first, last}) {
     CHECK(recording.has_time);
     CHECK(recording.times == Names{"0.5"});
@@ -207,9 +209,9 @@ TEST_CASE("a column of times is kept, by any of its names, wherever it stands",
 TEST_CASE("what is not a time is none", "[frames][reading]") {
   for (const char* name : {"T [K]", "T (degC)", "temperature", "t1", "index"}) {
     CAPTURE(name);
-    CHECK_FALSE(read(std::string(name) + "," + plain.substr(0, 43) + "\n1,1,2,3,4\n").has_time);
+    CHECK_FALSE(read_csv(std::string(name) + "," + plain.substr(0, 43) + "\n1,1,2,3,4\n").has_time);
   }
-  const Recording both = read("time,t," + plain.substr(0, 43) + "\n7,8,1,2,3,4\n");
+  const Recording both = read_csv("time,t," + plain.substr(0, 43) + "\n7,8,1,2,3,4\n");
   CHECK(both.times == Names{"8"});
   CHECK(both.ignored == Names{"time"});
 }
@@ -217,17 +219,18 @@ TEST_CASE("what is not a time is none", "[frames][reading]") {
 TEST_CASE("times may be dates, and with decimal commas are written with points",
           "[frames][reading]") {
   const std::string head = "t;" + std::string("stress_x_0;stress_x_1;stress_x_2;stress_x_3\n");
-  CHECK(read(head + "0,25;1;2;3;4\n").times == Names{"0.25"});
-  CHECK(read(head + "2024-05-01T12:00:00.5Z;1;2;3;4\n").times == Names{"2024-05-01T12:00:00.5Z"});
-  CHECK_THAT(refusal(head + "soon;1;2;3;4\n"),
+  CHECK(read_csv(head + "0,25;1;2;3;4\n").times == Names{"0.25"});
+  CHECK(read_csv(head + "2024-05-01T12:00:00.5Z;1;2;3;4\n").times ==
+        Names{"2024-05-01T12:00:00.5Z"});
+  CHECK_THAT(csv_refusal(head + "soon;1;2;3;4\n"),
              ContainsSubstring("'soon' is not a number (column t)"));
-  CHECK_THAT(refusal(head + "1\"x;1;2;3;4\n"), ContainsSubstring("f.csv:2:1"));
+  CHECK_THAT(csv_refusal(head + "1\"x;1;2;3;4\n"), ContainsSubstring("f.csv:2:1"));
 }
 
 TEST_CASE("time that runs backwards is noted with its place", "[frames][reading]") {
   const std::string head = "t," + plain.substr(0, 43) + "\n";
-  CHECK(read(head + "1,1,2,3,4\n1,1,2,3,4\n2,1,2,3,4\n").closing.empty());
-  const Recording back = read(head + "1,1,2,3,4\n3,1,2,3,4\n2,1,2,3,4\n1,1,2,3,4\n");
+  CHECK(read_csv(head + "1,1,2,3,4\n1,1,2,3,4\n2,1,2,3,4\n").closing.empty());
+  const Recording back = read_csv(head + "1,1,2,3,4\n3,1,2,3,4\n2,1,2,3,4\n1,1,2,3,4\n");
   REQUIRE(back.closing.size() == 1);
   CHECK_THAT(back.closing[0], ContainsSubstring("backwards 2 times, first at frame 2 (line 4)"));
 }
@@ -238,11 +241,11 @@ TEST_CASE("values that are missing are NaN where that is accepted, and refused e
                                      "#DIV/0!", "#N/A", "inf", "-Inf", "\"\"", "<NA>");
   CAPTURE(field);
   const std::string text = "t," + plain.substr(0, 43) + "\n0,1,2,3,4\n1,1," + field + ",3,4\n";
-  const Recording recording = read(text, {}, true);
+  const Recording recording = read_csv(text, {}, true);
   REQUIRE(recording.frames.size() == 2);
   CHECK(std::isnan(recording.frames[1][1]));
   CHECK(recording.frames[1][2] == 3.0);
-  const std::string said = refusal(text);
+  const std::string said = csv_refusal(text);
   CHECK_THAT(said, StartsWith("f.csv:3:5: error: ") && ContainsSubstring("(column stress_x_1)") &&
                        ContainsSubstring("--missing skip"));
 }
@@ -251,16 +254,16 @@ TEST_CASE("what is no value is an error whatever is accepted", "[frames][reading
   const std::string row = GENERATE("1,abc,3,4", "1,0x1F,3,4", "1,1e999,3,4", "1,2,3", "1,2,3,4,5",
                                    "1,\"1,234\",3,4", "1,1.2.3,3,4");
   CAPTURE(row);
-  CHECK_THROWS_AS(read(plain + row + "\n", {}, true), InputError);
+  CHECK_THROWS_AS(read_csv(plain + row + "\n", {}, true), InputError);
 }
 
 TEST_CASE("numbers with a comma and with a point do not stand in one file", "[frames][reading]") {
   const std::string head = "stress_x_0;stress_x_1;stress_x_2;stress_x_3\n";
   CHECK_THAT(
-      refusal(head + "1,5;2;3;4\n1.234;2;3;4\n"),
+      csv_refusal(head + "1,5;2;3;4\n1.234;2;3;4\n"),
       StartsWith("f.csv:3:1: error: '1.234' has a decimal point, a number before it a comma"));
-  CHECK_THAT(refusal(head + "1.5;2;3,5;4\n"), ContainsSubstring("'3,5' has a decimal comma"));
-  CHECK_THAT(refusal(head + "1.234,5;2;3;4\n"), ContainsSubstring("not a number"));
+  CHECK_THAT(csv_refusal(head + "1.5;2;3,5;4\n"), ContainsSubstring("'3,5' has a decimal comma"));
+  CHECK_THAT(csv_refusal(head + "1.234,5;2;3;4\n"), ContainsSubstring("not a number"));
 }
 
 TEST_CASE("files of another kind are named as such, with the way out", "[frames][reading]") {
@@ -278,13 +281,13 @@ TEST_CASE("files of another kind are named as such, with the way out", "[frames]
       {"stress_x_0,stress_x_1\r1,2\r"s, "old Macs", "tr "},
   }));
   CAPTURE(message);
-  CHECK_THAT(refusal(start), ContainsSubstring(message) && ContainsSubstring(hint));
-  CHECK_THAT(refusal(start + std::string(3'000'000, 'x')), ContainsSubstring(message));
+  CHECK_THAT(csv_refusal(start), ContainsSubstring(message) && ContainsSubstring(hint));
+  CHECK_THAT(csv_refusal(start + std::string(3'000'000, 'x')), ContainsSubstring(message));
 }
 
 TEST_CASE("a header alone is no frames", "[frames][reading]") {
-  CHECK(read(plain.substr(0, 44)).frames.empty());
-  CHECK(read("# stress_x_0,stress_x_1,stress_x_2,stress_x_3\n").frames.empty());
-  CHECK_THAT(refusal(""), ContainsSubstring("the file is empty"));
-  CHECK_THAT(refusal("\xef\xbb\xbf"), ContainsSubstring("the file is empty"));
+  CHECK(read_csv(plain.substr(0, 44)).frames.empty());
+  CHECK(read_csv("# stress_x_0,stress_x_1,stress_x_2,stress_x_3\n").frames.empty());
+  CHECK_THAT(csv_refusal(""), ContainsSubstring("the file is empty"));
+  CHECK_THAT(csv_refusal("\xef\xbb\xbf"), ContainsSubstring("the file is empty"));
 }

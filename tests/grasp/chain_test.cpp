@@ -16,7 +16,7 @@ namespace {
 
 const SensorArray array{
     .count = 21, .pitch = 0.5, .depths = {1.0}, .reads = {Quantity::stress_x, Quantity::shear_xy}};
-const Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+const Material pad_material{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
 
 std::vector<Contact> dragged() {
   return {RigidContact{.center = 0.7, .half_width = 1.5, .force = 2.0, .friction = 0.4}};
@@ -51,11 +51,12 @@ TEST_CASE("a traction field's resultant has its force, and no moment about its c
 }
 
 TEST_CASE("noise of the readings reaches the torques as the covariance says", "[grasp][property]") {
-  const InverseProblem problem = make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.0});
+  const InverseProblem problem =
+      make_problem(array, pad_material, {.unknowns = 2, .smoothing_length = 1.0});
   constexpr double alpha = 1e-3;
   constexpr double noise = 2e-3;
   const Reconstruction inverse = tikhonov(problem, alpha);
-  const std::vector<double> exact = sampled_readings(array, pad, sample(dragged(), array));
+  const std::vector<double> exact = sampled_readings(array, pad_material, sample(dragged(), array));
   // A prior without size: what is smoothed away is not drawn here.
   const TractionCovariance covariance(problem, alpha, 1e200);
   std::vector<double> f(2 * array.count);

@@ -3,9 +3,11 @@
 /// about the palm's origin, differences of the kinematics for what moves.
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <numbers>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -137,6 +139,12 @@ inline Hand scaled(Hand hand, double lengths, double forces) {
   hand.load.point = lengths * hand.load.point;
   hand.load.torque *= lengths * forces;
   return hand;
+}
+
+inline double largest(std::span<const double> values) {
+  double size = 0.0;
+  for (const double value : values) size = std::fmax(size, std::abs(value));
+  return size;
 }
 
 /// What is left of the balance, over the size of what was added up.

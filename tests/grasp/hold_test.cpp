@@ -29,12 +29,6 @@ std::vector<Complex> forces_of(const HeldGrasp& grasp) {
   return forces;
 }
 
-double largest(const std::vector<double>& values) {
-  double size = 0.0;
-  for (const double value : values) size = std::fmax(size, std::abs(value));
-  return size;
-}
-
 }  // namespace
 
 TEST_CASE("two fingers of two links have the torques of the thesis' system", "[grasp][property]") {

@@ -235,7 +235,8 @@ TEST_CASE("a measured grasp without fingers, or with a wrong one, is refused", "
   Random random(5);
   const Hand hand = random_hand(random, 2, 2);
   std::vector<FingertipForce> forces = {{1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}};
-  CHECK_THROWS_WITH(measured_grasp({}, {}, {}), ContainsSubstring("at least one finger"));
+  CHECK_THROWS_WITH(measured_grasp(std::vector<Finger>{}, {}, {}),
+                    ContainsSubstring("at least one finger"));
   CHECK_THROWS_WITH(measured_grasp(hand.fingers, std::vector{forces[0]}, {}),
                     ContainsSubstring("one fingertip force for each"));
   CHECK_THROWS_WITH(measured_grasp(hand.fingers, forces, {{0.0, NAN}}),

@@ -32,12 +32,6 @@ std::array<double, 4> all(const TwoFingerTorques& torques) {
   return {torques.left[0], torques.left[1], torques.right[0], torques.right[1]};
 }
 
-double largest(const std::array<double, 4>& values) {
-  double size = 0.0;
-  for (const double value : values) size = std::fmax(size, std::abs(value));
-  return size;
-}
-
 }  // namespace
 
 TEST_CASE("the torques hold the object in equilibrium and squeeze as asked", "[grasp][property]") {

@@ -307,7 +307,8 @@ Reals transposed_times(const RealMatrix& kernel, const Reals& x) {
   return out;
 }
 
-/// p f = right by U'D U, of which the upper triangle is given.
+}  // namespace
+
 Reals solved(RealMatrix p, Reals f) {
   const std::size_t n = p.columns;
   for (std::size_t k = 0; k < n; ++k) {
@@ -324,8 +325,6 @@ Reals solved(RealMatrix p, Reals f) {
   }
   return f;
 }
-
-}  // namespace
 
 Reals reference_minimiser(const RealMatrix& kernel, const Reals& right, double alpha, double ratio,
                           std::size_t count, bool circular) {

@@ -37,6 +37,11 @@ struct RealMatrix {
 [[nodiscard]] RealMatrix reference_matrix(const SensorArray& array, const Material& material,
                                           const ProblemOptions& options, bool circular);
 
+/// The x of p x = f by U'D U, of p's upper triangle alone.
+///
+/// @throws std::domain_error if p is not positive definite
+[[nodiscard]] Reals solved(RealMatrix p, Reals f);
+
 /// The minimiser of problem.hpp's functional.
 ///
 /// @param ratio     l / D

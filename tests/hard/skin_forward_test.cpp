@@ -13,7 +13,6 @@
 #include "tests/elasticity/space/reference.hpp"
 
 using namespace tactile_net;
-using test::Real;
 using test::Tensor;
 using test::Vector;
 
@@ -54,7 +53,8 @@ double error(const std::vector<double>& found, const std::vector<double>& expect
 }
 
 /// Point loads by their displacements in textbooks, in 100 digits, summed over the ellipse.
-std::vector<double> summed(const SkinContact& c, const Real& nu, double x, double y, double z) {
+std::vector<double> summed(const SkinContact& c, const test::Real& nu, double x, double y,
+                           double z) {
   using Rule = boost::math::quadrature::gauss<double, 30>;
   constexpr int directions = 64;
   std::array<Vector, 3> u{};
@@ -72,14 +72,14 @@ std::vector<double> summed(const SkinContact& c, const Real& nu, double x, doubl
           5.0 * c.torsion / (c.radius * c.radius + c.second_radius * c.second_radius);
       const std::array force = {c.force, c.friction * c.force * std::cos(c.direction) - turn * dz,
                                 c.friction * c.force * std::sin(c.direction) + turn * dy};
-      const Vector place = {Real(x), Real(y) - c.y - dy, Real(z) - c.z - dz};
+      const Vector place = {test::Real(x), test::Real(y) - c.y - dy, test::Real(z) - c.z - dz};
       for (std::size_t k = 0; k < 3; ++k) {
         const auto moved = [&](const Vector& p) {
           return test::textbook_displacement(axis(skin_tractions[k]), nu, p);
         };
         u[k] = moved(place);
         s[k] = test::stress_of(moved, nu, place);
-        const Real share = Real(force[k]) * weight / directions;
+        const test::Real share = test::Real(force[k]) * weight / directions;
         for (std::size_t i1 = 0; i1 < 3; ++i1) {
           displacement[i1] += share * u[k][i1];
           for (std::size_t i2 = 0; i2 < 3; ++i2) stress[i1][i2] += share * s[k][i1][i2];
@@ -98,7 +98,7 @@ std::vector<double> summed(const SkinContact& c, const Real& nu, double x, doubl
   for (const SkinQuantityTraits& row : skin_quantity_traits) {
     const auto a = static_cast<std::size_t>(row.first);
     const auto b = static_cast<std::size_t>(row.second);
-    Real value = row.kind == QuantityKind::displacement ? displacement[a] : stress[a][b];
+    test::Real value = row.kind == QuantityKind::displacement ? displacement[a] : stress[a][b];
     if (row.kind == QuantityKind::strain)
       value = a == b ? (1 + nu) * value - nu * (stress[0][0] + stress[1][1] + stress[2][2])
                      : 2 * (1 + nu) * value;
@@ -116,7 +116,7 @@ TEST_CASE("ellipses on a half space keep their digits: nu 0 and 1/2, in a corner
   };
   for (const Place& p : {Place{0.0, 1.0, 0.2, -0.1}, Place{0.5, 0.9, 1.2, 0.9},
                          Place{0.5, 1.1, -40.0, 55.0}, Place{0.0, 300.0, 5.0, -2.0}}) {
-    const Real nu = p.nu == 0.5 ? Real(0.5) - Real("1e-35") : Real(p.nu);
+    const test::Real nu = p.nu == 0.5 ? test::Real(0.5) - test::Real("1e-35") : test::Real(p.nu);
     CAPTURE(p.nu, p.x, p.y, p.z);
     CHECK(error(at(twisted, {.youngs_modulus = 1.0, .poisson_ratio = p.nu}, p.x, p.y, p.z),
                 summed(twisted, nu, p.x, p.y, p.z)) < 1e-10);

@@ -43,26 +43,6 @@ void add_stabiliser(RealMatrix& matrix, const SkinProblem& problem, double alpha
   }
 }
 
-/// A x = b by Cholesky's decomposition in place. @pre  A is positive definite
-Reals solved(RealMatrix a, Reals x) {
-  const std::size_t n = a.rows;
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t k = 0; k < j; ++k)
-      for (std::size_t i = j; i < n; ++i) a(i, j) -= a(i, k) * a(j, k);
-    const Real root = sqrt(a(j, j));
-    for (std::size_t i = j; i < n; ++i) a(i, j) /= root;
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) x[i] -= a(i, k) * x[k];
-    x[i] /= a(i, i);
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) x[i] -= a(k, i) * x[k];
-    x[i] /= a(i, i);
-  }
-  return x;
-}
-
 /// The least of the functional, for the kernel as the problem has it.
 Reals least(const SkinProblem& problem, const std::vector<double>& readings, double alpha) {
   const Matrix& kernel = problem.kernel;
@@ -76,16 +56,16 @@ Reals least(const SkinProblem& problem, const std::vector<double>& readings, dou
       for (std::size_t j = 0; j < n; ++j) normal(i, j) += entry * Real(kernel(row, j));
     }
   add_stabiliser(normal, problem, alpha);
-  return solved(std::move(normal), std::move(right));
+  return hard::solved(std::move(normal), std::move(right));
 }
 
-struct Shape {
+struct OddSkin {
   std::string name;
   SkinArray skin;
   std::vector<std::size_t> dead{};
 };
 
-std::vector<Shape> shapes(const std::vector<SkinQuantity>& reads) {
+std::vector<OddSkin> odd_skins(const std::vector<SkinQuantity>& reads) {
   const auto even = [&](std::size_t rows, std::size_t columns) {
     return SkinArray{.rows = rows,
                      .columns = columns,
@@ -94,9 +74,9 @@ std::vector<Shape> shapes(const std::vector<SkinQuantity>& reads) {
                      .depths = {1.0},
                      .reads = reads};
   };
-  std::vector<Shape> all = {{"one taxel", even(1, 1)},  {"one row", even(1, 5)},
-                            {"one column", even(4, 1)}, {"two rows", even(2, 3)},
-                            {"odd", even(3, 3)},        {"odd and even", even(3, 2)}};
+  std::vector<OddSkin> all = {{"one taxel", even(1, 1)},  {"one row", even(1, 5)},
+                              {"one column", even(4, 1)}, {"two rows", even(2, 3)},
+                              {"odd", even(3, 3)},        {"odd and even", even(3, 2)}};
   all.push_back({"dead rows", even(4, 2), {2, 3, 4, 5}});
   all.push_back({"all dead but one", even(2, 2), {0, 1, 3}});
   all.push_back({"two taxels at one place", uneven_skin({{"a", 0.0, 0.0, 1.0, {reads[0]}},
@@ -121,7 +101,7 @@ TEST_CASE("skins of any shape are solved to their condition, against 50 digits",
     double unit;
   };
   for (const Material& material : materials)
-    for (const Shape& shape : shapes(reads)) {
+    for (const OddSkin& shape : odd_skins(reads)) {
       const SkinProblem problem = make_problem(shape.skin, material,
                                                {.tangential_weight = 2.0,
                                                 .dead_taxels = shape.dead,

@@ -9,6 +9,7 @@
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
+#include "tests/inverse/pads.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
@@ -29,9 +30,6 @@ double square(const std::vector<double>& values) {
   return sum;
 }
 
-/// 9 taxels two depths apart.
-SensorArray coarse() { return {9, 2.0, {1.0}, {Quantity::stress_x}}; }
-
 }  // namespace
 
 TEST_CASE("with one gamma the evidence's alpha is known, however far from that it lies",
@@ -49,7 +47,7 @@ TEST_CASE("with one gamma the evidence's alpha is known, however far from that i
 }
 
 TEST_CASE("below the bracket the answer stays as it is, above it is nothing", "[alpha][bracket]") {
-  const TikhonovFamily family(make_problem(coarse(), {1.0, 0.45}, {.smoothing_length = 1.0}));
+  const TikhonovFamily family(make_problem(coarse_array, {1.0, 0.45}, {.smoothing_length = 1.0}));
   const FilterFrame frame = family.analyse(random_values(9, 3));
   const std::vector<double> alphas = sweep_alpha(frame).alphas;
   const std::vector<double> least = family.solve(frame, alphas.front());
@@ -116,7 +114,7 @@ TEST_CASE("components that outnumber the rows change no choice", "[alpha]") {
 
 TEST_CASE("few readings: rules that guess the noise say that they need it, evidence does without",
           "[alpha]") {
-  const TikhonovFamily family(make_problem(coarse(), {1.0, 0.45}, {.smoothing_length = 1.0}));
+  const TikhonovFamily family(make_problem(coarse_array, {1.0, 0.45}, {.smoothing_length = 1.0}));
   const AlphaTables tables(family.singular_values(), 9);
   REQUIRE(tables.few_rows());
   CHECK(default_rule(tables, true) == AlphaRule::evidence);
@@ -126,8 +124,8 @@ TEST_CASE("few readings: rules that guess the noise say that they need it, evide
   for (unsigned k = 0; k < 40; ++k) {
     const std::vector<Contact> contacts = {
         RigidContact{.center = -4.0 + 0.2 * k, .half_width = 1.0 + 0.05 * k}};
-    const TractionField truth = sample(contacts, coarse());
-    std::vector<double> g = sampled_readings(coarse(), {1.0, 0.45}, truth);
+    const TractionField truth = sample(contacts, coarse_array);
+    std::vector<double> g = sampled_readings(coarse_array, {1.0, 0.45}, truth);
     const double peak = *std::max_element(g.begin(), g.end());
     add_noise(g, 0.01 * peak, k, 0);
     const FilterFrame frame = family.analyse(g);

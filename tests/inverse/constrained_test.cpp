@@ -11,23 +11,23 @@
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"
+#include "tests/inverse/pads.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const SensorArray both{31, 0.5, {1.0}, {Quantity::stress_x, Quantity::shear_xy}};
-const Material pad{1.0, 0.45};
+const SensorArray array_of_both{31, 0.5, {1.0}, {Quantity::stress_x, Quantity::shear_xy}};
 
 InverseProblem problem_of_both() {
-  return make_problem(both, pad, {.unknowns = 2, .smoothing_length = 1.0});
+  return make_problem(array_of_both, pad, {.unknowns = 2, .smoothing_length = 1.0});
 }
 
 /// A sliding cylinder, with noise.
 std::vector<double> dragged(double noise) {
   const Contact contact = RigidContact{.center = 1.0, .half_width = 2.5, .friction = 0.3};
-  std::vector<double> g = exact_readings(both, pad, std::array{contact});
+  std::vector<double> g = exact_readings(array_of_both, pad, std::array{contact});
   add_noise(g, noise, 4, 0);
   return g;
 }

@@ -13,9 +13,9 @@ using namespace tactile_net;
 
 namespace {
 
-const Material rubber{1.0, 0.5};
+const Material incompressible{1.0, 0.5};
 
-SensorArray array_of(std::size_t count, Quantity quantity) {
+SensorArray array_reading(std::size_t count, Quantity quantity) {
   return {count, 0.5, {1.5}, {quantity}};
 }
 
@@ -44,10 +44,10 @@ TEST_CASE("one sliding contact in the middle is found, its width too", "[dft_fri
   const std::size_t count = GENERATE(as<std::size_t>{}, 121, 120);
   const std::size_t width = GENERATE(as<std::size_t>{}, 5, 11) + (count % 2 == 0 ? 1 : 0);
   for (const Quantity quantity : {Quantity::stress_x, Quantity::strain_x}) {
-    const SensorArray array = array_of(count, quantity);
+    const SensorArray array = array_reading(count, quantity);
     const TractionField truth = sliding(count, width, friction);
-    DftFriction inverse(array, rubber, friction);
-    const FrictionSolution solution = inverse.solve(sampled_readings(array, rubber, truth));
+    DftFriction inverse(array, incompressible, friction);
+    const FrictionSolution solution = inverse.solve(sampled_readings(array, incompressible, truth));
     CAPTURE(friction, count, width, name(quantity));
     // A strain's readings are still 1e-3 of the peak at the ends: dft's own verdict says cut off.
     CHECK((solution.verdict == FrictionVerdict::ok || solution.dft == DftVerdict::cut_off));
@@ -59,12 +59,12 @@ TEST_CASE("one sliding contact in the middle is found, its width too", "[dft_fri
 }
 
 TEST_CASE("one per cent of noise does not lose the contact", "[dft_friction]") {
-  const SensorArray array = array_of(121, Quantity::stress_x);
+  const SensorArray array = array_reading(121, Quantity::stress_x);
   const TractionField truth = sliding(121, 9, 0.4);
-  std::vector<double> g = sampled_readings(array, rubber, truth);
+  std::vector<double> g = sampled_readings(array, incompressible, truth);
   double peak = 0.0;
   for (const double value : g) peak = std::max(peak, std::abs(value));
-  DftFriction inverse(array, rubber, 0.4);
+  DftFriction inverse(array, incompressible, 0.4);
   for (std::size_t frame = 0; frame < 10; ++frame) {
     std::vector<double> noisy = g;
     add_noise(noisy, 0.01 * peak, 3, frame);
@@ -82,11 +82,11 @@ TEST_CASE("one per cent of noise does not lose the contact", "[dft_friction]") {
 }
 
 TEST_CASE("noise alone does not contradict a contact", "[dft_friction]") {
-  const SensorArray array = array_of(121, Quantity::stress_x);
+  const SensorArray array = array_reading(121, Quantity::stress_x);
   const double friction = GENERATE(0.5, -0.3);
-  const std::vector<double> g = sampled_readings(array, rubber, sliding(121, 9, friction));
+  const std::vector<double> g = sampled_readings(array, incompressible, sliding(121, 9, friction));
   const double peak = *std::max_element(g.begin(), g.end());
-  DftFriction inverse(array, rubber, friction);
+  DftFriction inverse(array, incompressible, friction);
   // A thousandth lets the drag be seen to a tenth, a twentieth does not.
   for (const auto& [noise, verdict] :
        {std::pair(0.001, FrictionVerdict::ok), std::pair(0.05, FrictionVerdict::drag_in_noise)}) {
@@ -105,10 +105,10 @@ TEST_CASE("noise alone does not contradict a contact", "[dft_friction]") {
 }
 
 TEST_CASE("what is not one contact in the middle gets its verdict", "[dft_friction]") {
-  const SensorArray array = array_of(121, Quantity::stress_x);
-  DftFriction inverse(array, rubber, 0.4);
+  const SensorArray array = array_reading(121, Quantity::stress_x);
+  DftFriction inverse(array, incompressible, 0.4);
   const auto verdict = [&](const TractionField& field) {
-    return inverse.solve(sampled_readings(array, rubber, field)).verdict;
+    return inverse.solve(sampled_readings(array, incompressible, field)).verdict;
   };
   CHECK(verdict(sliding(121, 9, 0.4, 6)) == FrictionVerdict::not_one_contact);
   CHECK(verdict(sliding(121, 9, 0.4, 1)) == FrictionVerdict::not_one_contact);
@@ -125,13 +125,13 @@ TEST_CASE("what is not one contact in the middle gets its verdict", "[dft_fricti
     CHECK(verdict(two) == FrictionVerdict::not_one_contact);
   }
   // The smallest drag of the wrong sign, and a drag where none is assumed.
-  DftFriction slight(array, rubber, 0.05);
-  CHECK(slight.solve(sampled_readings(array, rubber, sliding(121, 9, -0.05))).verdict ==
+  DftFriction slight(array, incompressible, 0.05);
+  CHECK(slight.solve(sampled_readings(array, incompressible, sliding(121, 9, -0.05))).verdict ==
         FrictionVerdict::not_one_contact);
-  DftFriction without(array, rubber, 0.0);
-  CHECK(without.solve(sampled_readings(array, rubber, sliding(121, 9, 0.4))).verdict !=
+  DftFriction without(array, incompressible, 0.0);
+  CHECK(without.solve(sampled_readings(array, incompressible, sliding(121, 9, 0.4))).verdict !=
         FrictionVerdict::ok);
   CHECK(inverse.solve(std::vector<double>(121)).verdict == FrictionVerdict::no_contact);
   CHECK(inverse.solve(std::vector<double>(120)).status == FrameStatus::wrong_size);
-  CHECK_THROWS_AS(DftFriction(array, rubber, std::nan("")), std::invalid_argument);
+  CHECK_THROWS_AS(DftFriction(array, incompressible, std::nan("")), std::invalid_argument);
 }

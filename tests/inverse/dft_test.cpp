@@ -8,6 +8,7 @@
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
+#include "tests/inverse/circular_readings.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
@@ -30,21 +31,6 @@ double example_error(Quantity quantity) {
   REQUIRE(inverse.solve(g, f) == FrameStatus::ok);
   CHECK(inverse.verdict(g) == DftVerdict::ok);
   return mean_absolute_error(f, truth.normal);
-}
-
-/// Circular readings of a traction: K's rows wrap around.
-std::vector<double> circular_readings(const SensorArray& array, const Material& material,
-                                      const std::vector<double>& f) {
-  const std::size_t n = array.count;
-  const std::vector<double> kernel =
-      sampled_kernel(channels(array)[0], Traction::normal, material, n, array.pitch);
-  std::vector<double> g(n);
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const std::size_t offset = (i + n - j) % n;
-      g[i] += f[j] * (offset <= n / 2 ? kernel[n - 1 + offset] : kernel[offset - 1]);
-    }
-  return g;
 }
 
 }  // namespace

@@ -12,15 +12,13 @@
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
+#include "tests/inverse/pads.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 using enum Quantity;
 
 namespace {
-
-const Material pad{1.0, 0.45};
-constexpr double noise = 2e-3;
 
 struct Case {
   std::string name;
@@ -66,13 +64,13 @@ std::vector<double> readings_of(const Case& one) {
                    .half_width = 6.0}};
   std::vector<double> g =
       sampled_readings(one.array, material_of(one), sample(contacts, one.array));
-  add_noise(g, noise, 3, 0);
+  add_noise(g, pad_noise, 3, 0);
   for (const std::size_t taxel : one.options.dead_taxels)
     for (std::size_t row = taxel; row < g.size(); row += one.array.count) g[row] = 0.0;
   return g;
 }
 
-double rms_of(const Case& one) { return one.options.channel_rms.empty() ? noise : 1.0; }
+double rms_of(const Case& one) { return one.options.channel_rms.empty() ? pad_noise : 1.0; }
 
 }  // namespace
 
@@ -174,8 +172,8 @@ TEST_CASE("bands, force and degrees of freedom are those of the whole", "[long_a
     CHECK(worst < 1e-4);
     CHECK_THAT(covariance.degrees_of_freedom(), WithinRel(expected.degrees_of_freedom(), 1e-5));
     const std::vector<double> f = whole.solve(frame, alpha);
-    const UncertainResultant x = resultant_of(problem.surface, f, covariance, noise);
-    const UncertainResultant y = resultant_of(problem, f, expected, noise);
+    const UncertainResultant x = resultant_of(problem.surface, f, covariance, pad_noise);
+    const UncertainResultant y = resultant_of(problem, f, expected, pad_noise);
     for (std::size_t i = 0; i < 9; ++i) {
       const double size = std::sqrt(y.covariance[i / 3 * 4] * y.covariance[i % 3 * 4]);
       CHECK_THAT(x.covariance[i], WithinAbs(y.covariance[i], 1e-6 * size));

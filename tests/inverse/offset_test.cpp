@@ -21,7 +21,9 @@
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"
+#include "tests/inverse/pads.hpp"
 #include "tests/inverse/problems.hpp"
+#include "tests/inverse/solutions.hpp"
 
 using namespace tactile_net;
 
@@ -37,7 +39,6 @@ struct Pair {
 };
 
 Pair pair_of(const std::string& name, const SensorArray& array, ProblemOptions options) {
-  const Material pad{1.0, 0.45};
   options.unknown_offsets = false;
   InverseProblem known = make_problem(array, pad, options);
   options.unknown_offsets = true;
@@ -105,12 +106,6 @@ std::vector<double> moved(const InverseProblem& problem, std::vector<double> g, 
   for (std::size_t i = 0; i < g.size(); ++i)
     g[i] += problem.sites[i].channel == 0 ? size : -0.7 * size;
   return g;
-}
-
-std::vector<double> solved(const Reconstruction& inverse, const std::vector<double>& g) {
-  std::vector<double> f(inverse.tractions());
-  REQUIRE(inverse.solve(g, f) == FrameStatus::ok);
-  return f;
 }
 
 }  // namespace
@@ -264,7 +259,6 @@ TEST_CASE("where offsets are unknown the mean may hide, and the band says so", "
 TEST_CASE("taxels left out later are as if dead from the start", "[offset]") {
   using enum Quantity;
   const SensorArray array{31, 0.5, {1.0}, {stress_x, shear_xy}};
-  const Material pad{1.0, 0.45};
   ProblemOptions options{
       .unknowns = 2, .smoothing_length = 1.0, .channel_rms = {2.0, 0.5}, .unknown_offsets = true};
   InverseProblem later = make_problem(array, pad, options);
@@ -279,7 +273,6 @@ TEST_CASE("taxels left out later are as if dead from the start", "[offset]") {
 }
 
 TEST_CASE("offsets that leave nothing, and methods that need them, are refused", "[offset]") {
-  const Material pad{1.0, 0.45};
   const SensorArray three{3, 0.5, {1.0}, {Quantity::stress_x}};
   CHECK_NOTHROW(make_problem(three, pad, {.dead_taxels = {0}, .unknown_offsets = true}));
   CHECK_THROWS_WITH(make_problem(three, pad, {.dead_taxels = {0, 2}, .unknown_offsets = true}),

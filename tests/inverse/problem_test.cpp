@@ -9,22 +9,22 @@
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"
+#include "tests/inverse/pads.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const SensorArray array{21, 0.5, {1.5}, {Quantity::stress_x}};
-const Material material{1.0, 0.45};
+const SensorArray stress_array{21, 0.5, {1.5}, {Quantity::stress_x}};
 
 }  // namespace
 
 TEST_CASE("K times the tractions is the forward model", "[problem]") {
   const SensorArray several{17, 0.5, {1.0, 2.0}, {Quantity::stress_x, Quantity::stress_y}};
-  const InverseProblem problem = make_problem(several, material);
+  const InverseProblem problem = make_problem(several, pad);
   const TractionField field{.normal = random_values(17, 1), .tangential = {}};
-  const std::vector<double> readings = sampled_readings(several, material, field);
+  const std::vector<double> readings = sampled_readings(several, pad, field);
   const Eigen::VectorXd product =
       view(problem.kernel) * Eigen::Map<const Eigen::VectorXd>(field.normal.data(), 17);
   REQUIRE(std::ssize(readings) == product.size());
@@ -61,7 +61,7 @@ TEST_CASE("P is the second derivative of the functional", "[problem]") {
 }
 
 TEST_CASE("a dead taxel's reading does not matter", "[problem]") {
-  const InverseProblem problem = make_problem(array, material, {.dead_taxels = {4}});
+  const InverseProblem problem = make_problem(stress_array, pad, {.dead_taxels = {4}});
   std::vector<double> readings = random_values(21, 3);
   const std::vector<double> before = normal_right_side(problem, readings);
   readings[4] = 1e9;
@@ -69,26 +69,25 @@ TEST_CASE("a dead taxel's reading does not matter", "[problem]") {
 }
 
 TEST_CASE("without a smoothing length tractions are kept small, not smooth", "[problem]") {
-  CHECK(make_problem(array, material).smoothing_length == 0.0);
+  CHECK(make_problem(stress_array, pad).smoothing_length == 0.0);
 }
 
 TEST_CASE("an impossible problem is refused with its reason", "[problem]") {
   const auto refused = [&](const SensorArray& a, const ProblemOptions& options,
                            const char* reason) {
-    CHECK_THROWS_WITH(make_problem(a, material, options), ContainsSubstring(reason));
+    CHECK_THROWS_WITH(make_problem(a, pad, options), ContainsSubstring(reason));
   };
-  refused(array, {.smoothing_length = -1.0}, "smoothing_length must be >= 0");
-  refused(array, {.smoothing_length = std::nan("")}, "smoothing_length must be >= 0");
-  refused(array, {.channel_rms = {1.0, 2.0}}, "one value per channel");
-  refused(array, {.channel_rms = {0.0}}, "channel_rms must be > 0");
-  refused(array, {.dead_taxels = {21}}, "dead taxel 21 is not < count");
+  refused(stress_array, {.smoothing_length = -1.0}, "smoothing_length must be >= 0");
+  refused(stress_array, {.smoothing_length = std::nan("")}, "smoothing_length must be >= 0");
+  refused(stress_array, {.channel_rms = {1.0, 2.0}}, "one value per channel");
+  refused(stress_array, {.channel_rms = {0.0}}, "channel_rms must be > 0");
+  refused(stress_array, {.dead_taxels = {21}}, "dead taxel 21 is not < count");
   refused({2, 0.5, {1.5}, {Quantity::stress_x}}, {.dead_taxels = {0, 1}}, "every taxel is dead");
   refused({21, 0.5, {1.5}, {Quantity::stress_x, Quantity::strain_x}}, {}, "has no unit");
-  CHECK_THROWS_AS(make_problem({1, 0.5, {1.5}, {Quantity::stress_x}}, material),
-                  std::invalid_argument);
-  CHECK_THROWS_AS(make_problem(array, {1.0, 0.6}), std::invalid_argument);
+  CHECK_THROWS_AS(make_problem({1, 0.5, {1.5}, {Quantity::stress_x}}, pad), std::invalid_argument);
+  CHECK_THROWS_AS(make_problem(stress_array, {1.0, 0.6}), std::invalid_argument);
 
-  const InverseProblem problem = make_problem(array, material);
+  const InverseProblem problem = make_problem(stress_array, pad);
   CHECK_THROWS_AS(normal_matrix(problem, 0.0), std::invalid_argument);
   CHECK_THROWS_AS(normal_matrix(problem, std::numeric_limits<double>::infinity()),
                   std::invalid_argument);

@@ -15,16 +15,11 @@
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"
 #include "tests/inverse/problems.hpp"
+#include "tests/inverse/solutions.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-std::vector<double> solved(const Reconstruction& inverse, const std::vector<double>& readings) {
-  std::vector<double> f(inverse.tractions());
-  REQUIRE(inverse.solve(readings, f) == FrameStatus::ok);
-  return f;
-}
 
 /// |W (K f - g)|^2 + alpha (|f|^2 + l^2 |f'|^2), term by term.
 double functional(const InverseProblem& problem, double alpha, const std::vector<double>& readings,

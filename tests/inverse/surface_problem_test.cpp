@@ -3,7 +3,6 @@
 #include <cmath>
 #include <optional>
 #include <random>
-#include <span>
 #include <vector>
 
 #include "tactile_net/inverse/alpha.hpp"
@@ -12,28 +11,13 @@
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/inverse/pads.hpp"
 #include "tests/inverse/problems.hpp"
+#include "tests/inverse/solutions.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-struct Answer {
-  double alpha = 0.0;
-  UncertainResultant contact{};
-};
-
-/// By the evidence, with the band of its own prior.
-Answer solve(const InverseProblem& problem, std::span<const double> readings, double sigma) {
-  const TikhonovFamily family(problem);
-  const FilterFrame frame = family.analyse(readings);
-  Answer answer{.alpha = choose_alone(frame, AlphaRule::evidence, sigma).alpha};
-  const TractionCovariance covariance(problem, answer.alpha, answer.alpha);
-  answer.contact = resultant_of(problem, family.solve(frame, answer.alpha), covariance, sigma);
-  return answer;
-}
-
-const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
 
 /// Random strips somewhere in the middle of the array, 1 % of noise.
 class Contacts {
@@ -69,7 +53,7 @@ class Contacts {
   std::mt19937 generator_{7};
 };
 
-SensorArray coarse(double pitch_over_depth) {
+SensorArray array_with_pitch(double pitch_over_depth) {
   const double depth = 1.5e-3;
   return {.count = static_cast<std::size_t>(std::lround(16.0 / pitch_over_depth)) + 1,
           .pitch = pitch_over_depth * depth,
@@ -77,7 +61,7 @@ SensorArray coarse(double pitch_over_depth) {
           .reads = {Quantity::stress_x}};
 }
 
-ProblemOptions on_grid(std::optional<double> spacing = {}) {
+ProblemOptions on_hats(std::optional<double> spacing = {}) {
   return {.smoothing_length = 1.5e-3, .surface = {.basis = SurfaceBasis::hats, .spacing = spacing}};
 }
 
@@ -85,15 +69,15 @@ ProblemOptions on_grid(std::optional<double> spacing = {}) {
 
 TEST_CASE("halving the spacing moves neither alpha, nor the force, nor its band", "[surface]") {
   for (const double ratio : {1.0, 2.0}) {
-    const SensorArray array = coarse(ratio);
+    const SensorArray array = array_with_pitch(ratio);
     Contacts contacts(array);
     for (int k = 0; k < 5; ++k) {
       const Contacts::Pressed pressed = contacts.next();
       const double spacing = 1.5e-3 / 8.0;
-      const Answer first =
-          solve(make_problem(array, silicone, on_grid(spacing)), pressed.readings, pressed.sigma);
-      const Answer second = solve(make_problem(array, silicone, on_grid(0.5 * spacing)),
-                                  pressed.readings, pressed.sigma);
+      const EvidenceAnswer first = solve_by_evidence(
+          make_problem(array, silicone, on_hats(spacing)), pressed.readings, pressed.sigma);
+      const EvidenceAnswer second = solve_by_evidence(
+          make_problem(array, silicone, on_hats(0.5 * spacing)), pressed.readings, pressed.sigma);
       CAPTURE(ratio, k, first.alpha, second.alpha);
       CHECK_THAT(second.alpha, WithinRel(first.alpha, 0.02));
       CHECK_THAT(second.contact.normal.value, WithinRel(first.contact.normal.value, 2e-3));
@@ -107,15 +91,16 @@ TEST_CASE("a coarse array tells a contact's force, and how well", "[surface]") {
     double ratio, median, ninth;
   };
   for (const Row& row : {Row{0.5, 0.035, 0.08}, Row{1.0, 0.02, 0.05}, Row{2.0, 0.045, 0.18}}) {
-    const SensorArray array = coarse(row.ratio);
-    const InverseProblem problem = make_problem(array, silicone, on_grid());
+    const SensorArray array = array_with_pitch(row.ratio);
+    const InverseProblem problem = make_problem(array, silicone, on_hats());
     Contacts contacts(array);
     std::vector<double> errors;
     int within = 0;
     constexpr int trials = 100;
     for (int k = 0; k < trials; ++k) {
       const Contacts::Pressed pressed = contacts.next();
-      const Uncertain force = solve(problem, pressed.readings, pressed.sigma).contact.normal;
+      const Uncertain force =
+          solve_by_evidence(problem, pressed.readings, pressed.sigma).contact.normal;
       const double error = force.value / pressed.contact.force - 1.0;
       errors.push_back(std::abs(error));
       if (std::abs(error) * pressed.contact.force <= 2.0 * force.deviation) ++within;
@@ -130,8 +115,8 @@ TEST_CASE("a coarse array tells a contact's force, and how well", "[surface]") {
 
 TEST_CASE("what no reading shows is as uncertain as the prior says", "[surface]") {
   // Far beyond the last taxel nothing is known: the band there is that of the prior alone.
-  const SensorArray array = coarse(1.0);
-  ProblemOptions options = on_grid();
+  const SensorArray array = array_with_pitch(1.0);
+  ProblemOptions options = on_hats();
   options.surface.margin = 60e-3;
   const InverseProblem problem = make_problem(array, silicone, options);
   const double prior = 1e-3;

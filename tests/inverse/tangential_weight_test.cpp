@@ -1,6 +1,5 @@
 #include "tactile_net/inverse/tangential_weight.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -16,36 +15,31 @@
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/inverse/largest.hpp"
+#include "tests/inverse/pads.hpp"
 #include "tests/inverse/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const SensorArray both{
+const SensorArray both_stresses{
     .count = 21, .pitch = 0.5, .depths = {1.0}, .reads = {Quantity::stress_x, Quantity::shear_xy}};
-const Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
 
 InverseProblem weighed(double weight, double smoothing_length = 1.0) {
   return make_problem(
-      both, pad,
+      both_stresses, pad,
       {.unknowns = 2, .smoothing_length = smoothing_length, .tangential_weight = weight});
 }
 
 std::vector<double> dragged() {
   return exact_readings(
-      both, pad,
+      both_stresses, pad,
       std::vector<Contact>{RigidContact{.center = 0.7, .half_width = 1.5, .friction = 0.4}});
 }
 
 std::span<const double> tangential(const std::vector<double>& f) {
   return std::span(f).subspan(f.size() / 2);
-}
-
-double largest(std::span<const double> values) {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
 }
 
 /// A family for each weight, and which of them a frame is most likely under.
@@ -54,7 +48,7 @@ class Estimator {
   explicit Estimator(double smoothing_length = 0.0) {
     for (const double weight : tangential_weights) {
       families_.emplace_back(weighed(weight, smoothing_length));
-      tables_.emplace_back(families_.back().singular_values(), 2 * both.count);
+      tables_.emplace_back(families_.back().singular_values(), 2 * both_stresses.count);
     }
   }
   double estimate(std::span<const double> readings, std::optional<double> noise) const {
@@ -86,10 +80,11 @@ TEST_CASE("a heavy tangential traction goes to zero as its weight squared", "[we
   CHECK_THAT(heavier, WithinRel(heavy / 100.0, 0.01));
 
   // What is left is the answer of the normal traction alone.
-  const InverseProblem alone = make_problem(both, pad, {.unknowns = 1, .smoothing_length = 1.0});
+  const InverseProblem alone =
+      make_problem(both_stresses, pad, {.unknowns = 1, .smoothing_length = 1.0});
   const std::vector<double> normal = tikhonov_solve(alone, 1e-4, g);
   std::vector<double> found = tikhonov_solve(weighed(1e4), 1e-4, g);
-  found.resize(both.count);
+  found.resize(both_stresses.count);
   CHECK(relative_l2_error(found, normal) < 1e-5);
 }
 
@@ -101,9 +96,10 @@ TEST_CASE(
   const std::vector<double> g = dragged();
   InverseProblem scaled = weighed(1.0);
   for (std::size_t row = 0; row < scaled.kernel.rows; ++row)
-    for (std::size_t i = both.count; i < 2 * both.count; ++i) scaled.kernel(row, i) /= weight;
+    for (std::size_t i = both_stresses.count; i < 2 * both_stresses.count; ++i)
+      scaled.kernel(row, i) /= weight;
   std::vector<double> expected = tikhonov_solve(scaled, 1e-4, g);
-  for (std::size_t i = both.count; i < 2 * both.count; ++i) expected[i] /= weight;
+  for (std::size_t i = both_stresses.count; i < 2 * both_stresses.count; ++i) expected[i] /= weight;
 
   const InverseProblem problem = weighed(weight);
   const TikhonovFamily family(problem);
@@ -111,13 +107,13 @@ TEST_CASE(
   CHECK(relative_l2_error(family.solve(family.analyse(g), 1e-4), expected) < 1e-11);
   // and the same singular values, so the same alpha by every rule.
   const TikhonovFamily of_scaled(scaled);
-  for (std::size_t i = 0; i < 2 * both.count; ++i)
+  for (std::size_t i = 0; i < 2 * both_stresses.count; ++i)
     CHECK_THAT(family.singular_values()[i],
                WithinAbs(of_scaled.singular_values()[i], 1e-13 * family.singular_values()[0]));
   const std::vector<double> own = TractionCovariance(family, 1e-4, 1e-3).deviations();
   const std::vector<double> other = TractionCovariance(of_scaled, 1e-4, 1e-3).deviations();
   for (std::size_t i = 0; i < own.size(); ++i)
-    CHECK_THAT(own[i] * (i < both.count ? 1.0 : weight), WithinRel(other[i], 1e-9));
+    CHECK_THAT(own[i] * (i < both_stresses.count ? 1.0 : weight), WithinRel(other[i], 1e-9));
 }
 
 TEST_CASE("a family's condition bounds that of the weighed stacked matrix", "[weights][property]") {
@@ -170,9 +166,9 @@ TEST_CASE("readings drawn from the prior tell its weight", "[weights][property]"
   std::vector<double> logs;
   constexpr std::size_t draws = 60;
   for (std::size_t draw = 0; draw < draws; ++draw) {
-    std::vector<double> f(2 * both.count);
+    std::vector<double> f(2 * both_stresses.count);
     for (std::size_t i = 0; i < f.size(); ++i)
-      f[i] = normal(random) / (i < both.count ? 1.0 : weight);
+      f[i] = normal(random) / (i < both_stresses.count ? 1.0 : weight);
     std::vector<double> g;
     for (std::size_t row = 0; row < problem.kernel.rows; ++row) {
       const std::span<const double> k = problem.kernel.row(row);
@@ -211,7 +207,7 @@ TEST_CASE("the unit of the readings does not choose the weight", "[weights][prop
 TEST_CASE("a press without friction weighs the tangential traction most", "[weights]") {
   const Estimator estimator(1.0);
   std::vector<double> g =
-      exact_readings(both, pad, std::vector<Contact>{RigidContact{.half_width = 1.5}});
+      exact_readings(both_stresses, pad, std::vector<Contact>{RigidContact{.half_width = 1.5}});
   const double rms = 1e-3 * largest(g);
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal(0.0, rms);
@@ -231,7 +227,7 @@ TEST_CASE("before anything is read neither traction is the larger one", "[weight
 TEST_CASE("surprise is what the rule evidence minimises, at its least", "[weights]") {
   const TikhonovFamily family(weighed(2.0));
   const FilterFrame frame = family.analyse(dragged());
-  const AlphaTables tables(family.singular_values(), 2 * both.count);
+  const AlphaTables tables(family.singular_values(), 2 * both_stresses.count);
   const double noise = 1e-3;
   const double alpha = choose_alone(frame, tables, AlphaRule::evidence, noise).alpha;
   const double least = surprise(frame, tables, noise);
@@ -248,7 +244,7 @@ TEST_CASE("a face has the constrained tractions as its family's own", "[weights]
   const std::vector<double> g = dragged();
   const ConstrainedSolution solution = ConstrainedTikhonov(problem, 1e-4, constraints).solve(g);
   REQUIRE(solution.verdict == ConstrainedVerdict::ok);
-  REQUIRE(solution.free.size() < 2 * both.count);
+  REQUIRE(solution.free.size() < 2 * both_stresses.count);
   const TikhonovFamily face(problem, constraints, solution.free);
   CHECK(relative_l2_error(face.solve(face.analyse(g), 1e-4), solution.tractions) < 1e-9);
   CHECK_THAT(
@@ -263,7 +259,7 @@ TEST_CASE("covariances of several estimates add as the law of total variance has
           "[weights][bands]") {
   const TractionCovariance one(weighed(1.0), 1e-4, 1e-4);
   const TractionCovariance other(weighed(4.0), 1e-4, 1e-4);
-  std::vector<double> apart(2 * both.count, 0.0);
+  std::vector<double> apart(2 * both_stresses.count, 0.0);
   apart[3] = 7.0;
   const std::vector<TractionCovariance::Part> parts{
       {.probability = 0.25, .covariance = &one, .apart = apart},

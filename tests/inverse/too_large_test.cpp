@@ -18,12 +18,12 @@
 namespace tactile_net {
 namespace {
 
-constexpr std::size_t count = 41;
-constexpr double alpha = 1e-12;
-const SensorArray one{count, 0.25, {1.5}, {Quantity::stress_x}};
-const SensorArray two{count, 0.25, {1.5}, {Quantity::stress_x, Quantity::shear_xy}};
+constexpr std::size_t array_length = 41;
+constexpr double tiny_alpha = 1e-12;
+const SensorArray one_channel{array_length, 0.25, {1.5}, {Quantity::stress_x}};
+const SensorArray two_channels{array_length, 0.25, {1.5}, {Quantity::stress_x, Quantity::shear_xy}};
 const Material rubber{.youngs_modulus = 2e6, .poisson_ratio = 0.5};
-const ProblemOptions both{.unknowns = 2, .smoothing_length = 1.5};
+const ProblemOptions two_tractions{.unknowns = 2, .smoothing_length = 1.5};
 
 using Solve = std::function<FrameStatus(std::span<const double>, std::span<double>)>;
 
@@ -54,23 +54,25 @@ FrameStatus copy(const auto& solution, std::span<double> f) {
 }
 
 std::vector<Solver> solvers() {
-  const InverseProblem problem = make_problem(two, rubber, both);
+  const InverseProblem problem = make_problem(two_channels, rubber, two_tractions);
   const auto plain = [](auto& inverse, auto g, auto f) { return inverse.solve(g, f); };
   return {
-      {"tikhonov", 2 * count, 2 * count, shared(tikhonov(problem, alpha), plain)},
-      {"closed_form", 2 * count, 2 * count, shared(closed_form(problem, alpha), plain)},
-      {"dft", count, count, shared(DftInverse(one, rubber), plain)},
-      {"dft of two", 2 * count, 2 * count,
-       shared(DftTikhonov(two, rubber, both),
-              [](auto& inverse, auto g, auto f) { return inverse.solve(g, alpha, f); })},
-      {"fft", 2 * count, 2 * count,
-       shared(FftTikhonov(two, rubber, both, alpha),
+      {"tikhonov", 2 * array_length, 2 * array_length,
+       shared(tikhonov(problem, tiny_alpha), plain)},
+      {"closed_form", 2 * array_length, 2 * array_length,
+       shared(closed_form(problem, tiny_alpha), plain)},
+      {"dft", array_length, array_length, shared(DftInverse(one_channel, rubber), plain)},
+      {"dft of two", 2 * array_length, 2 * array_length,
+       shared(DftTikhonov(two_channels, rubber, two_tractions),
+              [](auto& inverse, auto g, auto f) { return inverse.solve(g, tiny_alpha, f); })},
+      {"fft", 2 * array_length, 2 * array_length,
+       shared(FftTikhonov(two_channels, rubber, two_tractions, tiny_alpha),
               [](auto& inverse, auto g, auto f) { return inverse.solve(g, f); })},
-      {"dft with friction", count, 2 * count,
-       shared(DftFriction(one, rubber, 0.4),
+      {"dft with friction", array_length, 2 * array_length,
+       shared(DftFriction(one_channel, rubber, 0.4),
               [](auto& inverse, auto g, auto f) { return copy(inverse.solve(g), f); })},
-      {"active set", 2 * count, 2 * count,
-       shared(ConstrainedTikhonov(problem, alpha, {.nonnegative = false}),
+      {"active set", 2 * array_length, 2 * array_length,
+       shared(ConstrainedTikhonov(problem, tiny_alpha, {.nonnegative = false}),
               [](auto& inverse, auto g, auto f) { return copy(inverse.solve(g), f); })},
   };
 }
@@ -79,8 +81,8 @@ std::vector<Solver> solvers() {
 /// traction.
 std::vector<double> at_the_end(const Solver& solver, double size) {
   std::vector<double> readings(solver.readings);
-  readings[count - 2] = size;
-  readings[count - 1] = -size;
+  readings[array_length - 2] = size;
+  readings[array_length - 1] = -size;
   return readings;
 }
 

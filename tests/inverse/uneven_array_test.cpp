@@ -13,13 +13,15 @@
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/inverse/largest.hpp"
+#include "tests/inverse/pads.hpp"
+#include "tests/inverse/solutions.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
-constexpr double depth = 1.5e-3;
+constexpr double taxel_depth = 1.5e-3;
 
 /// The taxels of an even array at one depth, one by one, moved by `offset`.
 std::vector<Taxel> taxels_of(const SensorArray& array, double offset = 0.0) {
@@ -30,8 +32,8 @@ std::vector<Taxel> taxels_of(const SensorArray& array, double offset = 0.0) {
 }
 
 const SensorArray even{.count = 9,
-                       .pitch = 2.0 * depth,
-                       .depths = {depth},
+                       .pitch = 2.0 * taxel_depth,
+                       .depths = {taxel_depth},
                        .reads = {Quantity::stress_x, Quantity::shear_xy}};
 
 /// Sixteen taxels of a palm: places, depths and quantities differ.
@@ -40,7 +42,7 @@ SensorArray palm() {
                                       2.2,   3.0,  4.9,  6.1,  7.7,  9.2,  10.6, 12.0};
   std::vector<Taxel> taxels;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    Taxel taxel{.y = 1e-3 * places[i], .depth = depth * (i % 3 == 0 ? 0.8 : 1.0)};
+    Taxel taxel{.y = 1e-3 * places[i], .depth = taxel_depth * (i % 3 == 0 ? 0.8 : 1.0)};
     if (i % 4 != 3) taxel.reads.push_back(Quantity::stress_x);
     if (i % 2 == 1) taxel.reads.push_back(Quantity::shear_xy);
     taxels.push_back(std::move(taxel));
@@ -50,7 +52,7 @@ SensorArray palm() {
 
 ProblemOptions on_grid(std::size_t unknowns, std::optional<double> spacing = {}) {
   return {.unknowns = unknowns,
-          .smoothing_length = depth,
+          .smoothing_length = taxel_depth,
           .surface = {.basis = SurfaceBasis::hats, .spacing = spacing}};
 }
 
@@ -59,27 +61,13 @@ std::vector<double> pressed(const SensorArray& array, const RigidContact& contac
   return exact_readings(array, material, std::vector<Contact>{contact});
 }
 
-UncertainResultant solve(const InverseProblem& problem, std::span<const double> readings,
-                         double sigma) {
-  const TikhonovFamily family(problem);
-  const FilterFrame frame = family.analyse(readings);
-  const double alpha = choose_alone(frame, AlphaRule::evidence, sigma).alpha;
-  const TractionCovariance covariance(problem, alpha, alpha);
-  return resultant_of(problem, family.solve(frame, alpha), covariance, sigma);
-}
-
-double largest(std::span<const double> values) {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
 }  // namespace
 
 TEST_CASE("an even array taxel by taxel has the same readings and the same K", "[uneven]") {
   const SensorArray listed = uneven_array(taxels_of(even));
   CHECK(reading_names(listed) == reading_names(even));
-  const RigidContact contact{.center = 0.7e-3, .half_width = depth, .force = 20.0, .friction = 0.4};
+  const RigidContact contact{
+      .center = 0.7e-3, .half_width = taxel_depth, .force = 20.0, .friction = 0.4};
   const std::vector<double> g = pressed(even, contact);
   const std::vector<double> same = pressed(listed, contact);
   const InverseProblem one = make_problem(even, silicone, on_grid(2));
@@ -96,7 +84,7 @@ TEST_CASE("an even array taxel by taxel has the same readings and the same K", "
 }
 
 TEST_CASE("K of wide taxels is the mean of the hats' readings across them", "[uneven][aperture]") {
-  constexpr double width = 1.7 * depth;
+  constexpr double width = 1.7 * taxel_depth;
   constexpr int parts = 400;  // of Simpson's rule
   SensorArray wide = even;
   wide.width = width;
@@ -111,7 +99,7 @@ TEST_CASE("K of wide taxels is the mean of the hats' readings across them", "[un
     for (std::size_t column = 0; column < one.kernel.columns; ++column) {
       const std::size_t i = column % one.surface.count;
       const HatKernel hat(site.quantity, traction_components[column / one.surface.count], silicone,
-                          depth, one.surface.spacing);
+                          taxel_depth, one.surface.spacing);
       double mean = 0.0;
       for (int part = 0; part <= parts; ++part) {
         const double weight = part == 0 || part == parts ? 1.0 : part % 2 == 1 ? 4.0 : 2.0;
@@ -127,7 +115,7 @@ TEST_CASE("K of wide taxels is the mean of the hats' readings across them", "[un
 TEST_CASE("tractions on the grid are read by wide taxels as K says", "[uneven][aperture]") {
   std::vector<Taxel> taxels = palm().taxels;
   for (std::size_t i = 0; i < taxels.size(); ++i)
-    taxels[i].width = depth * (i % 3 == 0 ? 2.0 : 0.4 * static_cast<double>(i % 3));
+    taxels[i].width = taxel_depth * (i % 3 == 0 ? 2.0 : 0.4 * static_cast<double>(i % 3));
   const SensorArray wide = uneven_array(taxels);
   const InverseProblem problem = make_problem(wide, silicone, on_grid(2));
   SampledTractions tractions{.first = problem.surface.position(0),
@@ -167,13 +155,15 @@ TEST_CASE("moving array and contact together moves the centre, and changes no fo
   std::vector<Taxel> moved = here.taxels;
   for (Taxel& taxel : moved) taxel.y += offset;
   const SensorArray there = uneven_array(moved);
-  RigidContact contact{.center = 1.1e-3, .half_width = depth, .force = 20.0, .friction = 0.3};
+  RigidContact contact{.center = 1.1e-3, .half_width = taxel_depth, .force = 20.0, .friction = 0.3};
   const std::vector<double> g = pressed(here, contact);
   contact.center += offset;
   const std::vector<double> h = pressed(there, contact);
   const double sigma = 0.01 * largest(g);
-  const UncertainResultant first = solve(make_problem(here, silicone, on_grid(2)), g, sigma);
-  const UncertainResultant second = solve(make_problem(there, silicone, on_grid(2)), h, sigma);
+  const UncertainResultant first =
+      solve_by_evidence(make_problem(here, silicone, on_grid(2)), g, sigma).contact;
+  const UncertainResultant second =
+      solve_by_evidence(make_problem(there, silicone, on_grid(2)), h, sigma).contact;
   CHECK_THAT(second.normal.value, WithinRel(first.normal.value, 1e-9));
   CHECK_THAT(second.normal.deviation, WithinRel(first.normal.deviation, 1e-9));
   CHECK_THAT(second.tangential->value, WithinRel(first.tangential->value, 1e-8));
@@ -186,13 +176,15 @@ TEST_CASE("a mirrored array sees the mirror image", "[uneven]") {
   std::vector<Taxel> mirrored(here.taxels.rbegin(), here.taxels.rend());
   for (Taxel& taxel : mirrored) taxel.y = -taxel.y;
   const SensorArray there = uneven_array(mirrored);
-  RigidContact contact{.center = 1.1e-3, .half_width = depth, .force = 20.0, .friction = 0.3};
+  RigidContact contact{.center = 1.1e-3, .half_width = taxel_depth, .force = 20.0, .friction = 0.3};
   const UncertainResultant first =
-      solve(make_problem(here, silicone, on_grid(2)), pressed(here, contact), 50.0);
+      solve_by_evidence(make_problem(here, silicone, on_grid(2)), pressed(here, contact), 50.0)
+          .contact;
   contact.center = -contact.center;
   contact.friction = -contact.friction;
   const UncertainResultant second =
-      solve(make_problem(there, silicone, on_grid(2)), pressed(there, contact), 50.0);
+      solve_by_evidence(make_problem(there, silicone, on_grid(2)), pressed(there, contact), 50.0)
+          .contact;
   CHECK_THAT(second.normal.value, WithinRel(first.normal.value, 1e-9));
   CHECK_THAT(second.tangential->value, WithinRel(-first.tangential->value, 1e-8));
   CHECK_THAT(second.centre->value, WithinRel(-first.centre->value, 1e-8));
@@ -223,13 +215,13 @@ TEST_CASE("an uneven array tells forces within its bands", "[uneven]") {
     constexpr int trials = 60;
     for (int k = 0; k < trials; ++k) {
       const RigidContact contact{.center = 7e-3 * uniform(generator),
-                                 .half_width = depth * (1.2 + 0.8 * uniform(generator)),
+                                 .half_width = taxel_depth * (1.2 + 0.8 * uniform(generator)),
                                  .friction = unknowns == 2 ? 0.6 * uniform(generator) : 0.0};
       std::vector<double> g = pressed(array, contact);
       const double sigma = 0.01 * largest(g);
       std::normal_distribution<double> noise(0.0, sigma);
       for (double& reading : g) reading += noise(generator);
-      const Uncertain force = solve(problem, g, sigma).normal;
+      const Uncertain force = solve_by_evidence(problem, g, sigma).contact.normal;
       errors.push_back(std::abs(force.value / contact.force - 1.0));
       if (std::abs(force.value - contact.force) <= 2.0 * force.deviation) ++within;
     }
@@ -248,8 +240,8 @@ TEST_CASE("arrays at the edge of sense give finite, stable answers", "[uneven][h
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (int i = 0; i < 1000; ++i)
-    many.push_back(
-        {1e-4 * (i + 0.9 * uniform(generator)), depth * (0.8 + 0.4 * uniform(generator)), normal});
+    many.push_back({1e-4 * (i + 0.9 * uniform(generator)),
+                    taxel_depth * (0.8 + 0.4 * uniform(generator)), normal});
   struct Case {
     const char* name;
     std::vector<Taxel> taxels;
@@ -259,29 +251,31 @@ TEST_CASE("arrays at the edge of sense give finite, stable answers", "[uneven][h
   };
   const SurfaceOptions hats{.basis = SurfaceBasis::hats};
   const std::vector<Case> cases = {
-      {"two taxels", {{-1e-3, depth, normal}, {1e-3, depth, normal}}, silicone},
+      {"two taxels", {{-1e-3, taxel_depth, normal}, {1e-3, taxel_depth, normal}}, silicone},
       {"one place, three depths",
        {{0.0, 1e-3, normal}, {0.0, 2e-3, normal}, {0.0, 3e-3, normal}},
        silicone},
       {"1e-6 of a depth apart",
-       {{-2e-3, depth, normal}, {0.0, depth, normal}, {1e-6 * depth, depth, normal}},
+       {{-2e-3, taxel_depth, normal},
+        {0.0, taxel_depth, normal},
+        {1e-6 * taxel_depth, taxel_depth, normal}},
        silicone},
       {"one taxel per quantity",
-       {{-1e-3, depth, normal}, {1e-3, depth, {Quantity::shear_xy}}},
+       {{-1e-3, taxel_depth, normal}, {1e-3, taxel_depth, {Quantity::shear_xy}}},
        silicone,
        hats,
        2},
       {"at the base of a layer", {{-1e-3, 3e-3, normal}, {2e-3, 3e-3, normal}}, layer},
       {"no margin",
-       {{-3e-3, depth, normal}, {0.0, depth, normal}, {2e-3, depth, normal}},
+       {{-3e-3, taxel_depth, normal}, {0.0, taxel_depth, normal}, {2e-3, taxel_depth, normal}},
        silicone,
        {.basis = SurfaceBasis::hats, .margin = 0.0}},
       {"a margin of ten depths",
-       {{-3e-3, depth, normal}, {0.0, depth, normal}, {2e-3, depth, normal}},
+       {{-3e-3, taxel_depth, normal}, {0.0, taxel_depth, normal}, {2e-3, taxel_depth, normal}},
        silicone,
-       {.basis = SurfaceBasis::hats, .margin = 10.0 * depth}},
+       {.basis = SurfaceBasis::hats, .margin = 10.0 * taxel_depth}},
       {"spacing 100 times finer than the taxels",
-       {{-3e-3, depth, normal}, {0.0, depth, normal}, {2.5e-3, depth, normal}},
+       {{-3e-3, taxel_depth, normal}, {0.0, taxel_depth, normal}, {2.5e-3, taxel_depth, normal}},
        silicone,
        {.basis = SurfaceBasis::hats, .spacing = 2.5e-5}},
       {"a thousand", many, silicone, {.basis = SurfaceBasis::hats, .spacing = 4e-4}}};
@@ -289,16 +283,16 @@ TEST_CASE("arrays at the edge of sense give finite, stable answers", "[uneven][h
     CAPTURE(one.name);
     const SensorArray array = uneven_array(one.taxels);
     const double middle = 0.5 * (one.taxels.front().y + one.taxels.back().y);
-    const RigidContact contact{.center = middle, .half_width = depth, .force = 20.0};
+    const RigidContact contact{.center = middle, .half_width = taxel_depth, .force = 20.0};
     const std::vector<double> g = pressed(array, contact, one.material);
     const double sigma = 0.01 * largest(g);
     const InverseProblem problem =
         make_problem(array, one.material,
                      {.unknowns = one.unknowns,
-                      .smoothing_length = depth,
+                      .smoothing_length = taxel_depth,
                       .channel_rms = std::vector<double>(channel_count(array), sigma),
                       .surface = one.surface});
-    const UncertainResultant found = solve(problem, g, 1.0);
+    const UncertainResultant found = solve_by_evidence(problem, g, 1.0).contact;
     CHECK(std::isfinite(found.normal.value));
     CHECK(found.normal.deviation > 0.0);
     CHECK(std::abs(found.normal.value - contact.force) <= 3.0 * found.normal.deviation);

@@ -8,7 +8,8 @@
 namespace tactile_net::lab {
 namespace {
 
-MethodResult found(Method method, std::vector<double> normal, std::vector<double> tangential = {}) {
+MethodResult method_result(Method method, std::vector<double> normal,
+                           std::vector<double> tangential = {}) {
   MethodResult result{.method = method};
   result.normal.traction = std::move(normal);
   result.tangential.traction = std::move(tangential);
@@ -19,8 +20,9 @@ MethodResult found(Method method, std::vector<double> normal, std::vector<double
 
 TEST_CASE("methods that found the same are one group, others have their own", "[lab][agreement]") {
   const std::vector<MethodResult> results = {
-      found(Method::dft, {0.0, 1.5, 0.0}), found(Method::tikhonov, {0.0, 2.0, 1.0}),
-      found(Method::network, {}), found(Method::closed_form, {0.0, 2.0, 1.0 + 2e-3})};
+      method_result(Method::dft, {0.0, 1.5, 0.0}), method_result(Method::tikhonov, {0.0, 2.0, 1.0}),
+      method_result(Method::network, {}),
+      method_result(Method::closed_form, {0.0, 2.0, 1.0 + 2e-3})};
   const std::vector<Agreement> groups = agreements(results);
   REQUIRE(groups.size() == 2);
   CHECK(groups[0].results == std::vector<std::size_t>{0});
@@ -31,14 +33,15 @@ TEST_CASE("methods that found the same are one group, others have their own", "[
 }
 
 TEST_CASE("an answer of both tractions is not one of the normal alone", "[lab][agreement]") {
-  const MethodResult one = found(Method::tikhonov, {1.0, 2.0});
-  const MethodResult two = found(Method::closed_form, {1.0, 2.0}, {0.0, 4.0});
-  const MethodResult other = found(Method::network, {1.0, 2.0}, {0.0, 5.0});
+  const MethodResult one = method_result(Method::tikhonov, {1.0, 2.0});
+  const MethodResult two = method_result(Method::closed_form, {1.0, 2.0}, {0.0, 4.0});
+  const MethodResult other = method_result(Method::network, {1.0, 2.0}, {0.0, 5.0});
   CHECK(difference(one, two) == std::numeric_limits<double>::infinity());
   CHECK(difference(two, other) == 0.25);
   CHECK(agreements(std::vector{one, two, other}).size() == 3);
   // Two answers of nothing are the same.
-  CHECK(difference(found(Method::dft, {0.0}), found(Method::tikhonov, {0.0})) == 0.0);
+  CHECK(difference(method_result(Method::dft, {0.0}), method_result(Method::tikhonov, {0.0})) ==
+        0.0);
 }
 
 }  // namespace tactile_net::lab

@@ -17,6 +17,11 @@ struct CheckedRecording {
   std::vector<std::vector<double>> frames{};
 };
 
+using RecordedLine = CheckedRecording<Scene>;
+using RecordedSkin = CheckedRecording<SkinScene>;
+
+inline constexpr double pad_noise = 30.0;  // Pa, of readings up to some 10 kPa
+
 /// What somebody knows who has a scene's recording alone: no contact, one frame.
 ///
 /// @tparam Sensor  that reads such a scene frame by frame

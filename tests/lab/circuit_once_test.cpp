@@ -17,7 +17,7 @@ using namespace tactile_net;
 
 namespace {
 
-std::map<std::string, int> made;
+std::map<std::string, int> made_of_circuit;
 
 Scene certified(Realization realization) {
   Scene scene = read_scene(SCENES "/circuits/rail.toml");
@@ -58,27 +58,27 @@ EigenvalueRange counted_eigenvalues(const Matrix&) asm(
 
 Circuit counted_realize(Realization realization, const NetworkProblem& problem,
                         const RealizationOptions& options) {
-  ++made["circuit"];
+  ++made_of_circuit["circuit"];
   return real_realize(realization, problem, options);
 }
 void counted_flat(void* self, const Circuit& circuit) {
-  ++made["flat circuit"];
+  ++made_of_circuit["flat circuit"];
   real_flat(self, circuit);
 }
 void counted_reduction(void* self, const Circuit& circuit) {
-  ++made["reduction"];
+  ++made_of_circuit["reduction"];
   real_reduction(self, circuit);
 }
 Certificate counted_certify(const NetworkCircuit& circuit, double accuracy) {
-  ++made["certificate"];
+  ++made_of_circuit["certificate"];
   return real_certify(circuit, accuracy);
 }
 StateSpace counted_states(const FlatCircuit& circuit) {
-  ++made["state space"];
+  ++made_of_circuit["state space"];
   return real_states(circuit);
 }
 EigenvalueRange counted_eigenvalues(const Matrix& matrix) {
-  ++made["eigenvalues"];
+  ++made_of_circuit["eigenvalues"];
   return real_eigenvalues(matrix);
 }
 
@@ -86,19 +86,19 @@ TEST_CASE("relax and its deck make one circuit, and each thing that is derived f
           "[lab][once]") {
   const Scene scene = certified(Realization::rail);
   Ngspice ngspice;
-  made.clear();
+  made_of_circuit.clear();
   const lab::SceneFrame frame(lab::SceneProblem(scene), lab::simulate(scene).readings);
   const lab::SceneCircuit circuit(frame);
   const lab::Relaxation relaxation = lab::relax(circuit, ngspice);
   CHECK_FALSE(report::deck_text(circuit, Answer::printed).empty());
   REQUIRE(relaxation.transient);
   REQUIRE(relaxation.tolerance);
-  CHECK(made == std::map<std::string, int>{{"circuit", 1},
-                                           {"flat circuit", 1},
-                                           {"reduction", 1},
-                                           {"certificate", 1},
-                                           {"state space", 1},
-                                           {"eigenvalues", 1}});
+  CHECK(made_of_circuit == std::map<std::string, int>{{"circuit", 1},
+                                                      {"flat circuit", 1},
+                                                      {"reduction", 1},
+                                                      {"certificate", 1},
+                                                      {"state space", 1},
+                                                      {"eigenvalues", 1}});
 }
 
 TEST_CASE("certify and its report make one circuit per realisation", "[lab][once]") {
@@ -106,7 +106,7 @@ TEST_CASE("certify and its report make one circuit per realisation", "[lab][once
   CAPTURE(name(realization));
   Scene scene = certified(realization);
   scene.network.parts.node_capacitance = 1e-11;
-  made.clear();
+  made_of_circuit.clear();
   const lab::Certification certification = lab::certify(scene);
   REQUIRE(certification.certificate().dynamics);
   CHECK_FALSE(pages::certificate_html(certification).html.empty());
@@ -114,10 +114,10 @@ TEST_CASE("certify and its report make one circuit per realisation", "[lab][once
   // that moving contacts drive.
   const int circuits = has_amplifiers(realization) ? 6 : 7;
   CHECK(certification.recommendation.candidates.size() == 6);
-  CHECK(made == std::map<std::string, int>{{"circuit", circuits + 1},
-                                           {"flat circuit", circuits + 1},
-                                           {"reduction", circuits},
-                                           {"certificate", 1},
-                                           {"state space", 2},
-                                           {"eigenvalues", 1}});
+  CHECK(made_of_circuit == std::map<std::string, int>{{"circuit", circuits + 1},
+                                                      {"flat circuit", circuits + 1},
+                                                      {"reduction", circuits},
+                                                      {"certificate", 1},
+                                                      {"state space", 2},
+                                                      {"eigenvalues", 1}});
 }

@@ -11,12 +11,13 @@
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/circuit_of_scene.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-Scene board(double volts_per_unit = 1.0) {
+Scene crossbar_board(double volts_per_unit = 1.0) {
   Scene scene = read_scene(SCENES "/circuits/board.toml");
   scene.network.realization = Realization::crossbar;
   scene.network.parts.opamp = {.gain = 1e6, .bandwidth = 10e6};
@@ -25,16 +26,11 @@ Scene board(double volts_per_unit = 1.0) {
   return scene;
 }
 
-lab::SceneCircuit circuit_of(const Scene& scene) {
-  return lab::SceneCircuit(
-      lab::SceneFrame(lab::SceneProblem(scene), lab::simulate(scene).readings));
-}
-
 }  // namespace
 
 TEST_CASE("readings of a contact that moves change as those of the contact moved on",
           "[lab][motion]") {
-  Scene scene = board();
+  Scene scene = crossbar_board();
   const std::vector<double> rate = circuit_of(scene).readings_per_length();
   const auto weighted_at = [&](double y) {
     std::get<RigidContact>(scene.contacts.front()).center = y;
@@ -48,7 +44,7 @@ TEST_CASE("readings of a contact that moves change as those of the contact moved
 }
 
 TEST_CASE("a circuit is as far behind at the speed that it says", "[lab][motion]") {
-  const lab::SceneCircuit circuit = circuit_of(board());
+  const lab::SceneCircuit circuit = circuit_of(crossbar_board());
   const auto motion = lab::contact_motion(circuit);
   REQUIRE(motion);
   // design: 199 and 134 mm/us of a lattice of 41 and a crossbar of 21; 14.6 sampled at 1 kHz
@@ -64,9 +60,9 @@ TEST_CASE("a circuit is as far behind at the speed that it says", "[lab][motion]
 }
 
 TEST_CASE("what a moving contact says is free of volts, siemens and the load", "[lab][motion]") {
-  const auto motion = lab::contact_motion(circuit_of(board()));
-  const auto loud = lab::contact_motion(circuit_of(board(7.0)));
-  Scene heavy = board();
+  const auto motion = lab::contact_motion(circuit_of(crossbar_board()));
+  const auto loud = lab::contact_motion(circuit_of(crossbar_board(7.0)));
+  Scene heavy = crossbar_board();
   std::get<RigidContact>(heavy.contacts.front()).force *= 20.0;
   heavy.network.parts.scale.siemens *= 3.0;
   heavy.network.parts.opamp.offset = 1e-3;
@@ -79,10 +75,10 @@ TEST_CASE("what a moving contact says is free of volts, siemens and the load", "
 }
 
 TEST_CASE("a circuit without op-amps' time, or without a contact, has no motion", "[lab][motion]") {
-  Scene scene = board();
+  Scene scene = crossbar_board();
   scene.network.parts.opamp = {};
   CHECK_FALSE(lab::contact_motion(circuit_of(scene)));
-  scene = board();
+  scene = crossbar_board();
   scene.contacts.clear();
   CHECK_FALSE(lab::certify(scene).motion);
 }

@@ -11,7 +11,7 @@ using namespace tactile_net;
 
 namespace {
 
-Scene pressed() {
+Scene pressed_line() {
   Scene scene;
   scene.sensor = {.count = 15, .pitch = 1.0, .depths = {1.5}, .reads = {Quantity::stress_x}};
   scene.contacts = {RigidContact{.center = 0.4, .half_width = 2.0, .force = 0.4}};
@@ -23,8 +23,8 @@ Scene pressed() {
   return scene;
 }
 
-lab::FrameResult solved(const lab::SceneProblem& problem, const std::vector<double>& readings,
-                        std::vector<double>& f) {
+lab::FrameResult solved_with_verdict(const lab::SceneProblem& problem,
+                                     const std::vector<double>& readings, std::vector<double>& f) {
   const auto solver = lab::make_solver(problem, Method::tikhonov);
   f.resize(solver->tractions());
   lab::FrameResult result = solver->solve(readings, f);
@@ -35,12 +35,12 @@ lab::FrameResult solved(const lab::SceneProblem& problem, const std::vector<doub
 }  // namespace
 
 TEST_CASE("a scene's own frame is consistent, and not with one taxel dead", "[data]") {
-  const lab::SceneProblem problem(pressed());
+  const lab::SceneProblem problem(pressed_line());
   std::vector<double> readings = lab::simulate(problem.scene()).readings;
   std::vector<double> f;
-  CHECK(solved(problem, readings, f).data->consistent());
+  CHECK(solved_with_verdict(problem, readings, f).data->consistent());
   readings[7] = 0.0;
-  const lab::FrameResult doubted = solved(problem, readings, f);
+  const lab::FrameResult doubted = solved_with_verdict(problem, readings, f);
   REQUIRE(doubted.data);
   CHECK(doubted.data->taxel == 7);
 
@@ -60,16 +60,16 @@ TEST_CASE("a scene's own frame is consistent, and not with one taxel dead", "[da
 }
 
 TEST_CASE("a taxel that is listed as dead is not asked", "[data]") {
-  Scene scene = pressed();
+  Scene scene = pressed_line();
   std::vector<double> readings = lab::simulate(scene).readings;
   scene.dead_taxels = {7};
   readings[7] = 0.0;
   std::vector<double> f;
-  CHECK(solved(lab::SceneProblem(scene), readings, f).data->consistent());
+  CHECK(solved_with_verdict(lab::SceneProblem(scene), readings, f).data->consistent());
 }
 
 TEST_CASE("limits are the scene's, whatever the quantity", "[data]") {
-  Scene scene = pressed();
+  Scene scene = pressed_line();
   scene.material.youngs_modulus = 7.0;
   scene.sensor.reads = {Quantity::stress_x, Quantity::strain_x};
   scene.noise = NoiseModel{.rms = {{Quantity::stress_x, 1e-3}, {Quantity::strain_x, 1e-4}},

@@ -11,15 +11,11 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/checked_recording.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-struct Recording {
-  Scene scene;
-  std::vector<std::vector<double>> frames{};
-};
 
 struct Array {
   std::size_t count;
@@ -31,7 +27,8 @@ struct Array {
 ///
 /// @param noise   over the largest readings
 /// @param spread  of the gains about what the scene's calibration says
-Recording record(const Array& array, unsigned seed, double noise = 0.004, double spread = 0.0) {
+RecordedLine recorded_presses(const Array& array, unsigned seed, double noise = 0.004,
+                              double spread = 0.0) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   const auto uniform = [&](double low, double high) {
@@ -45,7 +42,7 @@ Recording record(const Array& array, unsigned seed, double noise = 0.004, double
                           "]\n[material]\nyoungs_modulus = 2e5\npoisson_ratio = 0.45\n[noise]\n"
                           "rms = " +
                           std::to_string(rms) + '\n';
-  Recording result{parse_scene(pad, "pad.toml")};
+  RecordedLine result{parse_scene(pad, "pad.toml")};
   const std::size_t readings = reading_count(result.scene.sensor);
   std::vector<double> gains(readings);
   for (double& gain : gains) gain = 1.0 + spread * normal(random);
@@ -73,13 +70,13 @@ Recording record(const Array& array, unsigned seed, double noise = 0.004, double
   return result;
 }
 
-const Array dense{41, 0.5e-3, 1.5e-3, "\"stress_x\", \"shear_xy\""};
+const Array dense_array{41, 0.5e-3, 1.5e-3, "\"stress_x\", \"shear_xy\""};
 
-void drift(Recording& recording, std::size_t reading, double change) {
+void drift(RecordedLine& recording, std::size_t reading, double change) {
   for (std::vector<double>& frame : recording.frames) frame[reading] *= 1.0 + change;
 }
 
-lab::finding::GainsChanged changed(const Recording& recording) {
+lab::finding::GainsChanged changed(const RecordedLine& recording) {
   lab::ReadingsChecker checker(recording.scene);
   double time = 0.0;
   for (const std::vector<double>& frame : recording.frames) checker.add(time += 0.01, frame);
@@ -91,7 +88,7 @@ lab::finding::GainsChanged changed(const Recording& recording) {
 }  // namespace
 
 TEST_CASE("a gain that changed is named with its size, and no other", "[lab][check]") {
-  Recording recording = record(dense, 4, 0.003);
+  RecordedLine recording = recorded_presses(dense_array, 4, 0.003);
   drift(recording, 17, -0.06);
   const lab::finding::GainsChanged found = changed(recording);
   REQUIRE(found.readings == std::vector<std::size_t>{17});
@@ -101,14 +98,14 @@ TEST_CASE("a gain that changed is named with its size, and no other", "[lab][che
 }
 
 TEST_CASE("gains of a sound array are not named, whatever presses", "[lab][check]") {
-  const Array array = GENERATE(values<Array>({dense,
+  const Array array = GENERATE(values<Array>({dense_array,
                                               {32, 0.5e-3, 2e-3, "\"strain_x\""},
                                               {31, 1e-3, 1.5e-3, "\"stress_x\""},
                                               {11, 2e-3, 1.5e-3, "\"stress_x\""}}));
   const unsigned seed = GENERATE(10u, 11u, 12u);
   const double spread = GENERATE(0.0, 0.01);
   CAPTURE(array.count, array.reads, seed, spread);
-  CHECK(changed(record(array, seed, 0.003, spread)).readings.empty());
+  CHECK(changed(recorded_presses(array, seed, 0.003, spread)).readings.empty());
 }
 
 TEST_CASE("at most one sound recording in a hundred names a gain", "[long]") {
@@ -116,8 +113,9 @@ TEST_CASE("at most one sound recording in a hundred names a gain", "[long]") {
   for (unsigned seed = 100; seed < 300; ++seed) {
     const bool strain = seed % 5 == 0;
     const Array array{seed % 4 == 0 ? 21u : 41u, seed % 4 == 0 ? 1e-3 : 0.5e-3, 1.5e-3,
-                      strain ? "\"strain_x\"" : dense.reads};
-    named += !changed(record(array, seed, seed % 2 == 0 ? 0.01 : 0.003, 0.005)).readings.empty();
+                      strain ? "\"strain_x\"" : dense_array.reads};
+    named += !changed(recorded_presses(array, seed, seed % 2 == 0 ? 0.01 : 0.003, 0.005))
+                  .readings.empty();
   }
   CHECK(named <= 2);
 }
@@ -125,7 +123,7 @@ TEST_CASE("at most one sound recording in a hundred names a gain", "[long]") {
 TEST_CASE("two neighbours that read 5 % less are named in most recordings", "[long]") {
   std::size_t right = 0, wrong = 0;
   for (unsigned seed = 1000; seed < 1020; ++seed) {
-    Recording recording = record(dense, seed, 0.003, 0.002);
+    RecordedLine recording = recorded_presses(dense_array, seed, 0.003, 0.002);
     const std::size_t first = 8 + seed % 25;
     drift(recording, first, -0.05);
     drift(recording, first + 1, -0.05);
@@ -139,17 +137,17 @@ TEST_CASE("two neighbours that read 5 % less are named in most recordings", "[lo
 }
 
 TEST_CASE("coarse arrays and arrays without a calibration say nothing of gains", "[lab][check]") {
-  Recording coarse = record({16, 1.5e-3, 1.5e-3, "\"stress_x\""}, 5, 0.003);
+  RecordedLine coarse = recorded_presses({16, 1.5e-3, 1.5e-3, "\"stress_x\""}, 5, 0.003);
   drift(coarse, 8, -0.05);
   CHECK(changed(coarse).readings.empty());
-  Recording stated = record(dense, 4, 0.003);
+  RecordedLine stated = recorded_presses(dense_array, 4, 0.003);
   drift(stated, 17, -0.06);
   stated.scene.calibration.reset();
   CHECK(changed(stated).readings.empty());
 }
 
 TEST_CASE("a few presses say nothing of gains", "[lab][check]") {
-  Recording recording = record(dense, 4, 0.003);
+  RecordedLine recording = recorded_presses(dense_array, 4, 0.003);
   recording.frames.resize(8);
   drift(recording, 17, -0.06);
   CHECK(changed(recording).readings.empty());

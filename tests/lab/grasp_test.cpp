@@ -17,7 +17,7 @@ using namespace tactile_net::lab;
 namespace {
 
 /// One of two fingers that mirror each other; their pads stand upright at X = -+0.035.
-std::string finger(double side, const std::string& contact, const std::string& more = {}) {
+std::string mirrored_finger(double side, const std::string& contact, const std::string& more = {}) {
   const std::string sign = side < 0.0 ? "-" : "";
   const std::string back = side < 0.0 ? "" : "-";
   return "[[finger]]\nname = \"" + std::string(side < 0.0 ? "left" : "right") + "\"\nbase = [" +
@@ -30,7 +30,7 @@ const std::string degrees = "angles_in = \"degrees\"\n";
 const std::string load = "[load]\nforce = [0.0, -4.0]\npoint = [0.0, 0.06]\n";
 const std::string assumed = "{ center = 0.0 }";
 
-std::string pressed(double normal, double tangential, double deviation = 0.0) {
+std::string pressed_contact(double normal, double tangential, double deviation = 0.0) {
   const std::string size = std::to_string(deviation);
   return "{ normal = " + std::to_string(normal) + ", tangential = " + std::to_string(tangential) +
          ", center = 0.0, normal_deviation = " + size + ", tangential_deviation = " + size +
@@ -43,26 +43,26 @@ GraspResult held(const std::string& toml, const FrameOf& frame_of = {},
 }
 
 std::string both(const std::string& contact, const std::string& more = {}) {
-  return finger(-1.0, contact, more) + finger(1.0, contact, more);
+  return mirrored_finger(-1.0, contact, more) + mirrored_finger(1.0, contact, more);
 }
 
 /// What is known of all failures but their numbers.
 using Failed = GraspFailure::Kind;
-std::multiset<Failed> kinds(const GraspResult& grasp) {
+std::multiset<Failed> failure_kinds(const GraspResult& grasp) {
   std::multiset<Failed> result;
   for (const GraspFailure& failure : grasp.failures) result.insert(failure.kind);
   return result;
 }
 
-const std::string pad = SCENES "/recorded/thin-pad.toml";
+const std::string thin_pad = SCENES "/recorded/thin-pad.toml";
 
-std::string recorded(const std::string& file, std::size_t frame) {
-  return "{ scene = \"" + pad + "\", readings = \"" + file +
+std::string recorded_contact(const std::string& file, std::size_t frame) {
+  return "{ scene = \"" + thin_pad + "\", readings = \"" + file +
          "\", frame = " + std::to_string(frame) + " }";
 }
 
 template <class Kind>
-std::size_t count(const Fingertip& tip) {
+std::size_t remark_count(const Fingertip& tip) {
   std::size_t found = 0;
   for (const FingertipRemark& remark : tip.remarks) found += std::holds_alternative<Kind>(remark);
   return found;
@@ -73,7 +73,7 @@ std::size_t count(const Fingertip& tip) {
 TEST_CASE("measured forces and those that would hold agree where the measured ones balance",
           "[grasp]") {
   const GraspResult grasp = held(load + "[grasp]\ngrasping_force = 10.0\nfriction = 0.6\n" +
-                                 both(pressed(5.0, -2.0, 0.1)));
+                                 both(pressed_contact(5.0, -2.0, 0.1)));
   REQUIRE(grasp.measured.has_value());
   REQUIRE(grasp.held.has_value());
   CHECK(grasp.failures.empty());
@@ -97,7 +97,7 @@ TEST_CASE("what cannot hold has a kind, a place and a number", "[grasp]") {
     return load + "[grasp]\ngrasping_force = " + std::to_string(force) + "\nfriction = 0.6\n";
   };
   GraspResult grasp = held(squeezed(2.0) + both(assumed));
-  REQUIRE(kinds(grasp) == std::multiset{Failed::slips, Failed::slips});
+  REQUIRE(failure_kinds(grasp) == std::multiset{Failed::slips, Failed::slips});
   CHECK(grasp.failures[0].answer == GraspAnswer::held);
   CHECK(grasp.failures[1].finger == 1);
   // Each carries 2 upwards and presses with 1.
@@ -105,24 +105,24 @@ TEST_CASE("what cannot hold has a kind, a place and a number", "[grasp]") {
   CHECK_FALSE(grasp.measured.has_value());
 
   grasp = held(squeezed(-2.0) + both(assumed));
-  REQUIRE(kinds(grasp) == std::multiset{Failed::pulls, Failed::pulls});
+  REQUIRE(failure_kinds(grasp) == std::multiset{Failed::pulls, Failed::pulls});
   CHECK_THAT(grasp.failures[0].number, WithinRel(1.0, 1e-12));
 
-  grasp = held(squeezed(10.0) + finger(-1.0, assumed) +
-               finger(1.0, assumed, "torque_limits = [10.0, 0.03]\n"));
-  REQUIRE(kinds(grasp) == std::multiset{Failed::beyond_limit});
+  grasp = held(squeezed(10.0) + mirrored_finger(-1.0, assumed) +
+               mirrored_finger(1.0, assumed, "torque_limits = [10.0, 0.03]\n"));
+  REQUIRE(failure_kinds(grasp) == std::multiset{Failed::beyond_limit});
   CHECK(grasp.failures[0].finger == 1);
   CHECK(grasp.failures[0].joint == 1);
   CHECK_THAT(grasp.failures[0].number, WithinRel(0.1 - 0.03, 1e-12));
 
-  grasp = held(load + both(pressed(5.0, -1.0, 0.01)));
-  REQUIRE(kinds(grasp).count(Failed::unbalanced) == 1);
+  grasp = held(load + both(pressed_contact(5.0, -1.0, 0.01)));
+  REQUIRE(failure_kinds(grasp).count(Failed::unbalanced) == 1);
   CHECK(grasp.measured->balanced == false);
   CHECK(grasp.failures[0].number == *grasp.measured->grasp.chi_squared);
   CHECK(grasp.failures[0].number > balanced_limit);
 
   grasp = held(squeezed(2.0) + "friction_used = 1.0\n" + both(assumed));
-  REQUIRE(kinds(grasp) == std::multiset{Failed::cannot_hold});
+  REQUIRE(failure_kinds(grasp) == std::multiset{Failed::cannot_hold});
   CHECK(grasp.failures[0].reason == NoHold::beyond_cones_squeezed);
   CHECK_FALSE(grasp.held.has_value());
 }
@@ -136,7 +136,7 @@ TEST_CASE("friction alone says how hard to squeeze", "[grasp]") {
 }
 
 TEST_CASE("one finger's force is understood without a load", "[grasp]") {
-  const GraspResult grasp = held(finger(-1.0, pressed(5.0, -2.0)));
+  const GraspResult grasp = held(mirrored_finger(-1.0, pressed_contact(5.0, -2.0)));
   REQUIRE(grasp.measured.has_value());
   CHECK_FALSE(grasp.held.has_value());
   CHECK_FALSE(grasp.measured->balanced.has_value());
@@ -146,8 +146,8 @@ TEST_CASE("one finger's force is understood without a load", "[grasp]") {
 
 TEST_CASE("what only just holds is a remark, not a failure", "[grasp]") {
   const GraspResult grasp =
-      held("[grasp]\nfriction = 0.6\n" + finger(-1.0, pressed(5.0, 2.9, 0.2)) +
-           finger(1.0, pressed(5.0, 2.9)));
+      held("[grasp]\nfriction = 0.6\n" + mirrored_finger(-1.0, pressed_contact(5.0, 2.9, 0.2)) +
+           mirrored_finger(1.0, pressed_contact(5.0, 2.9)));
   CHECK(grasp.failures.empty());
   REQUIRE(grasp.remarks.size() == 1);
   CHECK(grasp.remarks[0].kind == GraspRemark::Kind::near_slipping);
@@ -164,7 +164,8 @@ TEST_CASE("tractions become the pad's force through the callback", "[grasp]") {
     CHECK(frame == 4);
     return field;
   }};
-  const std::string hand = finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01, frame = 4 }");
+  const std::string hand =
+      mirrored_finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01, frame = 4 }");
   GraspResult grasp = held(hand, frame_of);
   CHECK(asked == 1);
   CHECK_THAT(grasp.tips[0].force->normal, WithinRel(5.0, 1e-14));
@@ -176,7 +177,7 @@ TEST_CASE("tractions become the pad's force through the callback", "[grasp]") {
   field.tangential.clear();
   grasp = held(hand, frame_of);
   CHECK(grasp.tips[0].force->tangential == 0.0);
-  CHECK(count<remark::TangentialUnseen>(grasp.tips[0]) == 1);
+  CHECK(remark_count<remark::TangentialUnseen>(grasp.tips[0]) == 1);
 
   field = {{-1.0, -2.0}, {}};
   CHECK_THROWS_WITH(held(hand, frame_of), ContainsSubstring("'left', t.csv, frame 4") &&
@@ -186,7 +187,7 @@ TEST_CASE("tractions become the pad's force through the callback", "[grasp]") {
 }
 
 TEST_CASE("a pad without a width is as wide as its array", "[grasp]") {
-  std::string hand = finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01 }");
+  std::string hand = mirrored_finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01 }");
   const std::string width = "half_width = 0.012, ";
   hand.erase(hand.find(width), width.size());
   const FrameOf frame_of{.tractions = [](const std::filesystem::path&, std::size_t) {
@@ -211,8 +212,9 @@ TEST_CASE("two fingers with one scene file share what is made of it", "[grasp]")
         frames.push_back(frame);
         return frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", scene, frame);
       }};
-  const GraspResult grasp =
-      held(finger(-1.0, recorded("a.csv", 5)) + finger(1.0, recorded("b.csv", 6)), frame_of, steps);
+  const GraspResult grasp = held(mirrored_finger(-1.0, recorded_contact("a.csv", 5)) +
+                                     mirrored_finger(1.0, recorded_contact("b.csv", 6)),
+                                 frame_of, steps);
   CHECK(scenes.size() == 1);
   CHECK(frames == std::vector<std::size_t>{5, 6});
   CHECK(steps.fingers == std::vector<std::size_t>{1, 2});
@@ -237,15 +239,15 @@ TEST_CASE("a frame whose tractions overflow is refused by finger and file", "[gr
         readings[readings.size() - 2] = -1.7e308;
         return readings;
       }};
-  CHECK_THROWS_WITH(held(finger(-1.0, recorded("a.csv", 2)), frame_of),
+  CHECK_THROWS_WITH(held(mirrored_finger(-1.0, recorded_contact("a.csv", 2)), frame_of),
                     ContainsSubstring("'left', a.csv, frame 2") && ContainsSubstring("overflow"));
 }
 
 TEST_CASE("hold says what it lacks", "[grasp]") {
-  CHECK_THROWS_WITH(held(finger(-1.0, assumed)), ContainsSubstring("nothing to compute"));
-  CHECK_THROWS_AS(held(finger(-1.0, recorded("a.csv", 0))), std::invalid_argument);
-  CHECK_THROWS_AS(held(finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01 }")),
+  CHECK_THROWS_WITH(held(mirrored_finger(-1.0, assumed)), ContainsSubstring("nothing to compute"));
+  CHECK_THROWS_AS(held(mirrored_finger(-1.0, recorded_contact("a.csv", 0))), std::invalid_argument);
+  CHECK_THROWS_AS(held(mirrored_finger(-1.0, "{ tractions = \"t.csv\", pitch = 0.01 }")),
                   std::invalid_argument);
-  CHECK_THROWS_WITH(held(finger(-1.0, "{ scene = \"" + pad + "\" }")),
+  CHECK_THROWS_WITH(held(mirrored_finger(-1.0, "{ scene = \"" + thin_pad + "\" }")),
                     ContainsSubstring("nothing presses on this fingertip"));
 }

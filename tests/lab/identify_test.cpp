@@ -14,7 +14,6 @@ namespace {
 
 using namespace tactile_net;
 using namespace tactile_net::lab;
-using enum Quantity;
 
 Scene small(const std::string& reads, const std::string& material = "poisson_ratio = 0.3\n",
             const std::string& depth = "1.0", const std::string& rest = "") {
@@ -68,7 +67,7 @@ TEST_CASE("the advice keeps one quantity and hides nothing", "[identify]") {
   CHECK(tells_more(other, survey.own));
   CHECK(other.depths == survey.own.depths);
   REQUIRE(other.reads.size() == 2);
-  CHECK(std::count(other.reads.begin(), other.reads.end(), shear_xy) == 1);
+  CHECK(std::count(other.reads.begin(), other.reads.end(), Quantity::shear_xy) == 1);
 }
 
 TEST_CASE("each advice names another alternative, and the best is the best",

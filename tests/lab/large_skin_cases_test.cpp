@@ -85,7 +85,7 @@ TEST_CASE("a large skin with a row, a corner or half of it dead is answered as t
   const std::string mask =
       GENERATE(dead(5, 1, 0, 11), dead(0, 4, 0, 4), dead(6, 6, 0, 11), dead(0, 12, 0, 5));
   CAPTURE(mask);
-  check_alike(answers_of(skin(mask + given + "1e-4\n")));
+  check_alike(answers_of(millimetre_skin(mask + given + "1e-4\n")));
 }
 
 TEST_CASE("of any Poisson ratio a large skin's answer is the dense one",
@@ -93,7 +93,7 @@ TEST_CASE("of any Poisson ratio a large skin's answer is the dense one",
   const double ratio = GENERATE(1e-9, 0.5);
   const bool layer = GENERATE(false, true);
   CAPTURE(ratio, layer);
-  SkinScene scene = skin(given + "1e-4\n");
+  SkinScene scene = millimetre_skin(given + "1e-4\n");
   scene.material.poisson_ratio = ratio;
   if (layer) scene.material.layer = Layer{4e-3, Base::bonded};
   check_alike(answers_of(scene));
@@ -103,14 +103,14 @@ TEST_CASE("a contact at a large skin's edge or beyond is what it is with a matri
           "[lab][skin][large][hard]") {
   const double y = GENERATE(4.5e-3, 6e-3);
   CAPTURE(y);
-  SkinScene scene = skin(given + "1e-4\n");
+  SkinScene scene = millimetre_skin(given + "1e-4\n");
   std::get<SkinContact>(scene.contacts.front()).y = y;
   std::get<SkinContact>(scene.contacts.front()).z = -0.7 * y;
   check_alike(answers_of(scene));
 }
 
 TEST_CASE("two contacts on a large skin are those of the dense one", "[lab][skin][large][hard]") {
-  SkinScene scene = skin(given + "1e-4\n");
+  SkinScene scene = millimetre_skin(given + "1e-4\n");
   auto second = std::get<SkinContact>(scene.contacts.front());
   second.y = -3.5e-3;
   second.z = 3.4e-3;
@@ -124,7 +124,7 @@ TEST_CASE("a large skin with hardly any smoothing is answered as the dense one",
           "[lab][skin][large][hard]") {
   for (const char* alpha : {"1e-8", "1e-12"}) {
     CAPTURE(alpha);
-    const Answers both = answers_of(skin(given + alpha + "\n"));
+    const Answers both = answers_of(millimetre_skin(given + alpha + "\n"));
     REQUIRE(both.large.iteration);
     CAPTURE(both.large.iteration->steps, both.large.iteration->estimate);
     CHECK(both.large.verdict == both.dense.verdict);
@@ -135,7 +135,7 @@ TEST_CASE("a large skin with hardly any smoothing is answered as the dense one",
 
 TEST_CASE("readings of 0 are a large skin that nothing touches", "[lab][skin][large][hard]") {
   const bool constrained = GENERATE(false, true);
-  const SkinScene scene = skin((constrained ? limited : given) + "1e-4\n");
+  const SkinScene scene = millimetre_skin((constrained ? limited : given) + "1e-4\n");
   const Answers both = answers_of(scene, std::vector<double>(396));
   CHECK(norm(both.large.tractions) == 0.0);
   CHECK(both.large.verdict == both.dense.verdict);
@@ -151,7 +151,7 @@ TEST_CASE("one reading that is no number is refused by a large skin as by the de
   const double bad =
       GENERATE(std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity());
   const bool constrained = GENERATE(false, true);
-  const SkinScene scene = skin((constrained ? limited : given) + "1e-4\n");
+  const SkinScene scene = millimetre_skin((constrained ? limited : given) + "1e-4\n");
   std::vector<double> readings = lab::simulate(scene).readings;
   readings[17] = bad;
   CHECK_THROWS_WITH(lab::solve(without_matrix(scene), readings), ContainsSubstring("not finite"));
@@ -163,7 +163,7 @@ TEST_CASE("a frame of a large skin may have any size", "[lab][skin][large][hard]
   const auto& [scale, constrained] =
       GENERATE(table<double, bool>({{1e-12, true}, {1e12, false}, {1e150, true}}));
   CAPTURE(scale, constrained);
-  SkinScene scene = skin((constrained ? limited : given) + "1e-4\n");
+  SkinScene scene = millimetre_skin((constrained ? limited : given) + "1e-4\n");
   std::vector<double> readings = lab::simulate(scene).readings;
   const lab::SkinAnswer own = lab::solve(without_matrix(scene), readings);
   for (auto& [quantity, rms] : scene.noise->rms) rms *= scale;
@@ -185,7 +185,7 @@ TEST_CASE("a large skin in mm and MPa has the tractions of the same skin in m an
           "[lab][skin][large][hard]") {
   const std::string how = GENERATE(given + "1e-4\n", limited + "1e-4\n", given + "\"evidence\"\n");
   CAPTURE(how);
-  const SkinScene scene = skin(how);
+  const SkinScene scene = millimetre_skin(how);
   SkinScene mm = scene;
   mm.sensor.pitch_y *= 1e3;
   mm.sensor.pitch_z *= 1e3;
@@ -217,7 +217,7 @@ TEST_CASE("a large skin turned round finds the same turned round", "[lab][skin][
   const std::string how = GENERATE(given + "1e-4\n", limited + "1e-4\n");
   CAPTURE(how);
   // By half a turn taxel i is taxel 131 - i, and so are its cells; drags have the other sign.
-  const SkinScene scene = skin(how + "[dead_taxels]\nindices = [20, 21, 97]\n");
+  const SkinScene scene = millimetre_skin(how + "[dead_taxels]\nindices = [20, 21, 97]\n");
   SkinScene turned = scene;
   turned.dead_taxels = {34, 110, 111};
   const std::vector<double> readings = lab::simulate(scene).readings;
@@ -243,7 +243,7 @@ TEST_CASE("a large skin turned round finds the same turned round", "[lab][skin][
 
 TEST_CASE("what presses on a large skin is what was put on it", "[lab][skin][large][hard]") {
   // Without noise, and hardly smoothed: of forces the skin keeps the balance.
-  SkinScene scene = skin(given + "1e-7\n");
+  SkinScene scene = millimetre_skin(given + "1e-7\n");
   const std::vector<double> readings = [&] {
     SkinScene silent = scene;
     silent.noise.reset();

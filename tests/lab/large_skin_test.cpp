@@ -37,8 +37,8 @@ void check_like_under_constraints(const lab::SkinAnswer& large, const lab::SkinA
 
 TEST_CASE("with a given alpha a large skin's answer is the dense one", "[lab][skin][large]") {
   for (const char* dead : {"", "[dead_taxels]\nindices = [20, 21, 97]\n"}) {
-    const SkinScene scene =
-        skin(std::string(dead) + "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
+    const SkinScene scene = millimetre_skin(
+        std::string(dead) + "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
     const std::vector<double> readings = lab::simulate(scene).readings;
     const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
     const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
@@ -71,8 +71,8 @@ TEST_CASE("with a given alpha a large skin's answer is the dense one", "[lab][sk
 TEST_CASE("with a rule for alpha a large skin finds what the dense one finds",
           "[lab][skin][large]") {
   for (const char* rule : {"evidence", "aicc"}) {
-    const SkinScene scene =
-        skin("[reconstruct]\ntangential_weight = 1.0\nalpha = \"" + std::string(rule) + "\"\n");
+    const SkinScene scene = millimetre_skin("[reconstruct]\ntangential_weight = 1.0\nalpha = \"" +
+                                            std::string(rule) + "\"\n");
     const std::vector<double> readings = lab::simulate(scene).readings;
     const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
     const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
@@ -89,8 +89,8 @@ TEST_CASE("with a rule for alpha a large skin finds what the dense one finds",
 }
 
 TEST_CASE("a large skin under a friction limit obeys it, as the dense one", "[lab][skin][large]") {
-  const SkinScene scene =
-      skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\nfriction_limit = 0.6\n");
+  const SkinScene scene = millimetre_skin(
+      "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\nfriction_limit = 0.6\n");
   const std::vector<double> readings = lab::simulate(scene).readings;
   const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
   const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
@@ -105,7 +105,7 @@ TEST_CASE("a large skin under a friction limit obeys it, as the dense one", "[la
 
 TEST_CASE("where nothing may pull a large skin's bands are the dense ones", "[lab][skin][large]") {
   for (const char* unknown : {"", "tangential = false\n"}) {
-    SkinScene scene = skin(
+    SkinScene scene = millimetre_skin(
         "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n"
         "nonnegative = true\n" +
         std::string(unknown));
@@ -127,7 +127,7 @@ TEST_CASE("contacts far apart on a large skin have the bands of each", "[lab][sk
   const std::string limits =
       "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\nfriction_limit = 0.6\n";
   const auto solved = [&](const std::string& more, double z) {
-    SkinScene scene = skin(more, taxels);
+    SkinScene scene = millimetre_skin(more, taxels);
     std::get<SkinContact>(scene.contacts.front()).z = z;
     return lab::solve(without_matrix(scene), lab::simulate(scene).readings);
   };
@@ -143,8 +143,8 @@ TEST_CASE("contacts far apart on a large skin have the bands of each", "[lab][sk
 TEST_CASE("an even noise that constraints forbid nothing of is not taken for a model's error",
           "[lab][skin][large]") {
   // The noise is as stated: what it leaves is judged by what constraints leave free.
-  const SkinScene scene = skin("[reconstruct]\ntangential_weight = 1.0\nfriction_limit = 0.6\n",
-                               "rows = 24\ncolumns = 24");
+  const SkinScene scene = millimetre_skin(
+      "[reconstruct]\ntangential_weight = 1.0\nfriction_limit = 0.6\n", "rows = 24\ncolumns = 24");
   const lab::SkinAnswer large = lab::solve(without_matrix(scene), lab::simulate(scene).readings);
   CHECK(large.noise.model_rms == 0.0);
   CHECK_THAT(large.noise.residual_rms, WithinRel(100.0, 0.05));
@@ -152,8 +152,8 @@ TEST_CASE("an even noise that constraints forbid nothing of is not taken for a m
 
 TEST_CASE("the weight of a large skin's drags is that of its strongest part",
           "[lab][skin][large]") {
-  const SkinScene scene =
-      skin("[reconstruct]\ntangential_weight = \"evidence\"\n", "rows = 16\ncolumns = 16");
+  const SkinScene scene = millimetre_skin("[reconstruct]\ntangential_weight = \"evidence\"\n",
+                                          "rows = 16\ncolumns = 16");
   const std::vector<double> readings = lab::simulate(scene).readings;
   const lab::SkinSceneProblem problem = without_matrix(scene);
   REQUIRE(problem.estimates_weight());
@@ -166,7 +166,7 @@ TEST_CASE("the weight of a large skin's drags is that of its strongest part",
 }
 
 TEST_CASE("loads that mirror each other have answers that do", "[lab][skin][large]") {
-  SkinScene scene = skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
+  SkinScene scene = millimetre_skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
   auto& contact = std::get<SkinContact>(scene.contacts.front());
   contact.y = contact.z = 0.0;
   contact.friction = 0.0;
@@ -191,7 +191,7 @@ TEST_CASE("loads that mirror each other have answers that do", "[lab][skin][larg
 }
 
 TEST_CASE("a large skin doubts readings that no contact can cause", "[lab][skin][large]") {
-  const SkinScene scene = skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
+  const SkinScene scene = millimetre_skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
   const std::vector<double> honest = lab::simulate(scene).readings;
   const lab::SkinSceneProblem problem = without_matrix(scene);
   CHECK(lab::solve(problem, honest).data.consistent());
@@ -217,7 +217,7 @@ TEST_CASE("a large skin doubts readings that no contact can cause", "[lab][skin]
 
 TEST_CASE("a recording of a large skin is solved frame by frame, gaps included",
           "[lab][skin][large]") {
-  const SkinScene scene = skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
+  const SkinScene scene = millimetre_skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
   const std::vector<double> readings = lab::simulate(scene).readings;
   lab::SkinRecordingSolver solver(without_matrix(scene), {.missing = lab::Missing::estimate});
   std::vector<double> whole = readings;
@@ -239,7 +239,7 @@ TEST_CASE("a recording of a large skin is solved frame by frame, gaps included",
 
 TEST_CASE("frames of a large skin share an alpha as those of a dense one do",
           "[lab][skin][large]") {
-  SkinScene scene = skin("[reconstruct]\ntangential_weight = 1.0\n");
+  SkinScene scene = millimetre_skin("[reconstruct]\ntangential_weight = 1.0\n");
   std::vector<std::vector<double>> frames;
   for (unsigned seed = 1; seed <= 4; ++seed) {
     scene.noise->seed = seed;
@@ -270,7 +270,7 @@ TEST_CASE("frames of a large skin share an alpha as those of a dense one do",
 }
 
 TEST_CASE("what a large skin cannot have is refused, with what to do", "[lab][skin][large]") {
-  const lab::SkinSceneProblem problem = without_matrix(skin());
+  const lab::SkinSceneProblem problem = without_matrix(millimetre_skin());
   CHECK(problem.is_large());
   CHECK_THROWS_WITH(problem.problem(), ContainsSubstring("run and solve take it"));
   CHECK_THROWS_WITH(problem.family(), ContainsSubstring("larger spacing"));
@@ -281,7 +281,7 @@ TEST_CASE("what a large skin cannot have is refused, with what to do", "[lab][sk
 
 TEST_CASE("what takes more memory than is left is refused before it is taken",
           "[lab][skin][large]") {
-  const SkinArray sensor = skin("", "rows = 400\ncolumns = 400").sensor;
+  const SkinArray sensor = millimetre_skin("", "rows = 400\ncolumns = 400").sensor;
   const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
   CHECK_THROWS_WITH(lab::LargeSkin(sensor, silicone, {}, {}, 3e8),
                     ContainsSubstring("489648 unknown tractions take about") &&
@@ -305,15 +305,16 @@ TEST_CASE("what a large skin takes grows with its cells, constraints and dead ta
 }
 
 TEST_CASE("a scene says itself how it is solved", "[lab][skin][large]") {
-  CHECK_FALSE(is_large(skin()));
+  CHECK_FALSE(is_large(millimetre_skin()));
   const SkinScene wide =
-      skin("[reconstruct]\ntangential_weight = 1.0\n", "rows = 60\ncolumns = 60");
+      millimetre_skin("[reconstruct]\ntangential_weight = 1.0\n", "rows = 60\ncolumns = 60");
   CHECK(is_large(wide));
   CHECK(most_tractions(wide) == most_large_skin_tractions);
-  CHECK_THROWS_WITH(skin("[reconstruct]\noffset = true\n", "rows = 60\ncolumns = 60"),
+  CHECK_THROWS_WITH(millimetre_skin("[reconstruct]\noffset = true\n", "rows = 60\ncolumns = 60"),
                     ContainsSubstring("reconstruct.offset = false"));
-  CHECK_THROWS_WITH(skin("[reconstruct]\nspacing = 0.5e-3\n", "rows = 500\ncolumns = 500"),
-                    ContainsSubstring("unknown tractions"));
+  CHECK_THROWS_WITH(
+      millimetre_skin("[reconstruct]\nspacing = 0.5e-3\n", "rows = 500\ncolumns = 500"),
+      ContainsSubstring("unknown tractions"));
 }
 
 TEST_CASE("of a large skin is said how far single cells' bands are off", "[lab][skin][large]") {

@@ -6,17 +6,17 @@
 #include <optional>
 #include <string>
 #include <variant>
-#include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/euclidean.hpp"
 
 namespace tactile_net {
 
-inline SkinScene skin(const std::string& more = "",
-                      const std::string& taxels = "rows = 12\ncolumns = 11") {
+inline SkinScene millimetre_skin(const std::string& more = "",
+                                 const std::string& taxels = "rows = 12\ncolumns = 11") {
   const std::string toml =
       "[sensor]\n" + taxels +
       "\npitch = 1e-3\ndepth = 2e-3\n"
@@ -25,18 +25,6 @@ inline SkinScene skin(const std::string& more = "",
       "[[contact]]\nshape = \"sphere\"\nplace = [0.8e-3, -0.9e-3]\nradius = 2e-3\nforce = 0.5\n"
       "friction = 0.4\ndirection = 30.0\n[noise]\nrms = 100.0\n";
   return std::get<SkinScene>(parse_any_scene(toml + more, "skin.toml"));
-}
-
-inline double norm(const std::vector<double>& values) {
-  double size = 0.0;
-  for (const double value : values) size = std::hypot(size, value);
-  return size;
-}
-
-inline double distance(const std::vector<double>& a, const std::vector<double>& b) {
-  double size = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) size = std::hypot(size, a[i] - b[i]);
-  return size;
 }
 
 inline void check_like(const Uncertain& found, const Uncertain& expected) {

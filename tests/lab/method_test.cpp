@@ -14,7 +14,7 @@
 namespace tactile_net::lab {
 namespace {
 
-Scene parse(const std::string& reads, const std::string& rest) {
+Scene scene_that_reads(const std::string& reads, const std::string& rest) {
   return parse_scene("[sensor]\ncount = 41\npitch = 0.5\ndepth = 1.5\nreads = [" + reads +
                          "]\n"
                          "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n" +
@@ -22,7 +22,7 @@ Scene parse(const std::string& reads, const std::string& rest) {
                      "scene.toml");
 }
 
-const std::string one = "\"stress_x\"";
+const std::string one_stress = "\"stress_x\"";
 const std::string two = "\"stress_x\", \"shear_xy\"";
 
 /// A bump in the array's middle, 41 values a channel.
@@ -38,14 +38,14 @@ std::vector<double> bump(std::size_t channels) {
 
 TEST_CASE("a frame is refused where any of its tractions overflows", "[lab][method]") {
   const auto [method, reads, rest] = GENERATE(table<Method, std::string, std::string>({
-      {Method::tikhonov, one, "[reconstruct]\nalpha = 1e-3\n"},
-      {Method::tikhonov, one, ""},
+      {Method::tikhonov, one_stress, "[reconstruct]\nalpha = 1e-3\n"},
+      {Method::tikhonov, one_stress, ""},
       {Method::tikhonov, two, "[reconstruct]\nalpha = 1e-3\ntangential = true\n"},
-      {Method::closed_form, one, "[reconstruct]\nalpha = 1e-3\n"},
-      {Method::dft, one, ""},
+      {Method::closed_form, one_stress, "[reconstruct]\nalpha = 1e-3\n"},
+      {Method::dft, one_stress, ""},
       {Method::dft, two, "[reconstruct]\nalpha = 1e-3\ntangential = true\n"},
   }));
-  const Scene scene = parse(reads, rest);
+  const Scene scene = scene_that_reads(reads, rest);
   const double size = GENERATE(1e306, 1.7e308);
   CAPTURE(name(method), reads, rest, size);
   const auto solver = make_solver(scene, method);
@@ -75,7 +75,7 @@ TEST_CASE("a frame of another size, or with NaN, is refused and leaves the room 
                                     "[reconstruct]\nalpha = 1e-3\nnonnegative = true\n");
   const Method method = GENERATE(Method::dft, Method::tikhonov, Method::closed_form);
   CAPTURE(rest, name(method));
-  const auto solver = make_solver(parse(one, rest), method);
+  const auto solver = make_solver(scene_that_reads(one_stress, rest), method);
   std::vector<double> f(solver->tractions(), 7.0);
   CHECK(solver->solve(std::vector<double>(40), f).status == FrameStatus::wrong_size);
   std::vector<double> readings = bump(1);
@@ -87,7 +87,7 @@ TEST_CASE("a frame of another size, or with NaN, is refused and leaves the room 
 
 TEST_CASE("the bands' prior is gml judged alone, whatever the other rules say", "[lab][bands]") {
   // Three times the noise stated and an outlier: the rules disagree here, gml by itself is sure.
-  Scene scene = parse(one, "[noise]\nrms = 1e-3\n");
+  Scene scene = scene_that_reads(one_stress, "[noise]\nrms = 1e-3\n");
   scene.sensor.depths = {1.9 * scene.sensor.pitch};  // not dense: no windows
   const SceneProblem problem(scene);
   REQUIRE(!problem.has_load_windows());
@@ -167,8 +167,8 @@ TEST_CASE("a method that does not know the scene's constraints says so in its ve
 }
 
 TEST_CASE("dft takes no surface but the taxels", "[lab][method]") {
-  for (const std::string& reads : {one, two}) {
-    Scene scene = parse(reads, "");
+  for (const std::string& reads : {one_stress, two}) {
+    Scene scene = scene_that_reads(reads, "");
     scene.reconstruct.surface.basis = SurfaceBasis::hats;
     const SceneProblem problem(scene);
     CHECK_THROWS_WITH(make_solver(problem, Method::dft, 1e-3),
@@ -179,14 +179,15 @@ TEST_CASE("dft takes no surface but the taxels", "[lab][method]") {
 }
 
 TEST_CASE("the circuit solves no frames, and says so", "[lab][method]") {
-  CHECK_THROWS_AS(make_solver(parse(one, ""), Method::network), std::invalid_argument);
+  CHECK_THROWS_AS(make_solver(scene_that_reads(one_stress, ""), Method::network),
+                  std::invalid_argument);
 }
 
 TEST_CASE("frames that share an alpha flicker hardly more than with a fixed one", "[lab][method]") {
-  const Scene scene = parse("\"stress_x\"",
-                            "[noise]\nrms = 0.02\n[[contact]]\nshape = \"cylinder\"\n"
-                            "center = 0.4\nhalf_width = 2.0\nforce = 6.0\n"
-                            "[time]\nrate = 100.0\nframes = 60\n");
+  const Scene scene = scene_that_reads("\"stress_x\"",
+                                       "[noise]\nrms = 0.02\n[[contact]]\nshape = \"cylinder\"\n"
+                                       "center = 0.4\nhalf_width = 2.0\nforce = 6.0\n"
+                                       "[time]\nrate = 100.0\nframes = 60\n");
   const SceneProblem problem(scene);
   const auto flicker = [&](FrameSolver& solver) {
     SensorRecording recording(scene);
@@ -208,7 +209,7 @@ TEST_CASE("frames that share an alpha flicker hardly more than with a fixed one"
 }
 
 TEST_CASE("a single frame shares its alpha with none", "[lab][method]") {
-  const SceneProblem problem(parse(one, ""));
+  const SceneProblem problem(scene_that_reads(one_stress, ""));
   const std::vector<double> g = bump(1);
   std::vector<double> alone(problem.tractions());
   std::vector<double> first(problem.tractions());

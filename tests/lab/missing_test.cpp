@@ -1,21 +1,20 @@
 #include "tactile_net/lab/missing.hpp"
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "tactile_net/lab/frame_runs.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/scene_parts.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-constexpr std::size_t count = 17;
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t taxel_count = 17;
 
-Scene parse(const std::string& rest) {
+Scene two_quantity_scene(const std::string& rest) {
   return parse_scene(
       "[sensor]\ncount = 17\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\", \"shear_xy\"]\n"
       "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n[noise]\nrms = 0.01\n" +
@@ -24,7 +23,7 @@ Scene parse(const std::string& rest) {
 }
 
 std::vector<double> frame(std::mt19937& draw) {
-  std::vector<double> readings(2 * count);
+  std::vector<double> readings(2 * taxel_count);
   for (double& one : readings) one = static_cast<double>(draw()) / 4294967296.0;
   return readings;
 }
@@ -39,7 +38,7 @@ TEST_CASE("a frame that misses taxels is solved as the scene with these dead", "
       {Method::closed_form, "[reconstruct]\nalpha = 1e-3\n"},
   }));
   CAPTURE(rest);
-  const Scene scene = parse("[dead_taxels]\nindices = [9, 2]\n" + rest);
+  const Scene scene = two_quantity_scene("[dead_taxels]\nindices = [9, 2]\n" + rest);
   const SceneProblem whole{scene};
   IncompleteFrames incomplete(whole, method);
   std::mt19937 draw(5);
@@ -47,14 +46,14 @@ TEST_CASE("a frame that misses taxels is solved as the scene with these dead", "
     std::vector<double> readings = frame(draw);
     Scene with_dead = scene;
     for (const std::size_t taxel : {draw() % 8 + 9, draw() % 8 + 9}) {
-      readings[taxel + (draw() % 2 == 0 ? 0 : count)] = missing;
+      readings[taxel + (draw() % 2 == 0 ? 0 : taxel_count)] = missing_reading;
       with_dead.dead_taxels.push_back(taxel);
     }
     std::vector<double> complete = readings;
     for (double& one : complete)
       if (std::isnan(one)) one = 7.0;  // of a dead taxel: no matter
 
-    std::vector<double> found(2 * count), expected(2 * count);
+    std::vector<double> found(2 * taxel_count), expected(2 * taxel_count);
     const auto result = incomplete.solve(readings, found);
     REQUIRE(result);
     const SceneProblem dead{with_dead};
@@ -73,14 +72,14 @@ TEST_CASE("a frame that misses taxels is solved as the scene with these dead", "
 }
 
 TEST_CASE("patterns of missing taxels are kept, not without end", "[lab][missing]") {
-  IncompleteFrames incomplete(SceneProblem{parse("[reconstruct]\nalpha = 1e-3\n")},
+  IncompleteFrames incomplete(SceneProblem{two_quantity_scene("[reconstruct]\nalpha = 1e-3\n")},
                               Method::tikhonov);
   std::mt19937 draw(5);
-  std::vector<double> found(2 * count);
+  std::vector<double> found(2 * taxel_count);
   const auto solve = [&](std::size_t pattern) {
     std::vector<double> readings = frame(draw);
-    for (std::size_t bit = 0; bit < count; ++bit)
-      if ((pattern >> bit & 1) != 0) readings[bit] = missing;
+    for (std::size_t bit = 0; bit < taxel_count; ++bit)
+      if ((pattern >> bit & 1) != 0) readings[bit] = missing_reading;
     return incomplete.solve(readings, found).has_value();
   };
   for (std::size_t pattern = 1; pattern <= 20; ++pattern)
@@ -91,11 +90,12 @@ TEST_CASE("patterns of missing taxels are kept, not without end", "[lab][missing
   for (std::size_t pattern = 1; pattern <= incomplete.most_kept() + 5; ++pattern)
     (void)solve(pattern);
   CHECK(incomplete.kept() == incomplete.most_kept());
-  CHECK_FALSE(solve((std::size_t{1} << count) - 1));  // nothing is left
+  CHECK_FALSE(solve((std::size_t{1} << taxel_count) - 1));  // nothing is left
 }
 
 TEST_CASE("dft knows no dead taxels, and so none that are missing", "[lab][missing]") {
-  CHECK_THROWS_AS(IncompleteFrames(SceneProblem{parse("")}, Method::dft), std::invalid_argument);
+  CHECK_THROWS_AS(IncompleteFrames(SceneProblem{two_quantity_scene("")}, Method::dft),
+                  std::invalid_argument);
 }
 
 TEST_CASE("policies go by their names", "[lab][missing]") {

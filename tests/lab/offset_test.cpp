@@ -27,7 +27,7 @@ namespace {
 constexpr bool with_offset = true;
 
 /// A scene of scenes/, with or without `offset = true`.
-Scene shipped(const std::string& name, bool offset) {
+Scene shipped_scene(const std::string& name, bool offset) {
   Scene scene = read_scene(SCENES "/" + name);
   scene.reconstruct.offset = offset;
   return scene;
@@ -41,16 +41,16 @@ std::vector<double> moved(const Scene& scene, std::vector<double> readings, doub
   return readings;
 }
 
-struct Answer {
+struct JudgedAnswer {
   std::vector<double> f{};
   UncertainResultant resultant{};
   DataVerdict data{};
 };
 
-Answer answer_of(const Scene& scene, const std::vector<double>& readings) {
+JudgedAnswer judged_answer(const Scene& scene, const std::vector<double>& readings) {
   const SceneProblem problem(scene);
   const auto solver = make_solver(problem, Method::tikhonov);
-  Answer answer{.f = std::vector<double>(solver->tractions())};
+  JudgedAnswer answer{.f = std::vector<double>(solver->tractions())};
   const FrameResult result = solver->solve(readings, answer.f);
   REQUIRE(result.status == FrameStatus::ok);
   const SceneFrame frame(problem, readings);
@@ -63,16 +63,16 @@ Answer answer_of(const Scene& scene, const std::vector<double>& readings) {
 
 TEST_CASE("a recording with a planted offset is solved as without it", "[lab][offset]") {
   const std::string name = GENERATE("recorded/thin-pad.toml", "recorded/thin-pad-contact.toml");
-  const Scene scene = shipped(name, with_offset);
-  const Scene known = shipped(name, false);
+  const Scene scene = shipped_scene(name, with_offset);
+  const Scene known = shipped_scene(name, false);
   const auto number = GENERATE(std::size_t{2}, std::size_t{5});
   CAPTURE(name, number);
   const std::vector<double> readings =
       frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", scene, number);
   const std::vector<double> drifted = moved(scene, readings, 0.2);
 
-  const Answer plain = answer_of(scene, readings);
-  const Answer same = answer_of(scene, drifted);
+  const JudgedAnswer plain = judged_answer(scene, readings);
+  const JudgedAnswer same = judged_answer(scene, drifted);
   CHECK(relative_l2_error(same.f, plain.f) < 1e-6);
   CHECK_THAT(same.resultant.normal.value, WithinRel(plain.resultant.normal.value, 1e-6));
   CHECK_THAT(same.resultant.normal.deviation, WithinRel(plain.resultant.normal.deviation, 1e-4));
@@ -80,18 +80,18 @@ TEST_CASE("a recording with a planted offset is solved as without it", "[lab][of
   CHECK_FALSE(same.data.has(DataDoubt::offset));
 
   // Where there is none the answer is that of known offsets, within what both say of themselves.
-  const Answer before = answer_of(known, readings);
+  const JudgedAnswer before = judged_answer(known, readings);
   CHECK(std::abs(plain.resultant.normal.value - before.resultant.normal.value) <=
         3.0 * std::hypot(plain.resultant.normal.deviation, before.resultant.normal.deviation));
   CHECK(plain.resultant.normal.deviation > before.resultant.normal.deviation);
   // With one, known offsets go astray by more than ten times their deviation.
-  const Answer astray = answer_of(known, drifted);
+  const JudgedAnswer astray = judged_answer(known, drifted);
   CHECK(std::abs(astray.resultant.normal.value - before.resultant.normal.value) >
         10.0 * before.resultant.normal.deviation);
 }
 
 TEST_CASE("missing readings leave offsets to the taxels that are there", "[lab][offset]") {
-  const Scene scene = shipped("recorded/thin-pad.toml", with_offset);
+  const Scene scene = shipped_scene("recorded/thin-pad.toml", with_offset);
   std::vector<double> readings =
       moved(scene, frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", scene, 5), 0.2);
   readings[7] = std::numeric_limits<double>::quiet_NaN();
@@ -101,7 +101,7 @@ TEST_CASE("missing readings leave offsets to the taxels that are there", "[lab][
 
   Scene without = scene;
   without.dead_taxels = {7};
-  CHECK(relative_l2_error(f, answer_of(without, readings).f) < 1e-8);
+  CHECK(relative_l2_error(f, judged_answer(without, readings).f) < 1e-8);
 
   for (std::size_t i = 1; i < readings.size(); ++i)
     readings[i] = std::numeric_limits<double>::quiet_NaN();
@@ -109,7 +109,7 @@ TEST_CASE("missing readings leave offsets to the taxels that are there", "[lab][
 }
 
 TEST_CASE("circuits find the tractions whatever the offsets", "[lab][offset][relaxation]") {
-  Scene scene = shipped("coarse/strip.toml", with_offset);
+  Scene scene = shipped_scene("coarse/strip.toml", with_offset);
   scene.reconstruct.alpha = 1e-3;
   const Realization realization = GENERATE(Realization::ideal, Realization::least_squares);
   scene.network.realization = realization;
@@ -122,12 +122,12 @@ TEST_CASE("circuits find the tractions whatever the offsets", "[lab][offset][rel
   const SceneCircuit circuit{SceneFrame(problem, pressed)};
   std::vector<double> f = operating_voltages(circuit.network().flat());
   for (double& value : f) value /= circuit.options().parts.scale.volts;
-  CHECK(relative_l2_error(f, answer_of(scene, pressed).f) < 1e-3);
+  CHECK(relative_l2_error(f, judged_answer(scene, pressed).f) < 1e-3);
 }
 
 TEST_CASE("what offsets hide is told before any reading", "[lab][offset]") {
   const auto reasons = [](bool offset) {
-    return identify(shipped("dragged.toml", offset), {.relative_noise = 0.01}).reasons;
+    return identify(shipped_scene("dragged.toml", offset), {.relative_noise = 0.01}).reasons;
   };
   const auto is_offset = [](const HiddenReason& reason) {
     return std::holds_alternative<hidden_reason::UnknownOffsets>(reason);
@@ -136,19 +136,19 @@ TEST_CASE("what offsets hide is told before any reading", "[lab][offset]") {
   const auto without = reasons(false);
   CHECK(std::count_if(with.begin(), with.end(), is_offset) == 1);
   CHECK(std::none_of(without.begin(), without.end(), is_offset));
-  const Survey survey = identify(shipped("dragged.toml", true), {.relative_noise = 0.01});
+  const Survey survey = identify(shipped_scene("dragged.toml", true), {.relative_noise = 0.01});
   CHECK(hides_mean(survey.own, Traction::normal));
 }
 
 TEST_CASE("methods that need known offsets refuse them", "[lab][offset]") {
-  const Scene scene = shipped("dragged.toml", with_offset);
+  const Scene scene = shipped_scene("dragged.toml", with_offset);
   CHECK_THROWS_WITH(make_solver(scene, Method::dft),
                     ContainsSubstring("dft cannot tell an unknown offset"));
 
   // An array that is solved by FFT otherwise is solved by a decomposition.
   Scene long_array = scene;
   long_array.sensor.count = 1100;
-  CHECK(SceneProblem(shipped("dragged.toml", false)).is_large() == false);
+  CHECK(SceneProblem(shipped_scene("dragged.toml", false)).is_large() == false);
   CHECK_FALSE(SceneProblem(long_array).is_large());
   long_array.reconstruct.offset = false;
   CHECK(SceneProblem(long_array).is_large());

@@ -13,7 +13,7 @@ using namespace tactile_net;
 
 namespace {
 
-lab::SceneCircuit board() {
+lab::SceneCircuit board_circuit() {
   return lab::simulated_circuit(read_scene(SCENES "/circuits/board.toml"));
 }
 
@@ -21,7 +21,7 @@ lab::SceneCircuit board() {
 
 TEST_CASE("the list to order is stable with the scene's op-amps, and its draws meet the target",
           "[parts_list][long]") {
-  const lab::SceneCircuit circuit = board();
+  const lab::SceneCircuit circuit = board_circuit();
   const lab::PartsList list = lab::parts_list(circuit, 3e-3);
   REQUIRE(list.choice);
   const auto& chosen = list.chosen();
@@ -77,7 +77,7 @@ TEST_CASE("a list whose draws miss the target is made anew for a smaller one", "
 }
 
 TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_list][long]") {
-  const lab::SceneCircuit circuit = board();
+  const lab::SceneCircuit circuit = board_circuit();
   const lab::PartsList none = lab::parts_list(circuit, 1e-6);
   CHECK_FALSE(none.choice);
   CHECK_THAT(report::in_words(none), StartsWith("No list of parts"));

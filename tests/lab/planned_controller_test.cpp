@@ -9,7 +9,7 @@
 namespace tactile_net::lab {
 namespace {
 
-SceneProblem problem_of(const std::string& rest) {
+SceneProblem line_problem(const std::string& rest) {
   return SceneProblem(
       parse_scene("[sensor]\ncount = 21\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"
                   "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n" +
@@ -17,7 +17,7 @@ SceneProblem problem_of(const std::string& rest) {
                   "scene.toml"));
 }
 
-const std::string contact =
+const std::string cylinder_contact =
     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.5\nforce = 1.0\n[noise]\nrms = 1e-3\n";
 
 /// The scene's frame three times, 1, 10 and 0.1 times as large.
@@ -36,7 +36,7 @@ NextFrame recording(const SceneProblem& problem) {
 
 TEST_CASE("a controller's alpha is given, its contact's, or the median of a recording's",
           "[lab][controller]") {
-  const SceneProblem given = problem_of(contact + "[reconstruct]\nalpha = 1e-4\n");
+  const SceneProblem given = line_problem(cylinder_contact + "[reconstruct]\nalpha = 1e-4\n");
   const auto alpha = plan_alpha(given, [](std::span<double>) -> bool {
     FAIL("a given alpha asks for no frame");
     return false;
@@ -46,7 +46,7 @@ TEST_CASE("a controller's alpha is given, its contact's, or the median of a reco
   CHECK(alpha->source == PlanAlpha::Source::given);
   CHECK_FALSE(alpha->rule);
 
-  const SceneProblem ruled = problem_of(contact);
+  const SceneProblem ruled = line_problem(cylinder_contact);
   const auto of_contact = plan_alpha(ruled);
   REQUIRE(of_contact);
   CHECK(of_contact->source == PlanAlpha::Source::contact);
@@ -66,12 +66,12 @@ TEST_CASE("a controller's alpha is given, its contact's, or the median of a reco
 }
 
 TEST_CASE("without a frame a rule has nothing to choose an alpha by", "[lab][controller]") {
-  CHECK_FALSE(plan_alpha(problem_of("")));
-  CHECK_FALSE(plan_alpha(problem_of(contact), [](std::span<double>) { return false; }));
+  CHECK_FALSE(plan_alpha(line_problem("")));
+  CHECK_FALSE(plan_alpha(line_problem(cylinder_contact), [](std::span<double>) { return false; }));
 }
 
 TEST_CASE("the scene fills in what a controller's options leave open", "[lab][controller]") {
-  const SceneProblem problem = problem_of(
+  const SceneProblem problem = line_problem(
       "[noise]\nrms = 0.02\n[quantization]\nbits = 12\nrange = [-2.0, 3.0]\n"
       "[reconstruct]\nalpha = 1e-3\n");
   const PlanAlpha alpha{.value = 1e-3};

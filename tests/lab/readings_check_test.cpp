@@ -22,11 +22,9 @@ namespace {
 
 using Frames = std::vector<std::vector<double>>;
 
-constexpr double noise = 30.0;  // Pa, of readings up to some 10 kPa
-
 /// A silicone pad in SI; what touches it is somebody's `contact`.
-std::string pad(std::size_t count, const std::string& reads, const std::string& contact,
-                std::uint64_t seed) {
+std::string line_pad(std::size_t count, const std::string& reads, const std::string& contact,
+                     std::uint64_t seed) {
   const bool strains = reads.find("strain") != reads.npos;
   return "[sensor]\ncount = " + std::to_string(count) +
          "\npitch = 0.5e-3\ndepth = 1.5e-3\nreads = [" + reads +
@@ -50,23 +48,21 @@ const std::string slides =
 const std::string holds = cylinder + "force = 30.0\n";
 const std::string idles;
 
-using Recording = CheckedRecording<Scene>;
-
-Recording record(const std::string& toml) {
+RecordedLine recorded_line(const std::string& toml) {
   return record_with<lab::SensorRecording>(parse_scene(toml, "pad.toml"));
 }
 
 template <class Kind>
-Kind found(const lab::ReadingsCheck& check) {
+Kind finding_of(const lab::ReadingsCheck& check) {
   for (const lab::Finding& one : check.findings)
     if (const Kind* kind = std::get_if<Kind>(&one)) return *kind;
   FAIL("not found");
   throw 0;
 }
 
-std::size_t count_of(const Recording& recording) { return recording.scene.sensor.count; }
+std::size_t count_of(const RecordedLine& recording) { return recording.scene.sensor.count; }
 
-void scale(Recording& recording, double factor) {
+void scale(RecordedLine& recording, double factor) {
   for (auto& frame : recording.frames)
     for (double& value : frame) value *= factor;
 }
@@ -80,7 +76,7 @@ TEST_CASE("nothing is suspicious about clean recordings", "[lab][check]") {
   const std::uint64_t seed = GENERATE(1u, 2u);
   if (count == 81 && (seed > 1 || reads.size() > 12)) return;  // enough, and slow
   CAPTURE(count, reads, contact, seed);
-  const lab::ReadingsCheck result = check(record(pad(count, reads, contact, seed)));
+  const lab::ReadingsCheck result = check(recorded_line(line_pad(count, reads, contact, seed)));
   CHECK(kinds(result) == Names{});
   CHECK(result.frames == 400);
   REQUIRE(result.channels[0].noise);
@@ -91,60 +87,60 @@ TEST_CASE("nothing is suspicious about clean recordings", "[lab][check]") {
 
 namespace {
 
-struct Defect {
+struct RecordingDefect {
   std::string name;
-  std::function<void(Recording&, std::mt19937&)> plant;
+  std::function<void(RecordedLine&, std::mt19937&)> plant;
   std::string expected;
   std::set<std::string> also{};  ///< what it may be taken for besides
 };
 
-const std::vector<Defect>& defects() {
-  static const std::vector<Defect> all{
-      {"kPa for Pa", [](Recording& r, auto&) { scale(r, 1e-3); }, "scale_by_1000"},
-      {"mPa for Pa", [](Recording& r, auto&) { scale(r, 1e3); }, "scale_by_1000"},
-      {"sign", [](Recording& r, auto&) { scale(r, -1.0); }, "whole_pad_pulled"},
+const std::vector<RecordingDefect>& recording_defects() {
+  static const std::vector<RecordingDefect> all{
+      {"kPa for Pa", [](RecordedLine& r, auto&) { scale(r, 1e-3); }, "scale_by_1000"},
+      {"mPa for Pa", [](RecordedLine& r, auto&) { scale(r, 1e3); }, "scale_by_1000"},
+      {"sign", [](RecordedLine& r, auto&) { scale(r, -1.0); }, "whole_pad_pulled"},
       {"dead",
-       [](Recording& r, auto&) {
+       [](RecordedLine& r, auto&) {
          for (auto& frame : r.frames) frame[count_of(r) / 2] = 0.0;
        },
        "dead_taxels"},
       {"cut wire: noise and no signal",
-       [](Recording& r, auto& random) {
-         std::normal_distribution<double> white(0.0, noise);
+       [](RecordedLine& r, auto& random) {
+         std::normal_distribution<double> white(0.0, pad_noise);
          for (auto& frame : r.frames) frame[count_of(r) / 2 + 1] = white(random);
        },
        "dead_taxels"},
       {"noisy",
-       [](Recording& r, auto& random) {
-         std::normal_distribution<double> white(0.0, 8.0 * noise);
+       [](RecordedLine& r, auto& random) {
+         std::normal_distribution<double> white(0.0, 8.0 * pad_noise);
          for (auto& frame : r.frames) frame[3] += white(random);
        },
        "noisy_taxels"},
       {"single frames of one taxel",
-       [](Recording& r, auto&) {
-         for (const std::size_t k : {30u, 110u, 222u}) r.frames[k][4] += 60.0 * noise;
-         r.frames[350][4] -= 80.0 * noise;
+       [](RecordedLine& r, auto&) {
+         for (const std::size_t k : {30u, 110u, 222u}) r.frames[k][4] += 60.0 * pad_noise;
+         r.frames[350][4] -= 80.0 * pad_noise;
        },
        "single_frame_spikes"},
       {"stuck from the start",
-       [](Recording& r, auto&) {
+       [](RecordedLine& r, auto&) {
          for (auto& frame : r.frames) frame[4] = 123.0;
        },
        "stuck_taxels"},
       {"stuck from frame 200 on",
-       [](Recording& r, auto&) {
+       [](RecordedLine& r, auto&) {
          for (std::size_t k = 200; k < r.frames.size(); ++k) r.frames[k][4] = r.frames[200][4];
        },
        "stuck_taxels"},
       {"saturated",
-       [](Recording& r, auto&) {
+       [](RecordedLine& r, auto&) {
          for (auto& frame : r.frames)
            for (double& value : frame) value = std::min(value, 3000.0);
        },
        "saturated_taxels"},
       {"baseline of each taxel",
-       [](Recording& r, auto& random) {
-         std::normal_distribution<double> white(0.0, 15.0 * noise);
+       [](RecordedLine& r, auto& random) {
+         std::normal_distribution<double> white(0.0, 15.0 * pad_noise);
          std::vector<double> offset(r.frames[0].size());
          for (double& value : offset) value = white(random);
          for (auto& frame : r.frames)
@@ -152,14 +148,14 @@ const std::vector<Defect>& defects() {
        },
        "baseline"},
       {"baseline of all taxels",
-       [](Recording& r, auto&) {
+       [](RecordedLine& r, auto&) {
          for (auto& frame : r.frames)
-           for (double& value : frame) value += 10.0 * noise;
+           for (double& value : frame) value += 10.0 * pad_noise;
        },
        "baseline"},
       {"drift of each taxel",
-       [](Recording& r, auto& random) {
-         std::normal_distribution<double> white(0.0, 30.0 * noise);
+       [](RecordedLine& r, auto& random) {
+         std::normal_distribution<double> white(0.0, 30.0 * pad_noise);
          std::vector<double> slope(r.frames[0].size());
          for (double& value : slope) value = white(random) / 400.0;
          for (std::size_t k = 0; k < r.frames.size(); ++k)
@@ -168,21 +164,22 @@ const std::vector<Defect>& defects() {
        },
        "drift"},
       {"drift of all taxels",
-       [](Recording& r, auto&) {
+       [](RecordedLine& r, auto&) {
          for (std::size_t k = 0; k < r.frames.size(); ++k)
-           for (double& value : r.frames[k]) value += 30.0 * noise / 400.0 * static_cast<double>(k);
+           for (double& value : r.frames[k])
+             value += 30.0 * pad_noise / 400.0 * static_cast<double>(k);
        },
        "drift"},
       {"noise of 3 times",
-       [](Recording& r, auto& random) {
-         std::normal_distribution<double> white(0.0, std::sqrt(8.0) * noise);
+       [](RecordedLine& r, auto& random) {
+         std::normal_distribution<double> white(0.0, std::sqrt(8.0) * pad_noise);
          for (auto& frame : r.frames)
            for (double& value : frame) value += white(random);
        },
        "noise_differs"},
       {"noise that remembers",
-       [](Recording& r, auto& random) {
-         std::normal_distribution<double> white(0.0, noise);
+       [](RecordedLine& r, auto& random) {
+         std::normal_distribution<double> white(0.0, pad_noise);
          std::vector<double> state(r.frames[0].size());
          for (auto& frame : r.frames)
            for (std::size_t i = 0; i < frame.size(); ++i)
@@ -190,28 +187,28 @@ const std::vector<Defect>& defects() {
        },
        "noise_coloured"},
       {"missing",
-       [](Recording& r, auto&) {
+       [](RecordedLine& r, auto&) {
          r.frames[5][2] = r.frames[200][3] = std::numeric_limits<double>::quiet_NaN();
        },
        "values_missing"},
-      {"rows twice", [](Recording& r, auto&) { r.frames[17] = r.frames[16]; }, "frames_repeat"},
+      {"rows twice", [](RecordedLine& r, auto&) { r.frames[17] = r.frames[16]; }, "frames_repeat"},
       {"pitch in mm, E in Pa",
-       [](Recording& r, auto&) {
+       [](RecordedLine& r, auto&) {
          r.scene.sensor.pitch *= 1e3;
          for (double& depth : r.scene.sensor.depths) depth *= 1e3;
          r.scene.reconstruct.smoothing_length *= 1e3;
        },
        "mixed_units"},
       {"E in MPa, readings in Pa",
-       [](Recording& r, auto&) { r.scene.material.youngs_modulus = 0.2; },
+       [](RecordedLine& r, auto&) { r.scene.material.youngs_modulus = 0.2; },
        "mixed_units",
        {"traction_exceeds_modulus"}},
       {"depth in mm",
-       [](Recording& r, auto&) { r.scene.sensor.depths = {1.5}; },
+       [](RecordedLine& r, auto&) { r.scene.sensor.depths = {1.5}; },
        "depth_beyond_array",
        {"traction_exceeds_modulus"}},
       {"pitch in mm",
-       [](Recording& r, auto&) { r.scene.sensor.pitch = 0.5; },
+       [](RecordedLine& r, auto&) { r.scene.sensor.pitch = 0.5; },
        "pitch_coarse",
        {"mixed_units", "deformation_tiny"}},
   };
@@ -223,10 +220,10 @@ const std::vector<Defect>& defects() {
 TEST_CASE("nothing is suspicious about a clean recording of a coarse array", "[lab][check]") {
   const std::string contact = GENERATE(presses, slides, holds);
   const std::uint64_t seed = GENERATE(1u, 2u);
-  std::string text = pad(9, "\"stress_x\"", contact, seed);
+  std::string text = line_pad(9, "\"stress_x\"", contact, seed);
   text.replace(text.find("0.5e-3"), 6, "3.0e-3");  // twice the depth
   CAPTURE(contact, seed);
-  const lab::ReadingsCheck result = check(record(text));
+  const lab::ReadingsCheck result = check(recorded_line(text));
   CHECK(kinds(result) == Names{});
   REQUIRE(result.peak);
   CHECK(result.peak->force > 15.0);  // of 30 or 40 that press
@@ -237,10 +234,10 @@ TEST_CASE("each planted defect is found", "[lab][check]") {
   const auto at = static_cast<std::size_t>(GENERATE(range(0, 22)));
   const std::size_t count = GENERATE(11u, 41u);
   const std::uint64_t seed = GENERATE(1u, 2u);
-  REQUIRE(defects().size() == 22);
-  const Defect& defect = defects()[at];
+  REQUIRE(recording_defects().size() == 22);
+  const RecordingDefect& defect = recording_defects()[at];
   CAPTURE(defect.name, count, seed);
-  Recording recording = record(pad(count, "\"stress_x\"", presses, seed));
+  RecordedLine recording = recorded_line(line_pad(count, "\"stress_x\"", presses, seed));
   std::mt19937 random(static_cast<unsigned>(seed));
   defect.plant(recording, random);
   Names names = kinds(check(recording));
@@ -253,7 +250,7 @@ TEST_CASE("columns in the other order are found by what shears say", "[lab][chec
   const std::uint64_t seed = GENERATE(1u, 2u);
   const std::string contact = GENERATE(presses, slides);
   const std::string reads = GENERATE("\"stress_x\", \"shear_xy\"", "\"stress_x\"");
-  Recording recording = record(pad(41, reads, contact, seed));
+  RecordedLine recording = recorded_line(line_pad(41, reads, contact, seed));
   const auto count = static_cast<std::ptrdiff_t>(count_of(recording));
   for (auto& frame : recording.frames)
     for (auto first = frame.begin(); first != frame.end(); first += count)
@@ -263,7 +260,7 @@ TEST_CASE("columns in the other order are found by what shears say", "[lab][chec
   const bool told = recording.scene.sensor.reads.size() > 1;
   CHECK(kinds(result).contains("order_mirrored") == told);
   if (!told) return;
-  const auto order = found<finding::OrderMirrored>(result);
+  const auto order = finding_of<finding::OrderMirrored>(result);
   CHECK(order.along_y);
   CHECK_FALSE(order.exchanged);
   CHECK(order.frames == order.of);
@@ -275,79 +272,79 @@ TEST_CASE("columns in the other order are found by what shears say", "[lab][chec
 
 TEST_CASE("a constant that is found with the loads is no baseline, a drift of it no drift",
           "[lab][check]") {
-  Recording recording = record(pad(41, "\"stress_x\", \"stress_y\"", presses, 3));
+  RecordedLine recording = recorded_line(line_pad(41, "\"stress_x\", \"stress_y\"", presses, 3));
   const auto names = [&](bool found_with_loads) {
     recording.scene.reconstruct.offset = found_with_loads;
     return kinds(check(recording));
   };
   for (std::size_t k = 0; k < recording.frames.size(); ++k)
     for (std::size_t i = 0; i < 41; ++i)
-      recording.frames[k][i] += 10.0 * noise + 0.1 * noise * static_cast<double>(k);
+      recording.frames[k][i] += 10.0 * pad_noise + 0.1 * pad_noise * static_cast<double>(k);
   CHECK(names(false).contains("drift"));
   CHECK(names(true).empty());
-  recording.frames = record(pad(41, "\"stress_x\", \"stress_y\"", presses, 3)).frames;
-  for (auto& frame : recording.frames) frame[7] += 20.0 * noise;  // of one taxel alone
+  recording.frames = recorded_line(line_pad(41, "\"stress_x\", \"stress_y\"", presses, 3)).frames;
+  for (auto& frame : recording.frames) frame[7] += 20.0 * pad_noise;  // of one taxel alone
   CHECK(names(true).contains("baseline"));
 }
 
 TEST_CASE("a check says where, how much and what to write", "[lab][check]") {
   const std::uint64_t seed = GENERATE(1u, 2u, 3u);
-  const Recording clean = record(pad(41, "\"stress_x\"", presses, seed));
+  const RecordedLine clean = recorded_line(line_pad(41, "\"stress_x\"", presses, seed));
   std::mt19937 random(static_cast<unsigned>(seed));
   std::normal_distribution<double> white(0.0, 1.0);
   {
-    Recording broken = clean;
+    RecordedLine broken = clean;
     for (auto& frame : broken.frames) {
       frame[20] = 0.0;
-      frame[7] += 10.0 * noise * white(random);
+      frame[7] += 10.0 * pad_noise * white(random);
     }
     const auto result = check(broken);
-    CHECK(found<finding::DeadTaxels>(result).taxels == std::vector<std::size_t>{20});
-    CHECK(found<finding::NoisyTaxels>(result).taxels == std::vector<std::size_t>{7});
-    CHECK_THAT(found<finding::NoisyTaxels>(result).times, WithinRel(10.0, 0.2));
+    CHECK(finding_of<finding::DeadTaxels>(result).taxels == std::vector<std::size_t>{20});
+    CHECK(finding_of<finding::NoisyTaxels>(result).taxels == std::vector<std::size_t>{7});
+    CHECK_THAT(finding_of<finding::NoisyTaxels>(result).times, WithinRel(10.0, 0.2));
   }
   {
-    Recording shifted = clean;
+    RecordedLine shifted = clean;
     std::vector<double> offset(41);
     for (double& one : offset) one = 500.0 * white(random);
     for (auto& frame : shifted.frames)
       for (std::size_t i = 0; i < 41; ++i) frame[i] += offset[i];
-    const auto baseline = found<finding::Baseline>(check(shifted));
+    const auto baseline = finding_of<finding::Baseline>(check(shifted));
     for (std::size_t i = 0; i < 41; ++i)
-      CHECK_THAT(baseline.values[i], WithinAbs(offset[i], noise));
+      CHECK_THAT(baseline.values[i], WithinAbs(offset[i], pad_noise));
     CHECK_FALSE(baseline.loaded);
   }
   {
-    Recording stuck = clean;
+    RecordedLine stuck = clean;
     for (std::size_t k = 100; k < 250; ++k) stuck.frames[k][30] = stuck.frames[100][30];
-    const auto run = found<finding::StuckTaxels>(check(stuck));
+    const auto run = finding_of<finding::StuckTaxels>(check(stuck));
     CHECK(run.worst == 30);
     CHECK(run.first == 100);
     CHECK(run.frames == 150);
   }
   {
-    Recording spiked = clean;
-    for (const std::size_t k : {30u, 110u, 222u}) spiked.frames[k][12] += 60.0 * noise;
-    const auto spikes = found<finding::SingleFrameSpikes>(check(spiked));
+    RecordedLine spiked = clean;
+    for (const std::size_t k : {30u, 110u, 222u}) spiked.frames[k][12] += 60.0 * pad_noise;
+    const auto spikes = finding_of<finding::SingleFrameSpikes>(check(spiked));
     CHECK(spikes.taxels == std::vector<std::size_t>{12});
     CHECK(spikes.frames == 3);
     CHECK_THAT(spikes.times, WithinRel(60.0, 0.2));
   }
   {
-    Recording tapped = clean;  // a press for one frame, which is no defect
+    RecordedLine tapped = clean;  // a press for one frame, which is no defect
     for (std::size_t i = 0; i < 41; ++i) tapped.frames[350][i] += tapped.frames[100][i];
     CHECK(kinds(check(tapped)) == Names{});
   }
   {
-    Recording silent = clean;
+    RecordedLine silent = clean;
     silent.scene.noise.reset();
-    CHECK_THAT(*check(silent).channels[0].noise, WithinRel(noise, 0.15));
+    CHECK_THAT(*check(silent).channels[0].noise, WithinRel(pad_noise, 0.15));
   }
 }
 
 TEST_CASE("the peak is that of the contact", "[lab][check]") {
-  const auto result =
-      check(record(pad(41, "\"stress_x\"", presses, 1) + "[forward]\nmodel = \"exact\"\n"));
+  const auto result = check(
+      recorded_line(line_pad(41, "\"stress_x\"", presses, 1) + "[forward]\nmodel = \"exact\"\n"));
   REQUIRE(result.peak);
   CHECK_THAT(result.peak->force, WithinRel(40.0, 0.03));
   CHECK(result.peak->frame >= 80);
@@ -360,8 +357,8 @@ TEST_CASE("coarse converters are no defect", "[lab][check]") {
   const std::string contact = GENERATE(presses, slides, holds, idles);
   CAPTURE(bits, contact);
   const auto result =
-      check(record(pad(41, "\"stress_x\"", contact, 1) + "[quantization]\nbits = " + bits +
-                   "\nrange = [-20000.0, 20000.0]\n"));
+      check(recorded_line(line_pad(41, "\"stress_x\"", contact, 1) +
+                          "[quantization]\nbits = " + bits + "\nrange = [-20000.0, 20000.0]\n"));
   Names names = kinds(result);
   names.erase("noise_differs");  // it does: steps of 157 beside noise of 30
   names.erase("frames_repeat");
@@ -369,14 +366,14 @@ TEST_CASE("coarse converters are no defect", "[lab][check]") {
 }
 
 TEST_CASE("a long recording is thinned, and says the same", "[lab][check]") {
-  std::string quiet = pad(11, "\"stress_x\"", presses, 1);
+  std::string quiet = line_pad(11, "\"stress_x\"", presses, 1);
   quiet.replace(quiet.find("rms = 30.0"), 10, "rms = 1e-9");
-  Recording once = record(quiet);
-  once.scene.noise->rms.begin()->second = noise;
+  RecordedLine once = recorded_line(quiet);
+  once.scene.noise->rms.begin()->second = pad_noise;
   for (auto& frame : once.frames) frame[5] = 0.0;
   lab::ReadingsChecker checker(once.scene);
   std::mt19937 random(1);
-  std::normal_distribution<double> white(0.0, noise);
+  std::normal_distribution<double> white(0.0, pad_noise);
   constexpr std::size_t frames = 20'000;
   for (std::size_t k = 0; k < frames; ++k) {
     std::vector<double> frame = once.frames[k * once.frames.size() / frames];
@@ -392,9 +389,9 @@ TEST_CASE("a long recording is thinned, and says the same", "[lab][check]") {
 }
 
 TEST_CASE("recordings of hardly anything are checked as far as they go", "[lab][check]") {
-  const Recording whole = record(pad(11, "\"stress_x\"", holds, 1));
+  const RecordedLine whole = recorded_line(line_pad(11, "\"stress_x\"", holds, 1));
   const auto frames = static_cast<std::size_t>(GENERATE(0, 1, 2, 3, 8));
-  Recording few = whole;
+  RecordedLine few = whole;
   few.frames.resize(frames);
   const auto result = check(few);
   CHECK(result.still == 0);
@@ -409,7 +406,7 @@ TEST_CASE("recordings of hardly anything are checked as far as they go", "[lab][
 
 TEST_CASE("what solve notices comes from the same functions", "[lab][check]") {
   const double factor = GENERATE(1.0, -1.0, 1e-3);
-  Recording recording = record(pad(11, "\"stress_x\"", presses, 1));
+  RecordedLine recording = recorded_line(line_pad(11, "\"stress_x\"", presses, 1));
   scale(recording, factor);
   const lab::SceneProblem problem(recording.scene);
   const auto solver = lab::make_solver(problem, Method::tikhonov);

@@ -1,7 +1,6 @@
 #include "tactile_net/lab/recording_solver.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -9,13 +8,12 @@
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/scene_parts.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Scene pressed() {
+Scene pressed_over_time() {
   return parse_scene(
       "[sensor]\ncount = 17\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"
       "[material]\nyoungs_modulus = 1e3\npoisson_ratio = 0.45\n[noise]\nrms = 0.01\n"
@@ -24,7 +22,7 @@ Scene pressed() {
       "scene.toml");
 }
 
-std::vector<double> frame_of(const Scene& scene) { return simulate(scene).readings; }
+std::vector<double> simulated_readings(const Scene& scene) { return simulate(scene).readings; }
 
 struct Steps : Observer {
   explicit Steps(std::size_t most) : most_(most) {}
@@ -41,7 +39,7 @@ struct Steps : Observer {
 }  // namespace
 
 TEST_CASE("frames are solved as the method solves them, and judged", "[lab][recording]") {
-  const Scene scene = pressed();
+  const Scene scene = pressed_over_time();
   const SceneProblem problem(scene);
   RecordingSolver recorded(problem, Method::tikhonov);
   const auto alone = make_solver(problem, Method::tikhonov);
@@ -63,9 +61,9 @@ TEST_CASE("frames are solved as the method solves them, and judged", "[lab][reco
 
 TEST_CASE("a frame with a missing reading is skipped, or solved from the others",
           "[lab][recording]") {
-  const Scene scene = pressed();
-  std::vector<double> readings = frame_of(scene);
-  readings[4] = nan;
+  const Scene scene = pressed_over_time();
+  std::vector<double> readings = simulated_readings(scene);
+  readings[4] = missing_reading;
   const Missing missing = GENERATE(Missing::skip, Missing::estimate);
   RecordingSolver solver(SceneProblem(scene), Method::tikhonov, {.missing = missing});
   std::vector<double> tractions(solver.tractions(), 7.0);
@@ -79,16 +77,16 @@ TEST_CASE("a frame with a missing reading is skipped, or solved from the others"
     CHECK(tractions == std::vector<double>(solver.tractions(), 7.0));
     CHECK(solver.solved().skipped.count() == 1);
   }
-  std::vector<double> whole = frame_of(scene);
+  std::vector<double> whole = simulated_readings(scene);
   REQUIRE(solver.solve(whole, tractions));
   CHECK(solver.problem().scene().dead_taxels.empty());
 }
 
 TEST_CASE("a bad frame does not count", "[lab][recording]") {
-  RecordingSolver solver(SceneProblem(pressed()), Method::tikhonov);
+  RecordingSolver solver(SceneProblem(pressed_over_time()), Method::tikhonov);
   std::vector<double> tractions(solver.tractions(), 7.0);
   std::vector<double> readings(17, 1.0);
-  readings[3] = nan;
+  readings[3] = missing_reading;
   const auto result = solver.solve(readings, tractions);
   REQUIRE(result);
   CHECK(result->status == FrameStatus::not_finite);
@@ -98,17 +96,17 @@ TEST_CASE("a bad frame does not count", "[lab][recording]") {
 
 TEST_CASE("whoever observes a simulation hears every frame, and may end it", "[lab][recording]") {
   Steps all(100);
-  (void)simulate(pressed(), all);
+  (void)simulate(pressed_over_time(), all);
   CHECK(all.frames == std::vector<std::size_t>{0, 1, 2, 3, 4, 5});
   Steps some(3);
-  CHECK_THROWS(simulate(pressed(), some));
+  CHECK_THROWS(simulate(pressed_over_time(), some));
   CHECK(some.frames.size() == 3);
 }
 
 TEST_CASE("taxels at the end of a line's range are left out, as if dead",
           "[lab][recording][clipped]") {
-  Scene scene = pressed();
-  std::vector<double> readings = frame_of(scene);
+  Scene scene = pressed_over_time();
+  std::vector<double> readings = simulated_readings(scene);
   const double limit = 0.7 * *std::max_element(readings.begin(), readings.end());
   std::vector<std::size_t> beyond;
   for (std::size_t i = 0; i < readings.size(); ++i)

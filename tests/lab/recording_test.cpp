@@ -12,7 +12,7 @@
 namespace tactile_net::lab {
 namespace {
 
-SceneProblem pad() {
+SceneProblem pad_problem() {
   return SceneProblem(
       parse_scene("[sensor]\ncount = 21\npitch = 0.5\ndepth = 1.0\nreads = [\"stress_x\"]\n"
                   "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
@@ -21,8 +21,8 @@ SceneProblem pad() {
 }
 
 /// A recording whose frames all press with 1, but one.
-Recording recorded(std::size_t frames, std::size_t tap) {
-  const SceneProblem problem = pad();
+Recording tapped_recording(std::size_t frames, std::size_t tap) {
+  const SceneProblem problem = pad_problem();
   Recording recording(problem, Method::tikhonov);
   std::vector<double> tractions(21);
   for (std::size_t i = 0; i < frames; ++i) {
@@ -40,7 +40,7 @@ TEST_CASE("every frame of a recording is counted once, in a bounded number of gr
           "[lab][recording]") {
   for (const std::size_t frames : {1U, 2U, 1499U, 1500U, 1501U, 20'000U}) {
     CAPTURE(frames);
-    const RecordingOverview overview = recorded(frames, frames / 3).overview();
+    const RecordingOverview overview = tapped_recording(frames, frames / 3).overview();
     CHECK(overview.frames == frames);
     CHECK(overview.groups.size() <= Recording::most_groups);
     CHECK(overview.groups.size() >= std::min<std::size_t>(frames, Recording::most_groups / 2));
@@ -59,7 +59,7 @@ TEST_CASE("every frame of a recording is counted once, in a bounded number of gr
 TEST_CASE("a tap of one frame and a verdict of one frame survive the thinning",
           "[lab][recording]") {
   const std::size_t tap = 12'345;
-  const RecordingOverview overview = recorded(100'000, tap).overview();
+  const RecordingOverview overview = tapped_recording(100'000, tap).overview();
   CHECK(overview.peak().shown == tap);
   CHECK_THAT(overview.peak().highest_normal, WithinRel(7.0 * 21 * 0.5, 1e-12));
   CHECK_THAT(overview.peak().lowest_normal, WithinRel(21 * 0.5, 1e-12));
@@ -74,7 +74,7 @@ TEST_CASE("a tap of one frame and a verdict of one frame survive the thinning",
 }
 
 TEST_CASE("frames without an answer count where they are", "[lab][recording]") {
-  const SceneProblem problem = pad();
+  const SceneProblem problem = pad_problem();
   const std::vector<double> ones(21, 1.0);
   Recording recording(problem, Method::tikhonov);
   for (std::size_t i = 0; i < 5000; ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("frames without an answer count where they are", "[lab][recording]") {
 }
 
 TEST_CASE("the bands of a recording's frame are those that uncertainty gives", "[lab][recording]") {
-  const SceneProblem problem = pad();
+  const SceneProblem problem = pad_problem();
   const auto solver = make_solver(problem, Method::tikhonov);
   Recording recording(problem, Method::tikhonov);
   std::vector<double> readings(21);
@@ -120,7 +120,7 @@ TEST_CASE("the bands of a recording's frame are those that uncertainty gives", "
 }
 
 TEST_CASE("inside the pad a uniform pressure is a uniform stress", "[lab][interior]") {
-  Scene scene = pad().scene();
+  Scene scene = pad_problem().scene();
   scene.sensor.count = 401;
   const InteriorKernels kernels = interior_kernels(scene, 6, true);
   REQUIRE(kernels.depths.size() == 6);
@@ -138,7 +138,7 @@ TEST_CASE("inside the pad a uniform pressure is a uniform stress", "[lab][interi
 
 TEST_CASE("the stress inside is linear in the load, and a loaded taxel's is its kernel",
           "[lab][interior]") {
-  const Scene scene = pad().scene();
+  const Scene scene = pad_problem().scene();
   const std::size_t n = scene.sensor.count;
   const InteriorKernels kernels = interior_kernels(scene, 4, true);
   std::vector<double> press(n);
@@ -158,7 +158,7 @@ TEST_CASE("the stress inside is linear in the load, and a loaded taxel's is its 
 }
 
 TEST_CASE("a picture of the pad reaches the base, or twice the deepest taxel", "[lab][interior]") {
-  Scene scene = pad().scene();
+  Scene scene = pad_problem().scene();
   scene.sensor.depths = {1.0, 0.5};
   CHECK(interior_depth(scene) == 2.0);
   scene.material.layer = Layer{.thickness = 3.0};
@@ -166,7 +166,7 @@ TEST_CASE("a picture of the pad reaches the base, or twice the deepest taxel", "
 }
 
 TEST_CASE("a recording's components are cut out in one place", "[lab][recording]") {
-  RecordingOverview overview = recorded(5, 2).overview();
+  RecordingOverview overview = tapped_recording(5, 2).overview();
   CHECK(overview.largest(Traction::normal) == 7.0);
   CHECK(overview.largest(Traction::tangential) == 0.0);
   CHECK_FALSE(overview.tangential());

@@ -9,6 +9,7 @@
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/circuit_of_scene.hpp"
 
 using namespace tactile_net;
 using lab::Disagreement;
@@ -34,11 +35,6 @@ Certificate with_pole(double slowest) {
 std::optional<Disagreement::Kind> kind(const lab::Relaxation& relaxation) {
   const auto disagreement = relaxation.disagreement();
   return disagreement ? std::optional(disagreement->kind) : std::nullopt;
-}
-
-lab::SceneCircuit circuit(Scene scene) {
-  const std::vector<double> readings = lab::simulate(scene).readings;
-  return lab::SceneCircuit(lab::SceneFrame(lab::SceneProblem(std::move(scene)), readings));
 }
 
 }  // namespace
@@ -82,7 +78,7 @@ TEST_CASE("an answer holds, or says what is wrong with it and by how much", "[la
 }
 
 TEST_CASE("a scene's circuit hands on what it made", "[lab][scene_circuit]") {
-  const lab::SceneCircuit one = circuit(read_scene(SCENES "/circuits/rail.toml"));
+  const lab::SceneCircuit one = circuit_of(read_scene(SCENES "/circuits/rail.toml"));
   CHECK(one.loaded());
   CHECK(&one.direct() == &one.direct());
   CHECK(&one.certificate() == &one.certificate());
@@ -102,33 +98,33 @@ TEST_CASE("the largest of the answer's voltages is 1 V unless the scene states a
   };
   for (const Realization realization : {Realization::nic, Realization::least_squares}) {
     scene.network.realization = realization;
-    CHECK_THAT(largest(circuit(scene)), WithinRel(1.0, 1e-3));  // amplifiers of gain 1e6
+    CHECK_THAT(largest(circuit_of(scene)), WithinRel(1.0, 1e-3));  // amplifiers of gain 1e6
   }
   // The unit of stress makes no difference to a circuit.
   scene.noise.reset();
   Scene in_kilopascal = scene;
   in_kilopascal.material.youngs_modulus *= 1e-3;
   for (Contact& contact : in_kilopascal.contacts) std::get<RigidContact>(contact).force *= 1e-3;
-  CHECK_THAT(circuit(in_kilopascal).options().parts.scale.volts,
-             WithinRel(1e3 * circuit(scene).options().parts.scale.volts, 1e-9));
+  CHECK_THAT(circuit_of(in_kilopascal).options().parts.scale.volts,
+             WithinRel(1e3 * circuit_of(scene).options().parts.scale.volts, 1e-9));
 
   scene.contacts.clear();
-  CHECK_THAT(circuit(scene).options().parts.scale.volts,
+  CHECK_THAT(circuit_of(scene).options().parts.scale.volts,
              WithinRel(10.0 / scene.material.youngs_modulus, 1e-12));
   scene.network.one_volt = false;
   scene.network.parts.scale.volts = 0.25;
-  CHECK(circuit(scene).options().parts.scale.volts == 0.25);
+  CHECK(circuit_of(scene).options().parts.scale.volts == 0.25);
 }
 
 TEST_CASE("a deck has the resistors that one can buy, and says what they do to the answer",
           "[lab][scene_circuit]") {
   Scene scene = read_scene(SCENES "/circuits/rail.toml");
   scene.network.tolerance.reset();
-  CHECK_FALSE(circuit(scene).ordered());
+  CHECK_FALSE(circuit_of(scene).ordered());
   double before = 0.0;
   for (const Series series : {Series::e192, Series::e24}) {
     scene.network.tolerance = ToleranceOptions{.series = series};
-    const lab::SceneCircuit one = circuit(scene);
+    const lab::SceneCircuit one = circuit_of(scene);
     const Circuit& nominal = one.network().circuit();
     REQUIRE(one.ordered());
     const lab::SceneCircuit::Ordered& ordered = *one.ordered();
@@ -151,19 +147,19 @@ TEST_CASE("a recommendation says which, or what it would take", "[lab][recommend
   Scene scene = read_scene(SCENES "/circuits/rail.toml");
   using enum lab::Recommendation::Outcome;
   scene.network.tolerance = ToleranceOptions{.relative = 1e-9, .trials = 20};
-  const lab::Recommendation exact = recommend(circuit(scene));
+  const lab::Recommendation exact = recommend(circuit_of(scene));
   CHECK(exact.outcome == reached);
   CHECK(exact.choice == 0);  // the fewest op-amps
   CHECK_FALSE(exact.parts_needed);
 
   scene.network.tolerance = ToleranceOptions{.relative = 0.05, .trials = 20, .accuracy = 1e-6};
-  const lab::Recommendation rough = recommend(circuit(scene));
+  const lab::Recommendation rough = recommend(circuit_of(scene));
   CHECK(rough.outcome == none_reaches);
   for (const auto& candidate : rough.candidates)
     CHECK(rough.chosen().tolerance.p95 <= candidate.tolerance.p95);
 
   scene.contacts.clear();
-  const lab::Recommendation idle = recommend(circuit(scene));
+  const lab::Recommendation idle = recommend(circuit_of(scene));
   CHECK(idle.outcome == no_load);
   CHECK_FALSE(idle.choice);
 }
@@ -171,7 +167,7 @@ TEST_CASE("a recommendation says which, or what it would take", "[lab][recommend
 TEST_CASE("a ladder is recommended where parts of 1 % leave no other circuit its accuracy",
           "[lab][recommendation][ladder]") {
   Scene scene = read_scene(SCENES "/circuits/ladder.toml");
-  const lab::SceneCircuit own = circuit(scene);
+  const lab::SceneCircuit own = circuit_of(scene);
   CHECK(own.certificate().ladder);
   const lab::Recommendation found = recommend(own);
   REQUIRE(found.outcome == lab::Recommendation::Outcome::reached);
@@ -185,7 +181,7 @@ TEST_CASE("a ladder is recommended where parts of 1 % leave no other circuit its
   // Whichever form the scene has, both are drawn, each once and alike.
   scene = read_scene(SCENES "/circuits/ladder.toml");
   scene.network.parts.ladder = false;
-  const lab::Recommendation other = recommend(circuit(scene));
+  const lab::Recommendation other = recommend(circuit_of(scene));
   REQUIRE(other.candidates.size() == found.candidates.size());
   CHECK(other.chosen().ladder);
   CHECK(other.chosen().tolerance.p95 == found.chosen().tolerance.p95);

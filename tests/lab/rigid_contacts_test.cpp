@@ -7,14 +7,14 @@
 
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/scene_parts.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
 const ContactWidths widths{.breadth = 0.02, .edge = 1e-3};
 
-LoadPatch only(const std::vector<ContactPoint>& points) {
+LoadPatch only_load(const std::vector<ContactPoint>& points) {
   const ContactPatches found = contact_patches(points, silicone, widths);
   REQUIRE(found.loads.size() == 1);
   return found.loads.front();
@@ -32,7 +32,7 @@ std::pair<double, double> ends(const LoadPatch& patch) {
 
 TEST_CASE("a round object is Hertz' strip", "[lab][rigid]") {
   const LoadPatch patch =
-      only({{.curvature = 100.0, .along = 2e-3, .normal = 1.0, .tangential = -0.3}});
+      only_load({{.curvature = 100.0, .along = 2e-3, .normal = 1.0, .tangential = -0.3}});
   CHECK(patch.form == LoadPatch::Form::hertz);
   CHECK(patch.center == 2e-3);
   CHECK_THAT(patch.normal, WithinRel(50.0, 1e-15));
@@ -44,19 +44,20 @@ TEST_CASE("a round object is Hertz' strip", "[lab][rigid]") {
 
 TEST_CASE("a cylinder's two points at its ends are one strip, a lying one's are not",
           "[lab][rigid]") {
-  const LoadPatch across = only({{.curvature = 100.0, .across = -0.01, .normal = 0.5},
-                                 {.curvature = 100.0, .across = 0.01, .normal = 0.5}});
+  const LoadPatch across = only_load({{.curvature = 100.0, .across = -0.01, .normal = 0.5},
+                                      {.curvature = 100.0, .across = 0.01, .normal = 0.5}});
   CHECK(across.form == LoadPatch::Form::hertz);
   CHECK_THAT(across.normal, WithinRel(50.0, 1e-15));
-  const LoadPatch along = only({{.curvature = 100.0, .along = -0.01, .normal = 0.5},
-                                {.curvature = 100.0, .along = 0.01, .normal = 0.5}});
+  const LoadPatch along = only_load({{.curvature = 100.0, .along = -0.01, .normal = 0.5},
+                                     {.curvature = 100.0, .along = 0.01, .normal = 0.5}});
   CHECK(along.form == LoadPatch::Form::linear);
   CHECK(along.half_width == 0.01);
 }
 
 TEST_CASE("several points are a linear traction with their force and moment", "[lab][rigid]") {
-  const LoadPatch patch = only({{.along = -4e-3, .across = -5e-3, .normal = 1.0, .tangential = 0.1},
-                                {.along = 8e-3, .across = 5e-3, .normal = 1.5, .tangential = 0.3}});
+  const LoadPatch patch =
+      only_load({{.along = -4e-3, .across = -5e-3, .normal = 1.0, .tangential = 0.1},
+                 {.along = 8e-3, .across = 5e-3, .normal = 1.5, .tangential = 0.3}});
   CHECK(patch.form == LoadPatch::Form::linear);
   CHECK_THAT(patch.half_width, WithinRel(6e-3, 1e-14));
   CHECK_THAT(patch.normal, WithinRel(2.5 / 0.02, 1e-14));
@@ -68,7 +69,7 @@ TEST_CASE("several points are a linear traction with their force and moment", "[
 TEST_CASE("where the load comes to an end the patch narrows and pulls nowhere", "[lab][rigid]") {
   for (const double share : {0.5, 0.6, 0.7, 0.9, 0.99, 1.0}) {
     CAPTURE(share);
-    const LoadPatch patch = only(
+    const LoadPatch patch = only_load(
         {{.along = -4e-3, .normal = 1.0 - share}, {.along = 8e-3, .normal = share}, {.object = 0}});
     const auto [from, to] = ends(patch);
     CHECK(from >= -1e-9 * to);
@@ -80,7 +81,7 @@ TEST_CASE("where the load comes to an end the patch narrows and pulls nowhere", 
 }
 
 TEST_CASE("an edge has the width that is stated, and every object a patch", "[lab][rigid]") {
-  const LoadPatch edge = only({{.along = 3e-3, .normal = 1.0}});
+  const LoadPatch edge = only_load({{.along = 3e-3, .normal = 1.0}});
   CHECK(edge.form == LoadPatch::Form::linear);
   CHECK(edge.half_width == 0.5e-3);
   CHECK(edge.center == 3e-3);

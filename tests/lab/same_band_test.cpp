@@ -21,7 +21,7 @@ using namespace tactile_net::lab;
 namespace {
 
 /// What is compared, bit by bit: forces per length, centre, covariance.
-std::vector<double> numbers(const FingertipForce& force) {
+std::vector<double> force_numbers(const FingertipForce& force) {
   std::vector<double> all = {force.normal, force.tangential, force.centre};
   all.insert(all.end(), force.covariance.values.begin(), force.covariance.values.end());
   return all;
@@ -37,7 +37,7 @@ FrameUncertainty by_solve(const SceneFrame& frame) {
 }
 
 /// A hand of one finger whose pad is wide enough for any array.
-Hand hand_of(FingertipScene tip) {
+Hand one_finger_hand(FingertipScene tip) {
   HandFinger finger;
   finger.finger.links = {1.0, 1.0};
   finger.finger.angles = {0.5, 0.5};
@@ -91,8 +91,9 @@ TEST_CASE("a recorded frame has the same band from solve and from grasp", "[lab]
     if (!band.centre) continue;  // nothing presses: no grasp
     const FrameOf frame_of{.readings = [&](const std::filesystem::path&, const Scene&,
                                            std::size_t) { return readings; }};
-    const GraspResult grasp = hold(hand_of({.scene = pad, .readings = "recorded.csv"}), frame_of);
-    CHECK(numbers(*grasp.tips[0].force) == numbers(fingertip_force(band, 1.0)));
+    const GraspResult grasp =
+        hold(one_finger_hand({.scene = pad, .readings = "recorded.csv"}), frame_of);
+    CHECK(force_numbers(*grasp.tips[0].force) == force_numbers(fingertip_force(band, 1.0)));
     ++compared;
   }
   CHECK(compared > 10);
@@ -112,9 +113,9 @@ TEST_CASE("a simulated frame has the same band from run, solve and grasp", "[lab
   REQUIRE(experiment.results.size() == 1);
   const MethodResult& result = experiment.results[0];
   REQUIRE(result.resultant.has_value());
-  const GraspResult grasp = hold(hand_of({.scene = SCENES + name, .readings = {}}), {});
-  const std::vector<double> band = numbers(fingertip_force(solved.resultant, 1.0));
-  CHECK(numbers(*grasp.tips[0].force) == band);
+  const GraspResult grasp = hold(one_finger_hand({.scene = SCENES + name, .readings = {}}), {});
+  const std::vector<double> band = force_numbers(fingertip_force(solved.resultant, 1.0));
+  CHECK(force_numbers(*grasp.tips[0].force) == band);
   REQUIRE(result.normal.deviation.size() == scene.sensor.count);
   // With the rule's alpha in hand, `run` takes the product M s where a solver of frames filters:
   // the same to rounding.

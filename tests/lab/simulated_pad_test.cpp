@@ -21,13 +21,13 @@ const std::string ramp =
     "[time]\nrate = 100.0\nframes = 8\n"
     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 0.7\nfriction = 0.2\n"
     "trajectory = [{ t = 0.0, force = 0.0 }, { t = 0.07, force = 1.4 }]\n";
-const std::string effects =
+const std::string line_effects =
     "[viscoelasticity]\nterms = [{ fraction = 0.4, time = 0.02 }]\n"
     "[low_pass]\ntime_constant = 0.01\n[sampling]\naperture = 0.004\n"
     "[noise]\nrms = { strain_x = 1e-3, shear_xy = 1e-3 }\nseed = 3\n"
     "[quantization]\nbits = 12\nrange = [-0.5, 0.5]\n";
 
-std::shared_ptr<const PadModel> model(const std::string& rest) {
+std::shared_ptr<const PadModel> pad_model(const std::string& rest) {
   return std::make_shared<const PadModel>(parse_scene(ramp + rest, "pad.toml"));
 }
 
@@ -51,8 +51,8 @@ Frames read(SimulatedPad& pad, const Scene& scene, double begin = 0.0) {
 }  // namespace
 
 TEST_CASE("a pad in a simulation reads as the scene's own simulation", "[lab][pad]") {
-  for (const std::string& rest : {std::string(), effects}) {
-    const auto shared = model(rest);
+  for (const std::string& rest : {std::string(), line_effects}) {
+    const auto shared = pad_model(rest);
     SimulatedPad pad(shared);
     const Frames frames = read(pad, shared->scene);
     SensorRecording recording(shared->scene);
@@ -65,7 +65,7 @@ TEST_CASE("a pad in a simulation reads as the scene's own simulation", "[lab][pa
 }
 
 TEST_CASE("time that begins anew begins with a sensor at rest", "[lab][pad]") {
-  const auto shared = model(effects);
+  const auto shared = pad_model(line_effects);
   SimulatedPad pad(shared);
   const Frames once = read(pad, shared->scene);
   CHECK(read(pad, shared->scene) == once);
@@ -76,7 +76,7 @@ TEST_CASE("time that begins anew begins with a sensor at rest", "[lab][pad]") {
 }
 
 TEST_CASE("a moment that is asked for twice reads the same", "[lab][pad]") {
-  const auto shared = model(effects);
+  const auto shared = pad_model(line_effects);
   SimulatedPad pad(shared);
   read(pad, shared->scene);
   std::vector<double> first(22);

@@ -17,7 +17,7 @@
 namespace tactile_net::lab {
 namespace {
 
-std::shared_ptr<const SkinPadModel> model(const std::string& effects) {
+std::shared_ptr<const SkinPadModel> skin_pad_model(const std::string& effects) {
   const std::string text =
       "[sensor]\nrows = 4\ncolumns = 3\npitch = 2.0\ndepth = 1.5\n"
       "reads = [\"stress_x\", \"shear_xy\"]\n"
@@ -60,13 +60,13 @@ std::vector<std::vector<double>> read(SimulatedSkinPad& pad, const SkinPadModel&
   return frames;
 }
 
-const std::string effects =
+const std::string skin_effects =
     "[noise]\nrms = { stress_x = 1e-2, shear_xy = 1e-3 }\nseed = 3\n[dead_taxels]\nindices = [5]\n";
 
 }  // namespace
 
 TEST_CASE("a skin in a simulation reads as the scene's own simulation", "[lab][pad][skin]") {
-  const auto shared = model("[dead_taxels]\nindices = [5]\n");
+  const auto shared = skin_pad_model("[dead_taxels]\nindices = [5]\n");
   SimulatedSkinPad pad(shared);
   const auto frames = read(pad, *shared, 0.0);
   SkinRecording recording(shared->scene());  // exact
@@ -78,8 +78,8 @@ TEST_CASE("a skin in a simulation reads as the scene's own simulation", "[lab][p
 }
 
 TEST_CASE("a skin in a simulation has its noise, quantity by quantity", "[lab][pad][skin]") {
-  const auto noisy = model(effects);
-  const auto quiet = model("[dead_taxels]\nindices = [5]\n");
+  const auto noisy = skin_pad_model(skin_effects);
+  const auto quiet = skin_pad_model("[dead_taxels]\nindices = [5]\n");
   SimulatedSkinPad one(noisy);
   SimulatedSkinPad other(quiet);
   const auto found = read(one, *noisy, 0.0);
@@ -96,7 +96,7 @@ TEST_CASE("a skin in a simulation has its noise, quantity by quantity", "[lab][p
 }
 
 TEST_CASE("loads beyond the table read as loads within it do", "[lab][pad][skin]") {
-  const auto shared = model("");
+  const auto shared = skin_pad_model("");
   const SkinGrid& grid = shared->grid();
   std::vector<double> found(reading_count(shared->scene().sensor));
   for (const double beyond : {0.0, 1.0, 3.0}) {
@@ -121,7 +121,7 @@ TEST_CASE("loads beyond the table read as loads within it do", "[lab][pad][skin]
 }
 
 TEST_CASE("a skin whose time begins anew has its noise again", "[lab][pad][skin]") {
-  const auto shared = model(effects);
+  const auto shared = skin_pad_model(skin_effects);
   SimulatedSkinPad pad(shared);
   const auto once = read(pad, *shared, 0.0);
   CHECK(read(pad, *shared, 1.0) != once);  // goes on
@@ -129,7 +129,7 @@ TEST_CASE("a skin whose time begins anew has its noise again", "[lab][pad][skin]
 }
 
 TEST_CASE("a skin whose table would not fit is refused", "[lab][pad][skin]") {
-  SkinScene scene = model("")->scene();
+  SkinScene scene = skin_pad_model("")->scene();
   scene.sensor.rows = scene.sensor.columns = 100;
   scene.sensor.depths = {0.1};
   CHECK_THROWS_AS(SkinPadModel(scene), std::invalid_argument);

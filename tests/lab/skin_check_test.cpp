@@ -11,17 +11,17 @@
 #include "tactile_net/report/words/check_words.hpp"
 #include "tests/catch.hpp"
 #include "tests/lab/checked_recording.hpp"
+#include "tests/lab/scene_parts.hpp"
 
 using namespace tactile_net;
 namespace finding = lab::finding;
 
 namespace {
 
-constexpr std::size_t columns = 6;
-constexpr double noise = 30.0;  // Pa, of readings up to some 10 kPa
+constexpr std::size_t taxel_columns = 6;
 
 /// A silicone pad of 7 x 6 taxels in SI, pressed twice between idle times, or all the time.
-std::string pad(const std::string& reads, bool held) {
+std::string skin_pad(const std::string& reads, bool held) {
   return "[sensor]\nrows = 7\ncolumns = 6\npitch = 1e-3\ndepth = 1.5e-3\nreads = [" + reads +
          "]\n[material]\nyoungs_modulus = 0.2e6\npoisson_ratio = 0.45\n[noise]\nrms = 30.0\n"
          "[time]\nrate = 100.0\nframes = 300\n[[contact]]\nshape = \"sphere\"\n"
@@ -32,23 +32,20 @@ std::string pad(const std::string& reads, bool held) {
                  "{ t = 1.2, force = 0.4 }, { t = 1.5, force = 1e-6 }, { t = 1.9, force = 1e-6 }, "
                  "{ t = 2.1, force = 0.3 }, { t = 2.3, force = 1e-6 }]\n");
 }
-const std::string three = "\"stress_x\", \"shear_xy\", \"shear_xz\"";
 
-using Recording = CheckedRecording<SkinScene>;
-
-Recording record(const std::string& toml) {
+RecordedSkin recorded_skin(const std::string& toml) {
   return record_with<lab::SkinRecording>(std::get<SkinScene>(parse_any_scene(toml, "skin.toml")));
 }
 
-constexpr std::size_t middle = 3 * columns + 2;  // row 3, column 2
+constexpr std::size_t middle_taxel = 3 * taxel_columns + 2;  // row 3, column 2
 
-struct Defect {
+struct FrameDefect {
   std::string name;
   std::function<void(std::vector<double>& frame, std::size_t number, double white)> plant;
   std::string expected;
 };
 
-const std::vector<Defect> defects{
+const std::vector<FrameDefect> frame_defects{
     {"kPa for Pa",
      [](auto& f, auto, double) {
        for (double& g : f) g *= 1e-3;
@@ -59,18 +56,18 @@ const std::vector<Defect> defects{
        for (double& g : f) g *= -1.0;
      },
      "whole_pad_pulled"},
-    {"dead", [](auto& f, auto, double) { f[middle] = 0.0; }, "dead_taxels"},
-    {"cut wire, noise and no signal", [](auto& f, auto, double white) { f[middle] = white; },
+    {"dead", [](auto& f, auto, double) { f[middle_taxel] = 0.0; }, "dead_taxels"},
+    {"cut wire, noise and no signal", [](auto& f, auto, double white) { f[middle_taxel] = white; },
      "dead_taxels"},
     {"stuck from a frame on",
      [](auto& f, auto k, double) {
-       if (k > 100) f[middle] = 777.0;
+       if (k > 100) f[middle_taxel] = 777.0;
      },
      "stuck_taxels"},
-    {"noisy", [](auto& f, auto, double white) { f[middle] += 8.0 * white; }, "noisy_taxels"},
+    {"noisy", [](auto& f, auto, double white) { f[middle_taxel] += 8.0 * white; }, "noisy_taxels"},
     {"a spike",
      [](auto& f, auto k, double) {
-       if (k == 40) f[middle] += 3000.0;
+       if (k == 40) f[middle_taxel] += 3000.0;
      },
      "single_frame_spikes"},
     {"a baseline",
@@ -86,7 +83,7 @@ const std::vector<Defect> defects{
     {"more noise than stated",
      [](auto& f, auto k, double) {
        std::mt19937 random(static_cast<unsigned>(k));
-       std::normal_distribution<double> white(0.0, 4.0 * noise);
+       std::normal_distribution<double> white(0.0, 4.0 * pad_noise);
        for (double& g : f) g += white(random);
      },
      "noise_differs"},
@@ -99,16 +96,16 @@ const std::vector<Defect> defects{
 }  // namespace
 
 TEST_CASE("nothing is suspicious about clean recordings of a skin", "[lab][check][skin]") {
-  const std::string reads = GENERATE(std::string("\"stress_x\""), three);
+  const std::string reads = GENERATE(std::string("\"stress_x\""), three_stresses);
   const bool held = GENERATE(false, true);
   CAPTURE(reads, held);
-  const lab::ReadingsCheck result = check(record(pad(reads, held)));
+  const lab::ReadingsCheck result = check(recorded_skin(skin_pad(reads, held)));
   CHECK(kinds(result) == Names{});
   CHECK(result.frames == 300);
   REQUIRE(result.channels[0].noise);
-  CHECK_THAT(*result.channels[0].noise / noise, WithinAbs(1.0, 0.15));
+  CHECK_THAT(*result.channels[0].noise / pad_noise, WithinAbs(1.0, 0.15));
   // Of p alone the tractions may use up every reading.
-  REQUIRE((result.residual || reads != three));
+  REQUIRE((result.residual || reads != three_stresses));
   if (result.residual) {
     CHECK(*result.residual > 0.2);
     CHECK(*result.residual < 5.0);
@@ -118,12 +115,12 @@ TEST_CASE("nothing is suspicious about clean recordings of a skin", "[lab][check
 }
 
 TEST_CASE("each defect planted in a skin's recording is found", "[lab][check][skin]") {
-  const std::string reads = GENERATE(std::string("\"stress_x\""), three);
-  const Recording clean = record(pad(reads, false));
-  for (const Defect& defect : defects) {
-    Recording recording = clean;
+  const std::string reads = GENERATE(std::string("\"stress_x\""), three_stresses);
+  const RecordedSkin clean = recorded_skin(skin_pad(reads, false));
+  for (const FrameDefect& defect : frame_defects) {
+    RecordedSkin recording = clean;
     std::mt19937 random(7);
-    std::normal_distribution<double> white(0.0, noise);
+    std::normal_distribution<double> white(0.0, pad_noise);
     for (std::size_t k = 0; k < recording.frames.size(); ++k)
       defect.plant(recording.frames[k], k, white(random));
     const lab::ReadingsCheck result = check(recording);
@@ -135,8 +132,8 @@ TEST_CASE("each defect planted in a skin's recording is found", "[lab][check][sk
 
 TEST_CASE("a skin's suspicions name rows and columns, and what its file needs",
           "[lab][check][skin]") {
-  Recording recording = record(pad(three, false));
-  for (auto& frame : recording.frames) frame[middle] = 0.0;
+  RecordedSkin recording = recorded_skin(skin_pad(three_stresses, false));
+  for (auto& frame : recording.frames) frame[middle_taxel] = 0.0;
   const lab::ReadingsCheck result = check(recording);
   REQUIRE(result.findings.size() == 1);
   const AnyScene scene = recording.scene;
@@ -144,8 +141,8 @@ TEST_CASE("a skin's suspicions name rows and columns, and what its file needs",
   const std::string advice = report::advice(result.findings[0], scene);
   REQUIRE_THAT(advice, ContainsSubstring("under [dead_taxels], indices = [\"3_2\"]"));
   // Which is what the scene takes, and then nothing is suspicious.
-  const AnyScene said =
-      parse_any_scene(pad(three, false) + "[dead_taxels]\nindices = [\"3_2\"]\n", "skin.toml");
+  const AnyScene said = parse_any_scene(
+      skin_pad(three_stresses, false) + "[dead_taxels]\nindices = [\"3_2\"]\n", "skin.toml");
   recording.scene.dead_taxels = std::get<SkinScene>(said).dead_taxels;
   CHECK(kinds(check(recording)) == Names{});
   CHECK_THAT(report::advice(finding::WholePadPulled{}, scene),
@@ -155,17 +152,17 @@ TEST_CASE("a skin's suspicions name rows and columns, and what its file needs",
 TEST_CASE("taxels in another order than the scene's are found by what shears say",
           "[lab][check][skin]") {
   // Square, so that rows can be taken for columns; a contact that is nowhere symmetric.
-  std::string square = pad(three, false);
+  std::string square = skin_pad(three_stresses, false);
   square.replace(square.find("rows = 7"), 8, "rows = 6");
-  const Recording clean = record(square);
+  const RecordedSkin clean = recorded_skin(square);
   CHECK(kinds(check(clean)) == Names{});
   const bool along_y = GENERATE(false, true);
   const bool along_z = GENERATE(false, true);
   const bool exchanged = GENERATE(false, true);
   if (!along_y && !along_z && !exchanged) return;
   CAPTURE(along_y, along_z, exchanged);
-  Recording recording = clean;
-  constexpr std::size_t n = columns;
+  RecordedSkin recording = clean;
+  constexpr std::size_t n = taxel_columns;
   for (std::size_t k = 0; k < recording.frames.size(); ++k)
     for (std::size_t channel = 0; channel < 3; ++channel)
       for (std::size_t row = 0; row < n; ++row)
@@ -190,7 +187,7 @@ TEST_CASE("taxels in another order than the scene's are found by what shears say
 
 TEST_CASE("readings that know no direction say nothing of the taxels' order",
           "[lab][check][skin]") {
-  Recording recording = record(pad("\"stress_x\"", false));
+  RecordedSkin recording = recorded_skin(skin_pad("\"stress_x\"", false));
   for (auto& frame : recording.frames) std::reverse(frame.begin(), frame.end());
   CHECK(kinds(check(recording)) == Names{});
 }

@@ -19,11 +19,11 @@ using namespace tactile_net;
 
 namespace {
 
-constexpr double rms = 0.2;
+constexpr double noise_rms = 0.2;
 
 /// A sphere without drag on a square skin two deep, forces of about 500.
-SkinScene skin(const std::string& rows, const std::string& pitch, double y, double z,
-               const std::string& reconstruct) {
+SkinScene square_skin(const std::string& rows, const std::string& pitch, double y, double z,
+                      const std::string& reconstruct) {
   return std::get<SkinScene>(parse_any_scene(
       "[sensor]\nrows = " + rows + "\ncolumns = " + rows + "\npitch = " + pitch +
           "\ndepth = 2.0\nreads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
@@ -47,13 +47,13 @@ Errors errors_of(int draws, const std::string& rows, const std::string& pitch, d
                  const std::string& reconstruct, double baseline = 0.0) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> place(-half, half);
-  std::normal_distribution<double> noise(0.0, rms);
+  std::normal_distribution<double> noise(0.0, noise_rms);
   Errors errors{.draws = draws};
   std::optional<lab::SkinSceneProblem> problem;
   for (int i = 0; i < draws; ++i) {
     const double y = place(random);
     const double z = place(random);
-    SkinScene scene = skin(rows, pitch, y, z, reconstruct);
+    SkinScene scene = square_skin(rows, pitch, y, z, reconstruct);
     if (!problem) problem.emplace(scene);
     scene.noise.reset();
     std::vector<double> readings = lab::simulate(scene).readings;
@@ -75,17 +75,17 @@ Errors errors_of(int draws, const std::string& rows, const std::string& pitch, d
   return errors;
 }
 
-const std::string pressed = "tangential = false\nnonnegative = true\n";
+const std::string press_alone = "tangential = false\nnonnegative = true\n";
 
 }  // namespace
 
 TEST_CASE("where nothing may pull deviations hold force and place",
           "[lab][skin][constraints][long]") {
   // With what constraints hold taken for certain 3 of 4 forces did, of a fine skin.
-  const Errors fine = errors_of(12, "14", "1.0", 3.5, pressed);
+  const Errors fine = errors_of(12, "14", "1.0", 3.5, press_alone);
   CHECK(fine.held >= 11);
   CHECK(std::abs(fine.sum) / fine.draws < 1.0);
-  const Errors coarse = errors_of(12, "8", "2.0", 4.0, pressed);
+  const Errors coarse = errors_of(12, "8", "2.0", 4.0, press_alone);
   CHECK(coarse.held >= 11);
   CHECK(std::abs(coarse.sum) / coarse.draws < 1.0);
 }
@@ -191,7 +191,7 @@ friction_limit = 0.8
 TEST_CASE("what an offset lets noise press everywhere is no contact's",
           "[lab][skin][constraints][long]") {
   // The force was a fifth too large, by 1.5 to 2 deviations in every frame.
-  const std::string unknown = pressed + "offset = true\n";
+  const std::string unknown = press_alone + "offset = true\n";
   const Errors fine = errors_of(12, "14", "1.0", 3.5, unknown);
   CHECK(fine.held >= 11);
   CHECK(std::sqrt(fine.square / fine.draws) < 15.0);
@@ -212,7 +212,8 @@ TEST_CASE("a baseline that is no reading of a contact makes no frame doubtful",
       errors_of(3, "8", "2.0", 4.0, "tangential = false\noffset = true\n", 500.0);
   CHECK(unknown.doubted == 0);
   // Nor does it move a reading that a contact is sought with.
-  const lab::SkinSceneProblem problem(skin("8", "2.0", 1.0, 0.0, "offset = true\nalpha = 1e-3\n"));
+  const lab::SkinSceneProblem problem(
+      square_skin("8", "2.0", 1.0, 0.0, "offset = true\nalpha = 1e-3\n"));
   std::vector<double> readings = lab::simulate(problem.scene()).readings;
   const std::vector<double> before =
       lab::without_offsets(problem, readings, lab::solve(problem, readings).tractions);
@@ -235,7 +236,7 @@ TEST_CASE("a baseline that is no reading of a contact makes no frame doubtful",
 TEST_CASE("a force that the readings do not fix is undetermined", "[lab][skin]") {
   // Noise alone, and next to no smoothing: the deviation is larger than any force that it strains
   // the pad by.
-  SkinScene scene = skin("6", "1.0", 0.0, 0.0, "tangential = false\nalpha = 1e-10\n");
+  SkinScene scene = square_skin("6", "1.0", 0.0, 0.0, "tangential = false\nalpha = 1e-10\n");
   scene.contacts.clear();
   const lab::SkinSceneProblem free(scene);
   std::vector<double> readings = lab::simulate(scene).readings;
@@ -261,7 +262,7 @@ TEST_CASE("taxels here and there see what lies among them", "[lab][skin][edge]")
                         1.4 * std::sqrt(0.75) * j + jitter(random),
                         1.0,
                         {SkinQuantity::stress_x}});
-  SkinScene scene = skin("8", "2.0", 0.0, 0.0, "tangential = false\n");
+  SkinScene scene = square_skin("8", "2.0", 0.0, 0.0, "tangential = false\n");
   scene.sensor = uneven_skin(taxels);
   const lab::SkinSceneProblem problem(scene);
   const SkinGrid& grid = problem.grid();
@@ -288,7 +289,7 @@ TEST_CASE("taxels here and there see what lies among them", "[lab][skin][edge]")
 TEST_CASE("a gap that taxels stand around is seen, one at the end is not", "[lab][skin][edge]") {
   // Every tenth of a depth a cell; taxels at a depth's distance, one of them left out, or all
   // beyond a line.
-  SkinScene scene = skin("8", "2.0", 0.0, 0.0, "tangential = false\nspacing = 0.4\n");
+  SkinScene scene = square_skin("8", "2.0", 0.0, 0.0, "tangential = false\nspacing = 0.4\n");
   const auto unseen_at = [&](double y, double z) {
     const lab::SkinSceneProblem problem(scene);
     const SkinGrid& grid = problem.grid();
@@ -320,7 +321,7 @@ TEST_CASE("a gap that taxels stand around is seen, one at the end is not", "[lab
 
 TEST_CASE("a row of --uncertainty has the names that its header has", "[lab][skin][report]") {
   for (const char* more : {"friction_limit = 0.8\noffset = true\n", "tangential = false\n"}) {
-    const SkinScene scene = skin("6", "2.0", 0.0, 0.0, more);
+    const SkinScene scene = square_skin("6", "2.0", 0.0, 0.0, more);
     const lab::SkinAnswer answer =
         lab::solve(lab::SkinSceneProblem(scene), lab::simulate(scene).readings);
     const std::vector<std::string> names = report::uncertainty_columns(scene);

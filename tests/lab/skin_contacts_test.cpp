@@ -9,17 +9,17 @@
 #include <vector>
 
 #include "tests/catch.hpp"
+#include "tests/lab/scene_parts.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
 constexpr double edge = 1e-3;
 
 /// Cells of half a millimetre whose middles are at whole halves.
 const SkinGrid cells{.rows = 41, .columns = 41, .spacing_y = 0.5e-3, .spacing_z = 0.5e-3};
 
-SampledPatch only(const std::vector<ContactPoint>& points, const SkinGrid& grid = cells) {
+SampledPatch only_patch(const std::vector<ContactPoint>& points, const SkinGrid& grid = cells) {
   const std::vector<SampledPatch> found = skin_patches(points, silicone, edge, grid);
   REQUIRE(found.size() == 1);
   check(found.front());
@@ -27,7 +27,7 @@ SampledPatch only(const std::vector<ContactPoint>& points, const SkinGrid& grid 
 }
 
 /// Of the cells that press: how far they reach along y and z.
-std::pair<double, double> pressed(const SampledPatch& patch) {
+std::pair<double, double> pressed_extent(const SampledPatch& patch) {
   std::vector<std::size_t> rows;
   std::vector<std::size_t> columns;
   for (std::size_t i = 0; i < patch.normal.size(); ++i)
@@ -73,7 +73,7 @@ TEST_CASE("a ball is Hertz' circle", "[lab][rigid][skin]") {
                                         .normal = 1.0,
                                         .tangential = -0.3,
                                         .sideways = 0.1}};
-  const SampledPatch patch = only(ball);
+  const SampledPatch patch = only_patch(ball);
   check_same(resultant(patch), wrench_of(ball), 2e-3);
   // Johnson 1985, 4.22: a^3 = 3 F R / (4 E*); 3.58: p0 = 3 F / (2 pi a^2).
   const double radius = std::cbrt(3.0 * 0.02 * (1.0 - 0.45 * 0.45) / (4.0 * 0.2e6));
@@ -107,7 +107,7 @@ TEST_CASE("contacts keep their force, centre and torque, and pull nowhere", "[la
                         .normal = 0.01 + share(random) * share(random),
                         .tangential = 0.3 * (share(random) - 0.5),
                         .sideways = 0.3 * (share(random) - 0.5)});
-    const SampledPatch found = only(points);
+    const SampledPatch found = only_patch(points);
     check_same(resultant(found), wrench_of(points), 8e-3);
     CHECK(*std::min_element(found.normal.begin(), found.normal.end()) >= 0.0);
   }
@@ -118,8 +118,8 @@ TEST_CASE("a box that stands evenly presses evenly over its face", "[lab][rigid]
   for (const double y : {-5.75e-3, 5.75e-3})  // cells' borders
     for (const double z : {-3.75e-3, 3.75e-3})
       corners.push_back({.along = y, .across = z, .normal = 0.25});
-  const SampledPatch box = only(corners);
-  CHECK_THAT(pressed(box).first, WithinRel(11.5e-3, 1e-12));
+  const SampledPatch box = only_patch(corners);
+  CHECK_THAT(pressed_extent(box).first, WithinRel(11.5e-3, 1e-12));
   for (const double p : box.normal)
     if (p != 0.0) CHECK_THAT(p, WithinRel(1.0 / (11.5e-3 * 7.5e-3), 1e-9));
   CHECK(box.tangential_y.empty());
@@ -133,7 +133,7 @@ TEST_CASE("a box that tilts presses linearly, and beyond the kernel on a part",
     for (const double y : {-0.5 * length, 0.5 * length})
       for (const double z : {-3.75e-3, 3.75e-3})
         corners.push_back({.along = y, .across = z, .normal = 0.25 + (y > 0.0 ? more : -more)});
-    return only(corners);
+    return only_patch(corners);
   };
   // Within a sixth of the length all of it presses: p = F/A (1 + 12 e y / l^2), where n cells of
   // even pressure have the plane's moment only if it is 1 / (1 - 1/n^2) steeper.
@@ -149,28 +149,29 @@ TEST_CASE("a box that tilts presses linearly, and beyond the kernel on a part",
   // rim.
   const SampledPatch part = leaning(0.1875);
   const double from_rim = 0.5 * length - 4.0 * 0.1875 * 0.5 * length;
-  CHECK_THAT(pressed(part).first, WithinAbs(3.0 * from_rim, 0.5e-3));
+  CHECK_THAT(pressed_extent(part).first, WithinAbs(3.0 * from_rim, 0.5e-3));
 }
 
 TEST_CASE("edges, corners and lying cylinders are as wide as they can be seen",
           "[lab][rigid][skin]") {
-  const SampledPatch corner = only({{.along = 1e-3, .normal = 1.0}});
-  CHECK_THAT(pressed(corner).first, WithinAbs(edge, 0.51e-3));
-  const SampledPatch side = only({{.along = -5e-3, .normal = 1.0}, {.along = 5e-3, .normal = 1.0}});
-  CHECK_THAT(pressed(side).first, WithinAbs(1e-2, 0.51e-3));
-  CHECK_THAT(pressed(side).second, WithinAbs(edge, 0.51e-3));
+  const SampledPatch corner = only_patch({{.along = 1e-3, .normal = 1.0}});
+  CHECK_THAT(pressed_extent(corner).first, WithinAbs(edge, 0.51e-3));
+  const SampledPatch side =
+      only_patch({{.along = -5e-3, .normal = 1.0}, {.along = 5e-3, .normal = 1.0}});
+  CHECK_THAT(pressed_extent(side).first, WithinAbs(1e-2, 0.51e-3));
+  CHECK_THAT(pressed_extent(side).second, WithinAbs(edge, 0.51e-3));
   // Johnson 1985, 4.43: b^2 = 4 P' R / (pi E*), of 200 N/m.
   const double half =
       std::sqrt(4.0 * 200.0 * 0.1 * (1.0 - 0.45 * 0.45) / (3.14159265358979 * 0.2e6));
-  const SampledPatch cylinder = only({{.curvature = 10.0, .along = -15e-3, .normal = 3.0},
-                                      {.curvature = 10.0, .along = 15e-3, .normal = 3.0}});
-  CHECK_THAT(pressed(cylinder).second, WithinAbs(2.0 * half, 0.51e-3));
+  const SampledPatch cylinder = only_patch({{.curvature = 10.0, .along = -15e-3, .normal = 3.0},
+                                            {.curvature = 10.0, .along = 15e-3, .normal = 3.0}});
+  CHECK_THAT(pressed_extent(cylinder).second, WithinAbs(2.0 * half, 0.51e-3));
 }
 
 TEST_CASE("cells go on beyond the grid, and whoever mixes up units is told", "[lab][rigid][skin]") {
   const std::vector<ContactPoint> far{
       {.curvature = 100.0, .along = 30e-3, .across = -1e-3, .normal = 1.0}};
-  check_same(resultant(only(far)), wrench_of(far), 30e-3);
+  check_same(resultant(only_patch(far)), wrench_of(far), 30e-3);
   const std::vector<ContactPoint> wide{{.along = -20.0, .across = -20.0, .normal = 1.0},
                                        {.along = 20.0, .across = 20.0, .normal = 1.0}};
   CHECK_THROWS_AS(skin_patches(wide, silicone, edge, cells), std::invalid_argument);

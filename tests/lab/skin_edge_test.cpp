@@ -17,7 +17,7 @@ using namespace tactile_net;
 namespace {
 
 /// A sphere on 8 x 8 taxels, which reach from -7 to 7.
-SkinScene skin(double y, double z, double radius, const std::string& more = "") {
+SkinScene touched_skin(double y, double z, double radius, const std::string& more = "") {
   const double force = 2.0 * std::numbers::pi * radius * radius;  // the largest pressure is 3
   return std::get<SkinScene>(parse_any_scene(
       "[sensor]\nrows = 8\ncolumns = 8\npitch = 2.0\ndepth = 2.0\n"
@@ -55,7 +55,7 @@ double off(const lab::SkinExperiment& experiment) {
 TEST_CASE("deviations hold what presses over the edge of a skin", "[lab][skin][edge][long]") {
   // Centred beyond the last taxels, where a grid that ends with them was 8 and 37 deviations off.
   for (const auto& [y, z] : {std::pair{8.5, 0.0}, std::pair{8.9, 8.9}}) {
-    const lab::SkinExperiment found = lab::run(with_noise(skin(y, z, 3.0), 0.01, 1));
+    const lab::SkinExperiment found = lab::run(with_noise(touched_skin(y, z, 3.0), 0.01, 1));
     REQUIRE(found.answer);
     CAPTURE(y, z, found.answer->unseen);
     CHECK(found.answer->unseen > lab::most_unseen);
@@ -76,9 +76,10 @@ TEST_CASE("deviations hold what presses over the edge of a skin", "[lab][skin][e
     const double along = 9.0 * unit(random);
     const double across = (i % 4 < 2 ? 1.0 : -1.0) * (7.5 + unit(random));
     const std::string constraint = i % 3 == 0 ? "[reconstruct]\nfriction_limit = 0.8\n" : "";
-    const lab::SkinExperiment found = lab::run(with_noise(
-        skin(i % 2 ? along : across, i % 2 ? across : along, 2.5 + unit(random), constraint),
-        i % 2 ? 0.01 : 0.001, static_cast<std::uint64_t>(i + 1)));
+    const lab::SkinExperiment found =
+        lab::run(with_noise(touched_skin(i % 2 ? along : across, i % 2 ? across : along,
+                                         2.5 + unit(random), constraint),
+                            i % 2 ? 0.01 : 0.001, static_cast<std::uint64_t>(i + 1)));
     REQUIRE(found.answer);
     held += off(found) < 2.0;
     CHECK(off(found) < 4.0);
@@ -90,8 +91,8 @@ TEST_CASE("deviations hold what presses where taxels are dead", "[lab][skin][edg
   std::string dead;
   for (int i = 0; i < 40; ++i) dead += (i > 0 ? ", " : "") + std::to_string(i);
   for (const double y : {-1.0, 1.0}) {
-    const lab::SkinExperiment found = lab::run(
-        with_noise(skin(y, 1.0, 2.5, "[dead_taxels]\nindices = [" + dead + "]\n"), 0.01, 1));
+    const lab::SkinExperiment found = lab::run(with_noise(
+        touched_skin(y, 1.0, 2.5, "[dead_taxels]\nindices = [" + dead + "]\n"), 0.01, 1));
     REQUIRE(found.answer);
     CAPTURE(y, found.answer->wrench.normal.value, found.answer->wrench.normal.deviation);
     CHECK(off(found) < 4.0);
@@ -99,7 +100,7 @@ TEST_CASE("deviations hold what presses where taxels are dead", "[lab][skin][edg
 }
 
 TEST_CASE("what is seen is what lies near a live taxel", "[lab][skin][edge][long]") {
-  const SkinScene scene = skin(0.0, 0.0, 2.0, "[dead_taxels]\nindices = [27]\n");
+  const SkinScene scene = touched_skin(0.0, 0.0, 2.0, "[dead_taxels]\nindices = [27]\n");
   const lab::SkinSceneProblem problem(scene);
   const std::vector<bool>& unseen = problem.unseen();
   const SkinGrid& grid = problem.grid();
@@ -118,7 +119,7 @@ TEST_CASE("what is seen is what lies near a live taxel", "[lab][skin][edge][long
 TEST_CASE("a friction limit below the true one is doubted, an honest one is not",
           "[lab][skin][data][long]") {
   const auto data = [](const std::string& limit) {
-    const SkinScene scene = with_noise(skin(1.0, 0.5, 3.0, limit), 0.01, 2);
+    const SkinScene scene = with_noise(touched_skin(1.0, 0.5, 3.0, limit), 0.01, 2);
     return lab::run(scene).answer->data;
   };
   CHECK(data("").consistent());
@@ -136,7 +137,7 @@ TEST_CASE("a radius by Hertz' law holds the true one, and is not named where the
       for (const std::string& cell : row) text += cell + "|";
     return text;
   };
-  const SkinScene sphere = with_noise(skin(1.0, 0.5, 3.0), 0.01, 2);
+  const SkinScene sphere = with_noise(touched_skin(1.0, 0.5, 3.0), 0.01, 2);
   const lab::SkinExperiment found = lab::run(sphere);
   REQUIRE(found.answer->ellipse);
   CHECK(std::abs(found.answer->ellipse->radius.value - 3.0) <
@@ -148,7 +149,7 @@ TEST_CASE("a radius by Hertz' law holds the true one, and is not named where the
 }
 
 TEST_CASE("force and centre of a skin know no units", "[lab][skin][edge][long]") {
-  const SkinScene one = with_noise(skin(1.0, 0.5, 3.0), 0.01, 2);
+  const SkinScene one = with_noise(touched_skin(1.0, 0.5, 3.0), 0.01, 2);
   const lab::SkinExperiment here = lab::run(one);
   for (const double metre : {1e-150, 1e150})
     for (const double pascal : {1.0, 1e-5}) {

@@ -17,7 +17,8 @@ using namespace tactile_net;
 namespace {
 
 /// A sphere that presses with 1 on 8 x 8 taxels, which reach from -7 to 7; up to 47 of stress_x.
-SkinScene skin(double y, double z, const std::string& more = "", const std::string& size = "8") {
+SkinScene pressed_skin(double y, double z, const std::string& more = "",
+                       const std::string& size = "8") {
   return std::get<SkinScene>(parse_any_scene(
       "[sensor]\nrows = " + size + "\ncolumns = " + size +
           "\npitch = 2.0\ndepth = 2.0\nreads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
@@ -28,7 +29,7 @@ SkinScene skin(double y, double z, const std::string& more = "", const std::stri
       "skin.toml"));
 }
 
-lab::SkinAnswer answer_of(const SkinScene& scene) {
+lab::SkinAnswer answer_of_skin(const SkinScene& scene) {
   lab::SkinExperiment found = lab::run(scene);
   REQUIRE(found.answer);
   return *std::move(found.answer);
@@ -55,12 +56,12 @@ std::vector<std::size_t> beyond(const SkinScene& scene, double limit) {
 }  // namespace
 
 TEST_CASE("taxels at the end of a skin's range are left out and named", "[lab][skin][clipped]") {
-  const SkinScene honest = skin(1.0, -1.5);
+  const SkinScene honest = pressed_skin(1.0, -1.5);
   SkinScene scene = honest;
   scene.saturation.emplace();
   for (const SkinQuantity quantity : scene.sensor.reads)
     scene.saturation->range[quantity] = {-5.0, 5.0};
-  const lab::SkinAnswer answer = answer_of(scene);
+  const lab::SkinAnswer answer = answer_of_skin(scene);
   CHECK(answer.verdict == lab::Verdict::clipped);
   const lab::remark::Clipped* clipped = clipped_of(answer);
   REQUIRE(clipped);
@@ -73,16 +74,16 @@ TEST_CASE("taxels at the end of a skin's range are left out and named", "[lab][s
   // As if they were listed as dead.
   SkinScene dead = honest;
   dead.dead_taxels = clipped->taxels;
-  CHECK(answer.tractions == answer_of(dead).tractions);
+  CHECK(answer.tractions == answer_of_skin(dead).tractions);
 
   scene.saturation->range[SkinQuantity::stress_x] = {-500.0, 500.0};
   scene.saturation->range[SkinQuantity::shear_xy] = {-500.0, 500.0};
   scene.saturation->range[SkinQuantity::shear_xz] = {-500.0, 500.0};
-  CHECK(answer_of(scene).verdict == lab::Verdict::ok);
+  CHECK(answer_of_skin(scene).verdict == lab::Verdict::ok);
 }
 
 TEST_CASE("readings that pile up at one value are no honest skin's", "[lab][skin][clipped]") {
-  SkinScene scene = skin(1.0, -1.5);
+  SkinScene scene = pressed_skin(1.0, -1.5);
   std::vector<double> readings = lab::simulate(scene).readings;
   scene.noise.reset();  // which doubts them itself
   const lab::SkinSceneProblem problem(scene);
@@ -98,20 +99,20 @@ TEST_CASE("what presses beyond all taxels is cut off, whatever alpha says", "[la
   for (const double y : {9.0, 10.0, 11.0, 12.0})
     for (const char* more : {"", "[reconstruct]\nnonnegative = true\n"}) {
       CAPTURE(y, more);
-      CHECK(answer_of(skin(y, 2.0, more)).verdict == lab::Verdict::cut_off);
+      CHECK(answer_of_skin(pressed_skin(y, 2.0, more)).verdict == lab::Verdict::cut_off);
     }
   // Half of it dead, a contact in the middle of that.
-  SkinScene scene = skin(4.0, 0.0, "[reconstruct]\nnonnegative = true\n");
+  SkinScene scene = pressed_skin(4.0, 0.0, "[reconstruct]\nnonnegative = true\n");
   for (std::size_t taxel = 32; taxel < 64; ++taxel) scene.dead_taxels.push_back(taxel);
-  CHECK(answer_of(scene).verdict == lab::Verdict::cut_off);
+  CHECK(answer_of_skin(scene).verdict == lab::Verdict::cut_off);
   // Nothing at all presses: nothing is cut off.
   scene.contacts.clear();
   scene.reconstruct.tangential = false;
-  CHECK(answer_of(scene).verdict != lab::Verdict::cut_off);
+  CHECK(answer_of_skin(scene).verdict != lab::Verdict::cut_off);
 }
 
 TEST_CASE("the place of a contact of one row of cells is not certain", "[lab][skin]") {
-  const SkinGrid grid = grid_of(skin(0.0, 0.0).sensor, {});
+  const SkinGrid grid = grid_of(pressed_skin(0.0, 0.0).sensor, {});
   const std::vector<std::size_t> column = {grid.columns + 2, 2 * grid.columns + 2};
   const std::vector<std::size_t> row = {3, 4, 5};
   CHECK(is_one_line(grid, column, true));
@@ -121,7 +122,7 @@ TEST_CASE("the place of a contact of one row of cells is not certain", "[lab][sk
         std::vector<std::size_t>{0, 1, grid.columns, grid.columns + 1});
 
   // Clipped, and taken for what they say: constraints leave one column.
-  SkinScene scene = skin(1.0, -1.5, "[reconstruct]\nnonnegative = true\n");
+  SkinScene scene = pressed_skin(1.0, -1.5, "[reconstruct]\nnonnegative = true\n");
   std::vector<double> readings = lab::simulate(scene).readings;
   for (double& reading : readings) reading = std::clamp(reading, -3.0, 3.0);
   scene.noise.reset();  // or all that could explain them is sought
@@ -139,15 +140,15 @@ TEST_CASE("the place of a contact of one row of cells is not certain", "[lab][sk
 }
 
 TEST_CASE("taxels more than two depths apart leave too much to guess", "[lab][skin]") {
-  SkinScene scene = skin(1.0, -1.5, "[reconstruct]\ntangential = false\n", "6");
+  SkinScene scene = pressed_skin(1.0, -1.5, "[reconstruct]\ntangential = false\n", "6");
   scene.sensor.pitch_y = scene.sensor.pitch_z = 4.0;
-  CHECK(answer_of(scene).verdict == lab::Verdict::ok);
+  CHECK(answer_of_skin(scene).verdict == lab::Verdict::ok);
   scene.sensor.pitch_y = 5.0;
-  CHECK(answer_of(scene).verdict == lab::Verdict::coarse);
+  CHECK(answer_of_skin(scene).verdict == lab::Verdict::coarse);
 }
 
 TEST_CASE("a converter's steps are noise that is known", "[lab][skin][noise]") {
-  SkinScene scene = skin(1.0, -1.5);
+  SkinScene scene = pressed_skin(1.0, -1.5);
   const double alone = *lab::SkinSceneProblem(scene).stated_noise();
   CHECK(alone == 0.2);
   scene.quantization = Quantization{.bits = 4, .range = {}};

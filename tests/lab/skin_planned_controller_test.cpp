@@ -17,11 +17,11 @@ using namespace tactile_net;
 
 namespace {
 
-const std::string contact =
+const std::string sphere_contact =
     "[[contact]]\nshape = \"sphere\"\nplace = [0.3, -0.2]\nradius = 1.5\nforce = 1.0\n"
     "friction = 0.4\ndirection = 30.0\n";
 
-lab::SkinSceneProblem problem_of(const std::string& more) {
+lab::SkinSceneProblem skin_problem(const std::string& more) {
   const std::string toml =
       "title = \"a small skin\"\n[sensor]\nrows = 7\ncolumns = 7\npitch = 1.0\ndepth = 1.0\n"
       "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
@@ -32,12 +32,12 @@ lab::SkinSceneProblem problem_of(const std::string& more) {
 }  // namespace
 
 TEST_CASE("a skin's plan takes the scene's alpha, or its rule's", "[lab][skin]") {
-  const auto given = lab::plan_alpha(problem_of("[reconstruct]\nalpha = 1e-3\n"));
+  const auto given = lab::plan_alpha(skin_problem("[reconstruct]\nalpha = 1e-3\n"));
   REQUIRE(given);
   CHECK(given->value == 1e-3);
   CHECK(given->source == lab::PlanAlpha::Source::given);
 
-  const lab::SkinSceneProblem ruled = problem_of(contact);
+  const lab::SkinSceneProblem ruled = skin_problem(sphere_contact);
   const auto of_contact = lab::plan_alpha(ruled);
   REQUIRE(of_contact);
   CHECK(of_contact->source == lab::PlanAlpha::Source::contact);
@@ -52,12 +52,12 @@ TEST_CASE("a skin's plan takes the scene's alpha, or its rule's", "[lab][skin]")
   REQUIRE(of_frames);
   CHECK(of_frames->frames == 3);
   CHECK(of_frames->value == of_contact->value);
-  CHECK_FALSE(lab::plan_alpha(problem_of("")));
+  CHECK_FALSE(lab::plan_alpha(skin_problem("")));
 }
 
 TEST_CASE("a controller of a skin finds what `solve` finds, dead taxels or not", "[lab][skin]") {
   for (const std::string dead : {"", "[dead_taxels]\nindices = [0, 25]\n"}) {
-    const lab::SkinSceneProblem problem = problem_of(contact + dead);
+    const lab::SkinSceneProblem problem = skin_problem(sphere_contact + dead);
     const auto alpha = lab::plan_alpha(problem);
     const lab::PlannedController planned =
         lab::plan_controller(problem, *alpha, {.friction_coefficient = 0.5});
@@ -89,7 +89,7 @@ TEST_CASE("a controller of a skin finds what `solve` finds, dead taxels or not",
 }
 
 TEST_CASE("a plan in a file's units takes its raw numbers", "[lab][skin]") {
-  const lab::SkinSceneProblem problem = problem_of(
+  const lab::SkinSceneProblem problem = skin_problem(
       "[reconstruct]\nalpha = 1e-3\n[units]\nlength = \"m\"\nmodulus = \"Pa\"\n"
       "stress = \"kPa\"\nforce = \"N\"\n");
   const SkinScene& scene = problem.scene();
@@ -115,7 +115,7 @@ TEST_CASE("a plan in a file's units takes its raw numbers", "[lab][skin]") {
 }
 
 TEST_CASE("a plan for more memory than there is is refused before it is made", "[lab][skin]") {
-  const SkinScene scene = problem_of("").scene();
+  const SkinScene scene = skin_problem("").scene();
   CHECK_NOTHROW(lab::check_memory(scene, 1e9));
   CHECK_THROWS_WITH(lab::check_memory(scene, 1e3),
                     ContainsSubstring("147 readings to 867 tractions takes") &&

@@ -15,7 +15,7 @@ using namespace tactile_net;
 
 namespace {
 
-SkinScene skin(const std::string& more = "") {
+SkinScene dragged_skin(const std::string& more = "") {
   const std::string toml =
       "[sensor]\nrows = 7\ncolumns = 6\npitch = 1.0\ndepth = 1.0\n"
       "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
@@ -28,7 +28,7 @@ SkinScene skin(const std::string& more = "") {
 }  // namespace
 
 TEST_CASE("what was found is the truth within its own deviations", "[lab][skin]") {
-  const lab::SkinExperiment experiment = lab::run(skin());
+  const lab::SkinExperiment experiment = lab::run(dragged_skin());
   REQUIRE(experiment.answer);
   const UncertainWrench& found = experiment.answer->wrench;
   const SkinWrench& exact = experiment.frame.wrench;
@@ -48,7 +48,8 @@ TEST_CASE("what was found is the truth within its own deviations", "[lab][skin]"
 
 TEST_CASE("under a friction limit every cell obeys it", "[lab][skin]") {
   const double limit = 0.5;
-  const lab::SkinExperiment experiment = lab::run(skin("[reconstruct]\nfriction_limit = 0.5\n"));
+  const lab::SkinExperiment experiment =
+      lab::run(dragged_skin("[reconstruct]\nfriction_limit = 0.5\n"));
   REQUIRE(experiment.answer);
   const auto of = [&](SkinTraction which) {
     return lab::component(experiment.answer->tractions, experiment.grid, which);
@@ -64,7 +65,7 @@ TEST_CASE("under a friction limit every cell obeys it", "[lab][skin]") {
 }
 
 TEST_CASE("under constraints the residual is the noise, whatever the draw", "[lab][skin]") {
-  SkinScene scene = skin("[reconstruct]\nfriction_limit = 0.5\n");
+  SkinScene scene = dragged_skin("[reconstruct]\nfriction_limit = 0.5\n");
   double squares = 0.0;
   constexpr std::uint64_t draws = 12;
   for (scene.noise->seed = 1; scene.noise->seed <= draws; ++scene.noise->seed) {
@@ -76,7 +77,7 @@ TEST_CASE("under constraints the residual is the noise, whatever the draw", "[la
 }
 
 TEST_CASE("two contacts apart are both summed, whatever the draw", "[lab][skin]") {
-  SkinScene scene = skin(
+  SkinScene scene = dragged_skin(
       "[[contact]]\nshape = \"sphere\"\nplace = [-2.5, 2.2]\nradius = 1.0\nforce = 0.4\n"
       "[reconstruct]\nfriction_limit = 0.5\n");
   for (scene.noise->seed = 1; scene.noise->seed <= 6; ++scene.noise->seed) {
@@ -89,7 +90,7 @@ TEST_CASE("two contacts apart are both summed, whatever the draw", "[lab][skin]"
 }
 
 TEST_CASE("without contacts nothing is found that is larger than its deviation", "[lab][skin]") {
-  SkinScene scene = skin();
+  SkinScene scene = dragged_skin();
   scene.contacts.clear();
   scene.trajectories.clear();
   const lab::SkinExperiment experiment = lab::run(scene);
@@ -99,7 +100,7 @@ TEST_CASE("without contacts nothing is found that is larger than its deviation",
 }
 
 TEST_CASE("equal scenes give equal bytes, and each frame noise of its own", "[lab][skin]") {
-  SkinScene scene = skin();
+  SkinScene scene = dragged_skin();
   scene.time = Timing{.rate = 1.0, .frames = 2};
   lab::SkinRecording once(scene);
   lab::SkinRecording again(scene);
@@ -117,7 +118,7 @@ TEST_CASE("equal scenes give equal bytes, and each frame noise of its own", "[la
 }
 
 TEST_CASE("dead taxels read zero, and are not believed", "[lab][skin]") {
-  SkinScene scene = skin("[dead_taxels]\nindices = [20, 21]\n");
+  SkinScene scene = dragged_skin("[dead_taxels]\nindices = [20, 21]\n");
   const lab::SkinExperiment experiment = lab::run(scene);
   REQUIRE(experiment.answer);
   for (std::size_t i = 0; const SkinSite& site : sites(scene.sensor)) {
@@ -130,7 +131,7 @@ TEST_CASE("dead taxels read zero, and are not believed", "[lab][skin]") {
 }
 
 TEST_CASE("a recording keeps the frame that presses hardest", "[lab][skin]") {
-  const SkinScene scene = skin();
+  const SkinScene scene = dragged_skin();
   const lab::SkinSceneProblem problem(scene);
   std::vector<double> readings = lab::simulate(scene).readings;
   lab::SkinRecordingAnswer recording{.scene = scene, .grid = problem.grid()};

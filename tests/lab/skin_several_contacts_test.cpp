@@ -17,7 +17,7 @@ using namespace tactile_net;
 
 namespace {
 
-constexpr double pitch = 2.0;
+constexpr double taxel_pitch = 2.0;
 
 struct Place {
   double y, z, radius;
@@ -44,16 +44,16 @@ SkinScene scene_of(std::size_t contacts, std::uint64_t seed) {
   std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const int taxels = 6 + 2 * static_cast<int>(random() % 2);
-  const double depth = pitch * (0.6 + 0.7 * unit(random));
+  const double depth = taxel_pitch * (0.6 + 0.7 * unit(random));
   const bool drags = random() % 2 == 0;
   const int constraint = static_cast<int>(random() % 3);
   std::ostringstream toml;
-  toml << "[sensor]\nrows = " << taxels << "\ncolumns = " << taxels << "\npitch = " << pitch
+  toml << "[sensor]\nrows = " << taxels << "\ncolumns = " << taxels << "\npitch = " << taxel_pitch
        << "\ndepth = " << depth
        << "\nreads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
           "[material]\nyoungs_modulus = 250.0\npoisson_ratio = 0.45\n";
   double highest = 0.0;
-  for (const Place& at : places(contacts, depth, 0.5 * pitch * (taxels - 1), random)) {
+  for (const Place& at : places(contacts, depth, 0.5 * taxel_pitch * (taxels - 1), random)) {
     const double area = std::numbers::pi * at.radius * at.radius;
     const double force = area * (5.0 + 35.0 * unit(random));
     highest = std::max(highest, force / (area + std::numbers::pi * depth * depth));

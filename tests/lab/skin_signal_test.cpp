@@ -2,7 +2,6 @@
 // that nobody knows, an alpha that neighbours share.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,15 +10,15 @@
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/euclidean.hpp"
+#include "tests/lab/scene_parts.hpp"
 #include "tests/lab/skin_frames.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-SkinScene skin(const std::string& more = "", const std::string& forward = "exact") {
+SkinScene strain_skin(const std::string& more = "", const std::string& forward = "exact") {
   const std::string toml =
       "[sensor]\nrows = 5\ncolumns = 4\npitch = 1.0\ndepth = 1.0\n"
       "reads = [\"strain_x\", \"strain_y\", \"strain_z\"]\n"
@@ -29,18 +28,6 @@ SkinScene skin(const std::string& more = "", const std::string& forward = "exact
       "-0.2] }, { t = 0.4, force = 0.5 }]\n[forward]\nmodel = \"" +
       forward + "\"\n";
   return std::get<SkinScene>(parse_any_scene(toml + more, "skin.toml"));
-}
-
-double norm(const std::vector<double>& x) {
-  double sum = 0.0;
-  for (const double value : x) sum = std::hypot(sum, value);
-  return sum;
-}
-
-double distance(const std::vector<double>& x, const std::vector<double>& y) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum = std::hypot(sum, x[i] - y[i]);
-  return sum;
 }
 
 const std::string tables =
@@ -53,13 +40,13 @@ const std::string tables =
 TEST_CASE("a skin's recording is its loads gone through the signal path", "[lab][skin][effects]") {
   const std::string forward = GENERATE("exact", "sampled");
   CAPTURE(forward);
-  const SkinScene scene = skin(tables, forward);
+  const SkinScene scene = strain_skin(tables, forward);
   // The pure readings at each moment, by scenes of their own without an effect.
   SignalPath path = signal_path(scene);
   std::vector<std::vector<double>> expected;
   std::size_t cut_off = 0;
   for (const Instant& at : instants(scene)) {
-    SkinScene still = skin("", forward);
+    SkinScene still = strain_skin("", forward);
     still.contacts = contacts_at(scene, at.time);
     still.trajectories.assign(still.contacts.size(), {});
     still.time.reset();
@@ -89,7 +76,7 @@ TEST_CASE("a skin's recording is its loads gone through the signal path", "[lab]
 }
 
 TEST_CASE("sampled readings leave out the drags that nothing has", "[lab][skin][effects]") {
-  SkinScene scene = skin("", "sampled");
+  SkinScene scene = strain_skin("", "sampled");
   for (auto& knot : scene.trajectories[0]) knot.contact.friction = 0.0;
   for (auto& contact : scene.contacts) std::get<SkinContact>(contact).friction = 0.0;
   CHECK_FALSE(any_drag(scene));
@@ -104,10 +91,10 @@ TEST_CASE("sampled readings leave out the drags that nothing has", "[lab][skin][
 
 TEST_CASE("a frame that misses readings is solved as if their taxels were dead",
           "[lab][skin][missing]") {
-  const SkinScene scene = skin("[noise]\nrms = 1e-4\n");
+  const SkinScene scene = strain_skin("[noise]\nrms = 1e-4\n");
   const std::vector<double> whole = lab::simulate(scene).readings;
   std::vector<double> readings = whole;
-  readings[7] = readings[20 + 3] = missing;
+  readings[7] = readings[20 + 3] = missing_reading;
   lab::SkinRecordingSolver solver(lab::SkinSceneProblem(scene),
                                   {.missing = lab::Missing::estimate});
   std::vector<double> given = readings;
@@ -130,7 +117,7 @@ TEST_CASE("a frame that misses readings is solved as if their taxels were dead",
   given = whole;
   REQUIRE(solver.solve(given));
   CHECK(solver.problem().scene().dead_taxels.empty());
-  given.assign(whole.size(), missing);
+  given.assign(whole.size(), missing_reading);
   CHECK_FALSE(solver.solve(given));
   CHECK(solver.solved().frames == 3);
   CHECK(solver.solved().estimated.count() == 1);
@@ -145,7 +132,7 @@ TEST_CASE("a frame that misses readings is solved as if their taxels were dead",
 }
 
 TEST_CASE("an alpha that frames share is each one's where they are equal", "[lab][skin]") {
-  const SkinScene scene = skin("[reconstruct]\nalpha = \"aicc\"\n");
+  const SkinScene scene = strain_skin("[reconstruct]\nalpha = \"aicc\"\n");
   const lab::SkinSceneProblem problem(scene);
   std::vector<double> readings = lab::simulate(scene).readings;
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -176,7 +163,7 @@ TEST_CASE("an alpha that frames share is each one's where they are equal", "[lab
 }
 
 TEST_CASE("offsets that are not known change no answer, and are said", "[lab][skin][offset]") {
-  const SkinScene scene = skin("[reconstruct]\nalpha = 1e-3\noffset = true\n");
+  const SkinScene scene = strain_skin("[reconstruct]\nalpha = 1e-3\noffset = true\n");
   const lab::SkinSceneProblem problem(scene);
   const std::vector<double> readings = lab::simulate(scene).readings;
   std::vector<double> moved = readings;
@@ -191,12 +178,12 @@ TEST_CASE("offsets that are not known change no answer, and are said", "[lab][sk
   CHECK(std::any_of(b.remarks.begin(), b.remarks.end(), [](const lab::Remark& remark) {
     return std::holds_alternative<lab::remark::OffsetsFound>(remark);
   }));
-  CHECK(lab::solve(lab::SkinSceneProblem(skin("[reconstruct]\nalpha = 1e-3\n")), readings)
+  CHECK(lab::solve(lab::SkinSceneProblem(strain_skin("[reconstruct]\nalpha = 1e-3\n")), readings)
             .offsets.empty());
 }
 
 TEST_CASE("an alpha that double precision cannot hold is refused, as on lines", "[lab][skin]") {
-  const SkinScene scene = skin("[reconstruct]\nalpha = 1e-300\n");
+  const SkinScene scene = strain_skin("[reconstruct]\nalpha = 1e-300\n");
   const std::vector<double> readings = lab::simulate(scene).readings;
   CHECK_THROWS_WITH(
       lab::solve(lab::SkinSceneProblem(scene), readings),
@@ -204,7 +191,7 @@ TEST_CASE("an alpha that double precision cannot hold is refused, as on lines", 
 }
 
 TEST_CASE("a noise that states nothing is no noise", "[lab][skin]") {
-  SkinScene scene = skin();
+  SkinScene scene = strain_skin();
   scene.noise = NoiseModel{};
   CHECK_FALSE(lab::SkinSceneProblem(scene).stated_noise());
 }

@@ -32,7 +32,7 @@ SkinScene sliding(const std::string& more) {
 }
 
 /// What a frame amounts to, number by number.
-std::vector<double> numbers(const std::optional<lab::SkinAnswer>& answer) {
+std::vector<double> answer_numbers(const std::optional<lab::SkinAnswer>& answer) {
   if (!answer) return {};
   std::vector<double> all = answer->tractions;
   all.insert(all.end(), answer->deviations.begin(), answer->deviations.end());
@@ -50,8 +50,8 @@ struct Solved {
   std::vector<std::size_t> dead;  // of the problem that solved the last one
 };
 
-Solved solved(const SkinScene& scene, const std::vector<std::vector<double>>& frames,
-              std::size_t threads, const lab::RecordingSolverOptions& options) {
+Solved solved_recording(const SkinScene& scene, const std::vector<std::vector<double>>& frames,
+                        std::size_t threads, const lab::RecordingSolverOptions& options) {
   lab::SkinRecordingSolver solver(lab::SkinSceneProblem(scene), options);
   Solved result;
   std::size_t at = 0;
@@ -62,7 +62,7 @@ Solved solved(const SkinScene& scene, const std::vector<std::vector<double>>& fr
         return true;
       },
       [&](std::span<const double>, const std::optional<lab::SkinAnswer>& answer) {
-        result.answers.push_back(numbers(answer));
+        result.answers.push_back(answer_numbers(answer));
       },
       threads);
   result.summary = solver.solved();
@@ -89,9 +89,10 @@ TEST_CASE("a recording's answers are the same bits by any number of threads",
   const lab::RecordingSolverOptions options{.missing = lab::Missing::estimate};
   lab::SkinRecordingSolver one(lab::SkinSceneProblem{scene}, options);
   std::vector<std::vector<double>> expected;
-  for (std::vector<double> readings : frames) expected.push_back(numbers(one.solve(readings)));
+  for (std::vector<double> readings : frames)
+    expected.push_back(answer_numbers(one.solve(readings)));
   REQUIRE(expected[5].empty());
-  const Solved found = solved(scene, frames, 4, options);
+  const Solved found = solved_recording(scene, frames, 4, options);
   CHECK(found.answers == expected);
   CHECK(found.summary.frames == one.solved().frames);
   CHECK(found.summary.verdicts == one.solved().verdicts);
@@ -104,7 +105,8 @@ TEST_CASE("frames that share an alpha are solved one after the other", "[lab][sk
   const SkinScene scene = sliding("[reconstruct]\nalpha = \"aicc\"\ntangential_weight = 1.0\n");
   const std::vector<std::vector<double>> frames = frames_of(scene);
   const lab::RecordingSolverOptions options{.share_alpha = 4};
-  CHECK(solved(scene, frames, 3, options).answers == solved(scene, frames, 1, options).answers);
+  CHECK(solved_recording(scene, frames, 3, options).answers ==
+        solved_recording(scene, frames, 1, options).answers);
 }
 
 TEST_CASE("a frame that fails does so after all before it were used", "[lab][skin][stream]") {

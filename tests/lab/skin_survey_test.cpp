@@ -10,14 +10,14 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/scene_parts.hpp"
 
 using namespace tactile_net;
-using enum SkinQuantity;
 
 namespace {
 
-SkinScene skin(const std::string& reads, const std::string& depth = "depth = 1.0",
-               const std::string& more = "") {
+SkinScene skin_that_reads(const std::string& reads, const std::string& depth = "depth = 1.0",
+                          const std::string& more = "") {
   return std::get<SkinScene>(parse_any_scene(
       "[sensor]\nrows = 6\ncolumns = 6\npitch = 1.0\n" + depth + "\nreads = [" + reads +
           "]\n[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n[[contact]]\nshape = "
@@ -25,8 +25,6 @@ SkinScene skin(const std::string& reads, const std::string& depth = "depth = 1.0
           more,
       "skin.toml"));
 }
-
-const std::string three = "\"stress_x\", \"shear_xy\", \"shear_xz\"";
 
 bool says(const std::vector<std::string>& sentences, const std::string& text) {
   return std::any_of(sentences.begin(), sentences.end(), [&](const std::string& sentence) {
@@ -38,7 +36,7 @@ bool says(const std::vector<std::string>& sentences, const std::string& text) {
 
 TEST_CASE("what determines p and the drags is told, and what nothing shows is named",
           "[lab][skin][identify][long]") {
-  const SkinScene all = skin(three);
+  const SkinScene all = skin_that_reads(three_stresses);
   const lab::SkinSurvey told = lab::identify(all);
   CHECK(lab::hidden_waves(told.own) == 0);
   CHECK(told.own.told.finite->hidden == 0);
@@ -48,7 +46,7 @@ TEST_CASE("what determines p and the drags is told, and what nothing shows is na
   CHECK(told.shares[1].signal[2] > 0.0);
   CHECK(report::hidden_in_words(told.own).empty());
 
-  const SkinScene pressure = skin("\"stress_x\"", "depths = [1.0, 1.5]");
+  const SkinScene pressure = skin_that_reads("\"stress_x\"", "depths = [1.0, 1.5]");
   const lab::SkinSurvey blind = lab::identify(pressure);
   const auto words = report::verdict_in_words(pressure, blind);
   CHECK(says(words, "The curl of q is seen by no depth of stress_x"));
@@ -62,7 +60,7 @@ TEST_CASE("what determines p and the drags is told, and what nothing shows is na
 
   // The three normal stresses show drags along waves of any direction, but by the ends alone the
   // curl of waves along y and z.
-  const SkinScene normal = skin("\"stress_x\", \"stress_y\", \"stress_z\"");
+  const SkinScene normal = skin_that_reads("\"stress_x\", \"stress_y\", \"stress_z\"");
   const lab::SkinSurvey half = lab::identify(normal);
   CHECK(says(report::verdict_in_words(normal, half), "The curl of q of waves along y"));
   CHECK(says(report::verdict_in_words(normal, half), "by the ends of the skin alone"));
@@ -76,7 +74,8 @@ TEST_CASE("the narrowest circle that is seen causes just the noise, by the exact
   layer.layer = Layer{.thickness = 2.5};
   for (const Material& material : {pad, layer})
     for (const std::vector<SkinQuantity>& reads :
-         {std::vector{stress_x}, std::vector{shear_xy, shear_xz}}) {
+         {std::vector{SkinQuantity::stress_x},
+          std::vector{SkinQuantity::shear_xy, SkinQuantity::shear_xz}}) {
       const SkinArray skin{
           .rows = 6, .columns = 5, .pitch_y = 1.0, .pitch_z = 1.4, .depths = {0.7}, .reads = reads};
       const std::vector<double> rms(reads.size(), 0.02);
@@ -111,7 +110,7 @@ TEST_CASE("the widest hole is where taxels are missing", "[lab][skin][identify][
                        .pitch_y = 1.0,
                        .pitch_z = 1.0,
                        .depths = {1.0},
-                       .reads = {stress_x}};
+                       .reads = {SkinQuantity::stress_x}};
   const auto middle = lab::widest_hole(even, {});
   REQUIRE(middle);
   CHECK_THAT(middle->y, WithinAbs(0.0, 1e-12));
@@ -124,18 +123,20 @@ TEST_CASE("the widest hole is where taxels are missing", "[lab][skin][identify][
   // An angle of taxels: its empty corner is not among them.
   std::vector<SkinTaxel> taxels;
   for (int i = 0; i < 6; ++i) {
-    taxels.push_back({"a" + std::to_string(i), 1.0 * i, 0.0, 1.0, {stress_x}});
-    if (i > 0) taxels.push_back({"b" + std::to_string(i), 0.0, 1.0 * i, 1.0, {stress_x}});
+    taxels.push_back({"a" + std::to_string(i), 1.0 * i, 0.0, 1.0, {SkinQuantity::stress_x}});
+    if (i > 0)
+      taxels.push_back({"b" + std::to_string(i), 0.0, 1.0 * i, 1.0, {SkinQuantity::stress_x}});
   }
   const auto inside = lab::widest_hole(uneven_skin(taxels), {});
   REQUIRE(inside);
   CHECK(inside->y + inside->z <= 5.0 + 1e-9);
   CHECK_FALSE(lab::widest_hole(
-      SkinArray{.rows = 1, .columns = 1, .depths = {1.0}, .reads = {stress_x}}, {}));
+      SkinArray{.rows = 1, .columns = 1, .depths = {1.0}, .reads = {SkinQuantity::stress_x}}, {}));
 }
 
 TEST_CASE("a survey of a skin knows no units", "[lab][skin][identify][long]") {
-  const SkinScene one = skin(three, "depth = 1.0", "[dead_taxels]\nindices = [0]\n");
+  const SkinScene one =
+      skin_that_reads(three_stresses, "depth = 1.0", "[dead_taxels]\nindices = [0]\n");
   SkinScene large = one;
   const double metre = 1e3;
   const double pascal = 1e-6;
@@ -164,7 +165,7 @@ TEST_CASE("a survey of a skin knows no units", "[lab][skin][identify][long]") {
 
 TEST_CASE("more noise hides more ripples, and what is asked is checked",
           "[lab][skin][identify][long]") {
-  const SkinScene scene = skin(three);
+  const SkinScene scene = skin_that_reads(three_stresses);
   double before = 0.0;
   for (const double noise : {0.001, 0.05, 0.3}) {
     const lab::SkinSurvey survey = lab::identify(scene, {.relative_noise = noise});

@@ -15,13 +15,13 @@
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/scene_parts.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-const std::string estimated = "tangential_weight = \"evidence\"\n";
-
-SkinScene skin(const std::string& reconstruct, double friction = 0.3, std::uint64_t seed = 1) {
+SkinScene weighted_skin(const std::string& reconstruct, double friction = 0.3,
+                        std::uint64_t seed = 1) {
   return std::get<SkinScene>(parse_any_scene(
       "[sensor]\nrows = 6\ncolumns = 6\npitch = 1.0\ndepth = 1.0\n"
       "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
@@ -66,8 +66,8 @@ std::vector<double> truth_of_pad(std::size_t wanted, const SkinGrid& grid) {
 }  // namespace
 
 TEST_CASE("a stated weight of 1 is none, the same bits", "[lab][skin][weights]") {
-  const SkinExperiment plain = run(skin(""));
-  const SkinExperiment one = run(skin("tangential_weight = 1\n"));
+  const SkinExperiment plain = run(weighted_skin(""));
+  const SkinExperiment one = run(weighted_skin("tangential_weight = 1\n"));
   REQUIRE(plain.answer);
   CHECK(one.answer->tractions == plain.answer->tractions);
   CHECK_FALSE(one.answer->alpha.tangential_weight.has_value());
@@ -77,7 +77,7 @@ TEST_CASE("a skin's estimated weight is the answer that stating it gives", "[lab
   const std::string rest = GENERATE("", "alpha = 1e-3\n", "friction_limit = 0.8\n",
                                     "offset = true\nnonnegative = true\n");
   CAPTURE(rest);
-  const SkinExperiment found = run(skin(rest + estimated));
+  const SkinExperiment found = run(weighted_skin(rest + estimated_weight));
   REQUIRE(found.answer);
   REQUIRE(found.answer->alpha.tangential_weight);
   const double weight = *found.answer->alpha.tangential_weight;
@@ -90,7 +90,7 @@ TEST_CASE("a skin's estimated weight is the answer that stating it gives", "[lab
 }
 
 TEST_CASE("of a skin's weights the least surprising one is taken", "[lab][skin][weights]") {
-  const SkinSceneProblem problem(skin(estimated));
+  const SkinSceneProblem problem(weighted_skin(estimated_weight));
   const std::vector<double> readings = simulate(problem.scene()).readings;
   REQUIRE(problem.estimates_weight());
   const double best = problem.likeliest_weight(readings);
@@ -111,7 +111,7 @@ TEST_CASE("a weight of its own makes no seed worse, and presses lose their drag"
   const double friction = GENERATE(0.0, 0.3);
   double drag[2] = {};
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const SkinScene scene = skin("friction_limit = 0.8\n", friction, seed);
+    const SkinScene scene = weighted_skin("friction_limit = 0.8\n", friction, seed);
     double error[2] = {};
     for (const std::size_t own : {0U, 1U}) {
       const SkinExperiment found = run(own == 0 ? scene : weighed(scene, std::nullopt));
@@ -152,17 +152,17 @@ TEST_CASE("the finite-element pad is found better with a weight of its own",
 }
 
 TEST_CASE("frames with a weight each have no plan, and share no alpha", "[lab][skin][weights]") {
-  const SkinSceneProblem problem(skin(estimated));
+  const SkinSceneProblem problem(weighted_skin(estimated_weight));
   CHECK_THROWS_WITH(plan_controller(problem, {.value = 1e-3}, {}),
                     ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
   CHECK_THROWS_WITH(SkinRecordingSolver(problem, {.share_alpha = 5}),
                     ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
-  CHECK_NOTHROW(
-      plan_controller(SkinSceneProblem(skin("tangential_weight = 2\n")), {.value = 1e-3}, {}));
+  CHECK_NOTHROW(plan_controller(SkinSceneProblem(weighted_skin("tangential_weight = 2\n")),
+                                {.value = 1e-3}, {}));
 }
 
 TEST_CASE("with pressure alone nothing is weighed", "[lab][skin][weights]") {
-  SkinScene scene = weighed(skin(""), std::nullopt);
+  SkinScene scene = weighed(weighted_skin(""), std::nullopt);
   scene.reconstruct.tangential = false;
   CHECK_FALSE(SkinSceneProblem(scene).estimates_weight());
 }

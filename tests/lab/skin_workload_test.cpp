@@ -14,11 +14,12 @@ namespace {
 
 using namespace tactile_net;
 using namespace tactile_net::lab;
-using Computation = SkinWorkload::Computation;
-using Cost = SkinWorkload::Cost;
-using Reason = SkinWorkload::Reason;
+using SkinComputation = SkinWorkload::Computation;
+using SkinCost = SkinWorkload::Cost;
+using SkinReason = SkinWorkload::Reason;
 
-SkinScene skin(const std::string& more, const std::string& taxels = "rows = 6\ncolumns = 5") {
+SkinScene skin_of_taxels(const std::string& more,
+                         const std::string& taxels = "rows = 6\ncolumns = 5") {
   return std::get<SkinScene>(parse_any_scene(
       "[sensor]\n" + taxels +
           "\npitch = 1e-3\ndepth = 2e-3\nreads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
@@ -35,24 +36,24 @@ TEST_CASE("what is said of a skin's work is what its run does", "[lab][skin][wor
     for (const char* options : {"alpha = 1e-4\n", "alpha = \"aicc\"\n", "friction_limit = 0.6\n",
                                 "tangential_weight = \"evidence\"\n", "tangential = false\n"}) {
       CAPTURE(noise, options);
-      const SkinScene scene = skin(std::string(noise) + "[reconstruct]\n" + options);
+      const SkinScene scene = skin_of_taxels(std::string(noise) + "[reconstruct]\n" + options);
       const SkinWorkload work = workload(scene);
       const SkinExperiment experiment = run(scene);
       REQUIRE(experiment.answer);
       const SkinAnswer& answer = *experiment.answer;
-      const auto does = [&](Computation what) { return work.task(what).done; };
-      CHECK(does(Computation::tangential) == (answer.tractions.size() > grid(scene).count()));
-      CHECK(does(Computation::constraints) == answer.cone.has_value());
-      CHECK(does(Computation::weights) == answer.alpha.tangential_weight.has_value());
-      CHECK(does(Computation::data_verdict) == answer.data.noise_known);
-      CHECK(does(Computation::bands) == !answer.deviations.empty());
-      CHECK_FALSE(does(Computation::report));
-      const SkinWorkload::Task& rule = work.task(Computation::alpha_rule);
-      CHECK((rule.why == Reason::prior_by_rule) == !answer.alpha.rule.has_value());
+      const auto does = [&](SkinComputation what) { return work.task(what).done; };
+      CHECK(does(SkinComputation::tangential) == (answer.tractions.size() > grid(scene).count()));
+      CHECK(does(SkinComputation::constraints) == answer.cone.has_value());
+      CHECK(does(SkinComputation::weights) == answer.alpha.tangential_weight.has_value());
+      CHECK(does(SkinComputation::data_verdict) == answer.data.noise_known);
+      CHECK(does(SkinComputation::bands) == !answer.deviations.empty());
+      CHECK_FALSE(does(SkinComputation::report));
+      const SkinWorkload::Task& rule = work.task(SkinComputation::alpha_rule);
+      CHECK((rule.why == SkinReason::prior_by_rule) == !answer.alpha.rule.has_value());
       if (answer.alpha.rule) CHECK(rule.rule == answer.alpha.rule);
-      CHECK(work.task(Computation::tikhonov).cost == Cost::classes);
-      CHECK(work.task(Computation::tikhonov).count == answer.tractions.size());
-      CHECK(work.task(Computation::tikhonov).rows == experiment.frame.readings.size());
+      CHECK(work.task(SkinComputation::tikhonov).cost == SkinCost::classes);
+      CHECK(work.task(SkinComputation::tikhonov).count == answer.tractions.size());
+      CHECK(work.task(SkinComputation::tikhonov).rows == experiment.frame.readings.size());
       CHECK(work.effects.size() == (*noise != '\0' ? 2U : 1U));  // friction, noise
       for (const SkinWorkload::Task& one : work.tasks) {
         CHECK(&work.task(one.what) == &one);
@@ -65,16 +66,16 @@ TEST_CASE("what is said of a skin's work is what its run does", "[lab][skin][wor
 
 TEST_CASE("a large skin is said to be solved by products", "[lab][skin][workload]") {
   const SkinScene wide =
-      skin("[time]\nframes = 3\nrate = 10.0\n[reconstruct]\nfriction_limit = 0.6\n",
-           "rows = 60\ncolumns = 60");
+      skin_of_taxels("[time]\nframes = 3\nrate = 10.0\n[reconstruct]\nfriction_limit = 0.6\n",
+                     "rows = 60\ncolumns = 60");
   const SkinWorkload told = workload(wide, true);
-  CHECK(told.task(Computation::tikhonov).cost == Cost::tiles);
-  CHECK(told.task(Computation::tikhonov).count == 3 * 64 * 64);
-  CHECK(told.task(Computation::alpha_rule).cost == Cost::probes);
-  CHECK(told.task(Computation::constraints).cost == Cost::projected_gradients);
-  CHECK(told.task(Computation::bands).cost == Cost::solves);
-  CHECK(told.task(Computation::report).done);
-  CHECK(told.task(Computation::history).done);
+  CHECK(told.task(SkinComputation::tikhonov).cost == SkinCost::tiles);
+  CHECK(told.task(SkinComputation::tikhonov).count == 3 * 64 * 64);
+  CHECK(told.task(SkinComputation::alpha_rule).cost == SkinCost::probes);
+  CHECK(told.task(SkinComputation::constraints).cost == SkinCost::projected_gradients);
+  CHECK(told.task(SkinComputation::bands).cost == SkinCost::solves);
+  CHECK(told.task(SkinComputation::report).done);
+  CHECK(told.task(SkinComputation::history).done);
   std::ostringstream words;
   report::print_workload(words, wide, told);
   CHECK_THAT(words.str(), ContainsSubstring("60 x 60 taxels") &&

@@ -15,7 +15,7 @@ using namespace tactile_net::lab;
 
 namespace {
 
-SpaceHand shipped(const std::string& name) {
+SpaceHand shipped_hand(const std::string& name) {
   return std::get<SpaceHand>(read_any_hand(std::string(SCENES) + "/hands/" + name));
 }
 
@@ -23,11 +23,11 @@ bool within(const Uncertain& found, double truth, double deviations) {
   return std::abs(found.value - truth) < deviations * found.deviation;
 }
 
-SpaceHand hand_of(const std::string& toml) {
+SpaceHand parsed_space_hand(const std::string& toml) {
   return std::get<SpaceHand>(parse_any_hand(toml, "hand.toml", {.allow_outside = true}));
 }
 
-std::string finger(const std::string& contact, const std::string& more = {}) {
+std::string finger_in_space(const std::string& contact, const std::string& more = {}) {
   return "[[finger]]\nplace = [0, 0, 0]\nnormal = [1, 0, 0]\ntangent = [0, 1, 0]\n" + more +
          "contact = " + contact + "\n";
 }
@@ -35,7 +35,7 @@ std::string finger(const std::string& contact, const std::string& more = {}) {
 }  // namespace
 
 TEST_CASE("the readings of two soft fingertips mean the forces that press on them", "[grasp]") {
-  const SpaceGraspResult grasp = hold(shipped("box.toml"));
+  const SpaceGraspResult grasp = hold(shipped_hand("box.toml"));
   REQUIRE(grasp.measured);
   REQUIRE(grasp.failures.empty());
   const auto& [left, right] =
@@ -60,7 +60,7 @@ TEST_CASE("the readings of two soft fingertips mean the forces that press on the
 }
 
 TEST_CASE("hard fingers leave the box free to turn, and say so", "[grasp]") {
-  SpaceHand hand = shipped("box.toml");
+  SpaceHand hand = shipped_hand("box.toml");
   for (SpaceHandFinger& one : hand.fingers) one.soft = false;
   const SpaceGraspResult grasp = hold(hand);
   CHECK(!grasp.held);
@@ -74,7 +74,7 @@ TEST_CASE("hard fingers leave the box free to turn, and say so", "[grasp]") {
 }
 
 TEST_CASE("a grip that slips is refused with the squeeze that it asks for", "[grasp]") {
-  SpaceHand hand = shipped("ball.toml");
+  SpaceHand hand = shipped_hand("ball.toml");
   const SpaceGraspResult least = hold(hand);
   REQUIRE(least.held);
   hand.squeeze = 0.9 * least.held->grasp.squeeze;
@@ -90,9 +90,9 @@ TEST_CASE("a grip that slips is refused with the squeeze that it asks for", "[gr
 
 TEST_CASE("recorded readings of a skin press as simulated ones do", "[grasp]") {
   const std::string pad = std::string(SCENES) + "/recorded/skin-pad";
-  const SpaceHand hand =
-      hand_of(finger("{ scene = \"" + pad + ".toml\", readings = \"" + pad + ".csv\", frame = 3 }",
-                     "soft = true\n"));
+  const SpaceHand hand = parsed_space_hand(
+      finger_in_space("{ scene = \"" + pad + ".toml\", readings = \"" + pad + ".csv\", frame = 3 }",
+                      "soft = true\n"));
   const auto readings = [](const std::filesystem::path& file, const SkinScene& scene,
                            std::size_t frame) {
     return frames::readings_of_frame(file, scene, frame);
@@ -107,14 +107,15 @@ TEST_CASE("recorded readings of a skin press as simulated ones do", "[grasp]") {
 
 TEST_CASE("pads that are no skins, or that nothing presses, are refused by name", "[grasp]") {
   const std::string line = std::string(SCENES) + "/dragged.toml";
-  CHECK_THROWS_WITH(hold(hand_of(finger("{ scene = \"" + line + "\" }"))),
+  CHECK_THROWS_WITH(hold(parsed_space_hand(finger_in_space("{ scene = \"" + line + "\" }"))),
                     ContainsSubstring("is of a line array"));
   const std::string empty = std::string(SCENES) + "/recorded/skin-pad.toml";
-  CHECK_THROWS_WITH(hold(hand_of(finger("{ scene = \"" + empty + "\" }"))),
+  CHECK_THROWS_WITH(hold(parsed_space_hand(finger_in_space("{ scene = \"" + empty + "\" }"))),
                     ContainsSubstring("nothing presses on this fingertip"));
-  CHECK_THROWS_WITH(hold(hand_of(finger("{ center = [0, 0] }"))),
+  CHECK_THROWS_WITH(hold(parsed_space_hand(finger_in_space("{ center = [0, 0] }"))),
                     ContainsSubstring("nothing to compute"));
   const std::string pressure = std::string(SCENES) + "/skins/pressure-pad.toml";
-  CHECK_THROWS_WITH(hold(hand_of(finger("{ scene = \"" + pressure + "\" }", "soft = true\n"))),
-                    ContainsSubstring("give torsion_radius"));
+  CHECK_THROWS_WITH(
+      hold(parsed_space_hand(finger_in_space("{ scene = \"" + pressure + "\" }", "soft = true\n"))),
+      ContainsSubstring("give torsion_radius"));
 }

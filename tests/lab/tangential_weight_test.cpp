@@ -18,26 +18,26 @@
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/scene_parts.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-constexpr double rms = 0.002;
+constexpr double relative_noise = 0.002;
 
-Scene pad(const std::string& reads, const std::string& reconstruct, double stiffness = 1.0,
-          double length = 1.0) {
+Scene tangential_pad(const std::string& reads, const std::string& reconstruct,
+                     double stiffness = 1.0, double length = 1.0) {
   const auto number = [](double value) { return std::to_string(value); };
-  return parse_scene("[sensor]\ncount = 33\npitch = " + number(0.5 * length) +
-                         "\ndepth = " + number(length) + "\nreads = [" + reads +
-                         "]\n[material]\nyoungs_modulus = " + number(stiffness) +
-                         "\npoisson_ratio = 0.45\n[noise]\nrms = " + number(rms * stiffness) +
-                         "\n[reconstruct]\ntangential = true\n" + reconstruct,
-                     "pad.toml");
+  return parse_scene(
+      "[sensor]\ncount = 33\npitch = " + number(0.5 * length) + "\ndepth = " + number(length) +
+          "\nreads = [" + reads + "]\n[material]\nyoungs_modulus = " + number(stiffness) +
+          "\npoisson_ratio = 0.45\n[noise]\nrms = " + number(relative_noise * stiffness) +
+          "\n[reconstruct]\ntangential = true\n" + reconstruct,
+      "pad.toml");
 }
 
 const std::string with_shear = "\"stress_x\", \"shear_xy\"";
 const std::string two_stresses = "\"stress_x\", \"stress_y\"";
-const std::string estimated = "tangential_weight = \"evidence\"\n";
 
 struct Frame {
   std::vector<double> readings{};
@@ -45,7 +45,7 @@ struct Frame {
 };
 
 /// A strip that presses with 0.1 E or so and drags, with noise.
-Frame frame_of(const Scene& scene, double friction, double center, unsigned seed) {
+Frame noisy_frame(const Scene& scene, double friction, double center, unsigned seed) {
   const double depth = scene.sensor.depths.front();
   const std::vector<Contact> contacts{
       RigidContact{.center = center * depth,
@@ -53,7 +53,7 @@ Frame frame_of(const Scene& scene, double friction, double center, unsigned seed
                    .force = 0.3 * scene.material.youngs_modulus * depth,
                    .friction = friction}};
   Frame frame{.readings = exact_readings(scene.sensor, scene.material, contacts)};
-  add_noise(frame.readings, rms * scene.material.youngs_modulus, seed, 0);
+  add_noise(frame.readings, relative_noise * scene.material.youngs_modulus, seed, 0);
   const TractionField field = sample(contacts, surface(scene));
   frame.truth = field.normal;
   frame.truth.insert(frame.truth.end(), field.tangential.begin(), field.tangential.end());
@@ -61,26 +61,26 @@ Frame frame_of(const Scene& scene, double friction, double center, unsigned seed
   return frame;
 }
 
-struct Answer {
+struct SolvedFrame {
   FrameResult result{};
   std::vector<double> f{};
 };
-Answer answer_of(const SceneProblem& problem, std::span<const double> readings) {
+SolvedFrame solved_frame(const SceneProblem& problem, std::span<const double> readings) {
   const auto solver = make_solver(problem, Method::tikhonov);
-  Answer answer{.f = std::vector<double>(solver->tractions())};
+  SolvedFrame answer{.f = std::vector<double>(solver->tractions())};
   answer.result = solver->solve(readings, answer.f);
   REQUIRE(answer.result.status == FrameStatus::ok);
   return answer;
 }
 
 /// The tangential force over the normal one.
-double drag(const Answer& answer) {
+double drag(const SolvedFrame& answer) {
   const auto middle = answer.f.begin() + std::ssize(answer.f) / 2;
   return std::accumulate(middle, answer.f.end(), 0.0) /
          std::accumulate(answer.f.begin(), middle, 0.0);
 }
 
-double error(const Answer& answer, const Frame& frame) {
+double error(const SolvedFrame& answer, const Frame& frame) {
   return relative_l2_error(answer.f, frame.truth);
 }
 
@@ -88,10 +88,11 @@ double error(const Answer& answer, const Frame& frame) {
 
 TEST_CASE("a weight of 1 is none: the same bits", "[lab][weights]") {
   const std::string rest = GENERATE("", "alpha = 1e-4\n", "friction_limit = 0.8\n");
-  const Frame frame = frame_of(pad(with_shear, ""), 0.3, 0.4, 1);
-  const Answer plain = answer_of(SceneProblem(pad(with_shear, rest)), frame.readings);
-  const Answer one =
-      answer_of(SceneProblem(pad(with_shear, rest + "tangential_weight = 1\n")), frame.readings);
+  const Frame frame = noisy_frame(tangential_pad(with_shear, ""), 0.3, 0.4, 1);
+  const SolvedFrame plain =
+      solved_frame(SceneProblem(tangential_pad(with_shear, rest)), frame.readings);
+  const SolvedFrame one = solved_frame(
+      SceneProblem(tangential_pad(with_shear, rest + "tangential_weight = 1\n")), frame.readings);
   CHECK(one.f == plain.f);
   CHECK(one.result.alpha->value == plain.result.alpha->value);
   CHECK_FALSE(one.result.alpha->tangential_weight.has_value());
@@ -102,8 +103,8 @@ TEST_CASE("an estimated weight is the answer that stating it gives", "[lab][weig
   const Method method = GENERATE(Method::tikhonov, Method::closed_form);
   if (method == Method::closed_form && rest.starts_with("friction")) return;
   CAPTURE(rest, name(method));
-  const Frame frame = frame_of(pad(with_shear, ""), 0.25, 0.4, 2);
-  const SceneProblem problem(pad(with_shear, rest + estimated));
+  const Frame frame = noisy_frame(tangential_pad(with_shear, ""), 0.25, 0.4, 2);
+  const SceneProblem problem(tangential_pad(with_shear, rest + estimated_weight));
   REQUIRE(problem.estimates_weight());
   const auto solver = make_solver(problem, method);
   std::vector<double> f(solver->tractions());
@@ -113,7 +114,7 @@ TEST_CASE("an estimated weight is the answer that stating it gives", "[lab][weig
   CHECK(weight > 1.0);
   CHECK(weight < 16.0);
 
-  Scene stated = pad(with_shear, rest);
+  Scene stated = tangential_pad(with_shear, rest);
   stated.reconstruct.tangential_weight = weight;
   const auto other = make_solver(SceneProblem(stated), method);
   std::vector<double> expected(other->tractions());
@@ -131,15 +132,15 @@ TEST_CASE("an estimated weight is the answer that stating it gives", "[lab][weig
 TEST_CASE("the evidence of the weight makes tractions better, the null mode of two stresses first",
           "[lab][weights]") {
   for (const std::string& reads : {with_shear, two_stresses}) {
-    const SceneProblem one(pad(reads, "alpha = \"evidence\"\n"));
-    const SceneProblem own(pad(reads, "alpha = \"evidence\"\n" + estimated));
+    const SceneProblem one(tangential_pad(reads, "alpha = \"evidence\"\n"));
+    const SceneProblem own(tangential_pad(reads, "alpha = \"evidence\"\n" + estimated_weight));
     std::vector<double> before, after;
     double mode_before = 0.0;  // drag that a press does not have
     double mode_after = 0.0;
     for (unsigned i = 0; i < 12; ++i) {
-      const Frame frame = frame_of(one.scene(), i % 2 == 0 ? 0.0 : 0.3, 0.3 * i - 2.0, i);
-      const Answer plain = answer_of(one, frame.readings);
-      const Answer weighed = answer_of(own, frame.readings);
+      const Frame frame = noisy_frame(one.scene(), i % 2 == 0 ? 0.0 : 0.3, 0.3 * i - 2.0, i);
+      const SolvedFrame plain = solved_frame(one, frame.readings);
+      const SolvedFrame weighed = solved_frame(own, frame.readings);
       before.push_back(error(plain, frame));
       after.push_back(error(weighed, frame));
       if (i % 2 == 0) {
@@ -158,18 +159,18 @@ TEST_CASE("the evidence of the weight makes tractions better, the null mode of t
 
 TEST_CASE("neither the unit of stress nor that of length chooses weight or alpha",
           "[lab][weights][property]") {
-  const std::string rest = estimated +
+  const std::string rest = estimated_weight +
                            "friction_limit = 0.8\nalpha = \"evidence\"\n"
                            "alpha_on_active_set = true\n";
   const double stiffness = GENERATE(1.0, 1024.0);
   const double length = GENERATE(1.0, 0.0625);
-  const SceneProblem here(pad(with_shear, rest));
-  const SceneProblem there(pad(with_shear, rest, stiffness, length));
-  const Frame frame = frame_of(here.scene(), 0.25, 0.4, 2);
+  const SceneProblem here(tangential_pad(with_shear, rest));
+  const SceneProblem there(tangential_pad(with_shear, rest, stiffness, length));
+  const Frame frame = noisy_frame(here.scene(), 0.25, 0.4, 2);
   std::vector<double> readings = frame.readings;
   for (double& reading : readings) reading *= stiffness;
-  const Answer found = answer_of(here, frame.readings);
-  const Answer scaled = answer_of(there, readings);
+  const SolvedFrame found = solved_frame(here, frame.readings);
+  const SolvedFrame scaled = solved_frame(there, readings);
   CHECK(*scaled.result.alpha->tangential_weight == *found.result.alpha->tangential_weight);
   CHECK_THAT(scaled.result.alpha->value, WithinRel(found.result.alpha->value, 1e-6));
   std::vector<double> expected = found.f;
@@ -182,10 +183,10 @@ TEST_CASE("an active set's alpha is what the rule chooses on the tractions left 
   const std::string rule = GENERATE("evidence", "rgcv", "aicc");
   CAPTURE(rule);
   const std::string rest = "friction_limit = 0.8\nalpha = \"" + rule + "\"\n";
-  const SceneProblem problem(pad(with_shear, rest + "alpha_on_active_set = true\n"));
+  const SceneProblem problem(tangential_pad(with_shear, rest + "alpha_on_active_set = true\n"));
   REQUIRE(problem.chooses_on_active_set());
-  const Frame frame = frame_of(problem.scene(), 0.25, 0.4, 3);
-  const Answer found = answer_of(problem, frame.readings);
+  const Frame frame = noisy_frame(problem.scene(), 0.25, 0.4, 3);
+  const SolvedFrame found = solved_frame(problem, frame.readings);
   CHECK(name(*found.result.alpha->rule) == rule);
   REQUIRE(found.result.constrained.has_value());
   const TikhonovFamily face(problem.problem(), *problem.constraints(),
@@ -193,18 +194,19 @@ TEST_CASE("an active set's alpha is what the rule chooses on the tractions left 
   const AlphaChoice own =
       choose_alone(face.analyse(frame.readings), *found.result.alpha->rule, problem.stated_noise());
   CHECK_THAT(found.result.alpha->value, WithinRel(own.alpha, 0.05));
-  const Answer before = answer_of(SceneProblem(pad(with_shear, rest)), frame.readings);
+  const SolvedFrame before =
+      solved_frame(SceneProblem(tangential_pad(with_shear, rest)), frame.readings);
   CHECK(before.result.alpha->value != found.result.alpha->value);
 }
 
 TEST_CASE("bands of an estimated weight are those over all that are likely", "[lab][bands]") {
   const std::string rest = GENERATE("", "friction_limit = 0.8\n", "surface = \"grid\"\n");
   CAPTURE(rest);
-  const SceneProblem problem(pad(with_shear, rest + estimated));
-  const Frame frame = frame_of(problem.scene(), 0.1, 0.4, 2);
+  const SceneProblem problem(tangential_pad(with_shear, rest + estimated_weight));
+  const Frame frame = noisy_frame(problem.scene(), 0.1, 0.4, 2);
   const SceneFrame analysed(problem, frame.readings);
   REQUIRE(analysed.likely_weights().size() > 1);
-  const Answer found = answer_of(problem, frame.readings);
+  const SolvedFrame found = solved_frame(problem, frame.readings);
   const FrameUncertainty bands = uncertainty(analysed, found.f, found.result);
   double expected = 0.0;  // of the tangential force's variance
   for (const auto& [weight, probability] : analysed.likely_weights()) {
@@ -216,11 +218,11 @@ TEST_CASE("bands of an estimated weight are those over all that are likely", "[l
 }
 
 TEST_CASE("bands under constraints hold the answer without them", "[lab][bands]") {
-  const SceneProblem problem(pad(with_shear, "friction_limit = 0.8\n"));
-  const SceneProblem plain(pad(with_shear, ""));
-  const Frame frame = frame_of(problem.scene(), 0.25, 0.4, 2);
-  const Answer found = answer_of(problem, frame.readings);
-  const Answer other = answer_of(plain, frame.readings);
+  const SceneProblem problem(tangential_pad(with_shear, "friction_limit = 0.8\n"));
+  const SceneProblem plain(tangential_pad(with_shear, ""));
+  const Frame frame = noisy_frame(problem.scene(), 0.25, 0.4, 2);
+  const SolvedFrame found = solved_frame(problem, frame.readings);
+  const SolvedFrame other = solved_frame(plain, frame.readings);
   const UncertainResultant own =
       uncertainty(SceneFrame(problem, frame.readings), found.f, found.result).resultant;
   const UncertainResultant free =
@@ -230,18 +232,18 @@ TEST_CASE("bands under constraints hold the answer without them", "[lab][bands]"
 }
 
 TEST_CASE("who needs one functional for all frames asks for the weight", "[lab][weights]") {
-  const SceneProblem problem(pad(with_shear, estimated));
+  const SceneProblem problem(tangential_pad(with_shear, estimated_weight));
   CHECK_THROWS_WITH(make_sharing_solver(problem, Method::tikhonov, 5),
                     ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
   CHECK_THROWS_WITH(plan_controller(problem, {.value = 1e-3}, {}),
                     ContainsSubstring("tangential_weight"));
   CHECK_THROWS_WITH(make_solver(problem, Method::dft), ContainsSubstring("tangential_weight"));
   CHECK_THROWS_WITH(
-      make_sharing_solver(
-          SceneProblem(pad(with_shear, "nonnegative = true\nalpha_on_active_set = true\n")),
-          Method::tikhonov, 5),
+      make_sharing_solver(SceneProblem(tangential_pad(
+                              with_shear, "nonnegative = true\nalpha_on_active_set = true\n")),
+                          Method::tikhonov, 5),
       ContainsSubstring("alpha_on_active_set"));
-  Scene many = pad(with_shear, estimated);
+  Scene many = tangential_pad(with_shear, estimated_weight);
   many.sensor.count = 600;
   const std::vector<double> readings(1200, 1.0);
   const auto solver = make_solver(many, Method::tikhonov);

@@ -26,9 +26,10 @@ using namespace tactile_net::lab;
 
 namespace {
 
-std::string pad(const std::string& units, const std::string& pitch, const std::string& depth,
-                const std::string& modulus, const std::string& half_width, const std::string& force,
-                const std::string& more) {
+std::string pad_in_units(const std::string& units, const std::string& pitch,
+                         const std::string& depth, const std::string& modulus,
+                         const std::string& half_width, const std::string& force,
+                         const std::string& more) {
   return units + "[sensor]\ncount = 21\npitch = " + pitch + "\ndepth = " + depth +
          "\nreads = [\"stress_x\", \"shear_xy\"]\n[material]\nyoungs_modulus = " + modulus +
          "\npoisson_ratio = 0.45\nlayer = { thickness = " + depth +
@@ -36,7 +37,7 @@ std::string pad(const std::string& units, const std::string& pitch, const std::s
          "\nforce = " + force + "\nfriction = 0.3\n" + more;
 }
 
-std::vector<double> solved(const Scene& scene, const std::vector<double>& readings) {
+std::vector<double> tikhonov_tractions(const Scene& scene, const std::vector<double>& readings) {
   const auto solver = make_solver(scene, Method::tikhonov);
   std::vector<double> f(solver->tractions());
   REQUIRE(solver->solve(readings, f).status == FrameStatus::ok);
@@ -50,16 +51,17 @@ const std::string counts = SCENES "/recorded/thin-pad-counts";
 TEST_CASE("a scene in mm, MPa and kPa has the very tractions of the same scene in SI",
           "[lab][units][property]") {
   const std::string alpha = GENERATE("", "[reconstruct]\nalpha = 0.00048828125\n");
-  const Scene si = parse_scene(
-      pad("", "0.5e-3", "1.5e-3", "0.25e6", "2e-3", "1500", "[noise]\nrms = 31.25\n" + alpha),
-      "si.toml");
+  const Scene si = parse_scene(pad_in_units("", "0.5e-3", "1.5e-3", "0.25e6", "2e-3", "1500",
+                                            "[noise]\nrms = 31.25\n" + alpha),
+                               "si.toml");
   const Scene mm = parse_scene(
-      pad("[units]\nlength = \"mm\"\nmodulus = \"MPa\"\nstress = \"kPa\"\nforce = \"N/mm\"\n",
+      pad_in_units(
+          "[units]\nlength = \"mm\"\nmodulus = \"MPa\"\nstress = \"kPa\"\nforce = \"N/mm\"\n",
           "0.5", "1.5", "0.25", "2", "1.5", "[noise]\nrms = 0.03125\n" + alpha),
       "mm.toml");
   const std::vector<double> readings = simulate(si).readings;
   CHECK(simulate(mm).readings == readings);
-  CHECK(solved(mm, readings) == solved(si, readings));
+  CHECK(tikhonov_tractions(mm, readings) == tikhonov_tractions(si, readings));
 }
 
 TEST_CASE("counts give the tractions of the readings that they were made of",
@@ -80,8 +82,8 @@ TEST_CASE("counts give the tractions of the readings that they were made of",
     const std::vector<double> exact = raw_numbers(raw, expected);
     std::vector<double> back = exact;
     calibrate(*raw.calibration, back);
-    const std::vector<double> f = solved(prepared, expected);
-    CHECK(relative_l2_error(solved(raw, back), f) < 1e-9);
+    const std::vector<double> f = tikhonov_tractions(prepared, expected);
+    CHECK(relative_l2_error(tikhonov_tractions(raw, back), f) < 1e-9);
   }
 }
 
@@ -108,7 +110,7 @@ TEST_CASE("a controller finds in counts what solve finds in readings", "[lab][un
     const auto readings = frames::readings_of_frame(counts + ".csv", raw, frame);
     REQUIRE(estimator.update(numbers, estimate) == FrameStatus::ok);
     CHECK_FALSE(estimate.saturated);
-    CHECK(relative_l2_error(f, solved(raw, readings)) < 1e-8);
+    CHECK(relative_l2_error(f, tikhonov_tractions(raw, readings)) < 1e-8);
     // One count that stands for the converter's end.
     std::vector<double> end(readings.size(), 0.0);
     end[20] = 30e3;
@@ -199,7 +201,8 @@ TEST_CASE("a circuit's remarks say numbers that mend it where the scene writes t
   using Kind = CircuitRemark::Kind;
   const auto circuit_with = [](const std::string& scale) {
     return simulated_circuit(parse_scene(
-        pad("[units]\nlength = \"mm\"\nmodulus = \"MPa\"\nstress = \"kPa\"\nforce = \"N/mm\"\n",
+        pad_in_units(
+            "[units]\nlength = \"mm\"\nmodulus = \"MPa\"\nstress = \"kPa\"\nforce = \"N/mm\"\n",
             "0.5", "1.5", "0.25", "2", "1.5",
             "[reconstruct]\nalpha = 1e-3\n[network]\nrealization = \"crossbar\"\n"
             "opamp = { gain = 1e6, rail = 5 }\n" +

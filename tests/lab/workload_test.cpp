@@ -32,7 +32,6 @@ std::vector<Computation> done(const std::string& rest, const WorkloadRequest& re
   return done(workload(parse(rest), request));
 }
 
-using enum Computation;
 using List = std::vector<Computation>;
 using Reason = Workload::Reason;
 using Kind = Workload::Cost::Kind;
@@ -56,6 +55,7 @@ TEST_CASE("every computation is named once, whether it is done or not", "[worklo
 }
 
 TEST_CASE("rules are compared where one chooses alpha, or on request", "[workload]") {
+  using enum Computation;
   const std::string given = "[reconstruct]\nalpha = 1e-3\n";
   CHECK(done("") == List{readings, tikhonov, rule_comparison, bands, hidden_modes});
   CHECK(done(given) == List{readings, tikhonov, bands, hidden_modes});
@@ -66,6 +66,7 @@ TEST_CASE("rules are compared where one chooses alpha, or on request", "[workloa
 }
 
 TEST_CASE("a circuit brings what its table asks for, and nothing else", "[workload]") {
+  using enum Computation;
   const std::string network =
       "[reconstruct]\nmethods = [\"network\"]\nalpha = 1e-3\n[network]\nrealization = \"nic\"\n";
   CHECK(done(network) == List{readings, circuit});
@@ -81,6 +82,7 @@ TEST_CASE("a circuit brings what its table asks for, and nothing else", "[worklo
 
 TEST_CASE("the second unknown and the layer's integrals come only where they are called for",
           "[workload]") {
+  using enum Computation;
   const std::string alpha = "[reconstruct]\nalpha = 1\n";
   CHECK_FALSE(workload(parse(alpha)).does(tangential));
   CHECK(workload(parse("friction = 0.1\n" + alpha)).does(tangential));
@@ -135,6 +137,7 @@ TEST_CASE("effects stand in the order of the signal path", "[workload]") {
 }
 
 TEST_CASE("reasons tell apart what the scene asks for and what it leaves out", "[workload]") {
+  using enum Computation;
   const auto why = [](const std::string& rest, Computation which,
                       const WorkloadRequest& request = {}) {
     return task(workload(parse(rest), request), which).why;
@@ -173,6 +176,7 @@ TEST_CASE("reasons tell apart what the scene asks for and what it leaves out", "
 }
 
 TEST_CASE("costs are counted in readings, tractions and operations", "[workload]") {
+  using enum Computation;
   const std::string exact = "[reconstruct]\nalpha = 1\n[forward]\nmodel = \"exact\"\n";
   const std::string sampled = "[reconstruct]\nalpha = 1\n[forward]\nmodel = \"sampled\"\n";
   const auto cost = [](const std::string& rest, Computation which,

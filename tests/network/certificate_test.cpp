@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tests/catch.hpp"
+#include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 
 using namespace tactile_net;
@@ -12,8 +13,6 @@ using namespace tactile_net;
 namespace {
 
 using Kind = CircuitRemark::Kind;
-
-const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
 
 NetworkProblem indefinite() {
   NetworkProblem problem = array_network(11, 1e-3).problem;

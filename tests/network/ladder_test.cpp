@@ -15,14 +15,14 @@ using namespace tactile_net;
 
 namespace {
 
-const OpAmp one_pole{.gain = 1e10, .bandwidth = 1e7};
+const OpAmp huge_gain{.gain = 1e10, .bandwidth = 1e7};
 
 Circuit ladder(const NetworkProblem& problem, const OpAmp& opamp = {}) {
   return realize(Realization::least_squares, problem, {.opamp = opamp, .ladder = true});
 }
 
 std::vector<double> rest(const NetworkProblem& problem) {
-  return steady_state(state_space(FlatCircuit(ladder(problem, one_pole))));
+  return steady_state(state_space(FlatCircuit(ladder(problem, huge_gain))));
 }
 
 ToleranceResult with_parts(const NetworkProblem& problem, bool ladder, std::size_t trials) {
@@ -95,7 +95,7 @@ TEST_CASE("a dead taxel has no residual, and tractions that no taxel sees are fe
           "[ladder][hard]") {
   NetworkProblem problem = array_network(7, 1e-3).problem;
   for (std::size_t j = 0; j < 7; ++j) problem.kernel(3, j) = 0.0;
-  const Circuit circuit = ladder(problem, one_pole);
+  const Circuit circuit = ladder(problem, huge_gain);
   CHECK(circuit.sources.size() == 6);
   CHECK(poles(state_space(FlatCircuit(circuit))).front().real() < 0.0);
 
@@ -156,7 +156,7 @@ TEST_CASE("draws of a ladder's parts are stable where their poles are", "[ladder
   // Half of each value: far enough for some to be unstable, which the reduced equations must see.
   const NetworkProblem problem = array_network(7, 1e-4).problem;
   const Reduction reduction(ladder(problem));
-  const FlatCircuit flat(ladder(problem, one_pole));
+  const FlatCircuit flat(ladder(problem, huge_gain));
   std::size_t unstable = 0;
   for (std::size_t trial = 0; trial < 60; ++trial) {
     CAPTURE(trial);

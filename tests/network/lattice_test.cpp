@@ -4,13 +4,12 @@
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/tolerance.hpp"
 #include "tests/catch.hpp"
+#include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
 
 ToleranceResult with_parts(const NetworkProblem& problem, double relative) {
   return tolerate(Reduction(realize(Realization::lattice, problem)),

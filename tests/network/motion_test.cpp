@@ -11,10 +11,10 @@ using namespace tactile_net;
 
 namespace {
 
-const OpAmp one_pole{.gain = 1e9, .bandwidth = 1e7};
-
-NetworkCircuit circuit_of(Realization one, const NetworkProblem& problem) {
-  return {one, std::make_shared<const NetworkProblem>(problem), {.opamp = one_pole}};
+NetworkCircuit network_circuit(Realization one, const NetworkProblem& problem) {
+  return {one,
+          std::make_shared<const NetworkProblem>(problem),
+          {.opamp = {.gain = 1e9, .bandwidth = 1e7}}};
 }
 
 /// Neighbours' differences: how the readings change when the load moves by a pitch of 0.5.
@@ -32,7 +32,7 @@ TEST_CASE("the lag behind a ramp is what integrating it in time leaves", "[motio
   const std::vector<double> rate = per_length(problem);
   for (const Realization one : {Realization::crossbar, Realization::lattice}) {
     CAPTURE(name(one));
-    const NetworkCircuit circuit = circuit_of(one, problem);
+    const NetworkCircuit circuit = network_circuit(one, problem);
     const MotionLag lag = motion_lag(circuit, rate);
     // x' = A x + b t, by Runge and Kutta's fourth order, until the transient is gone.
     const StateSpace& system = circuit.state_space();
@@ -42,8 +42,8 @@ TEST_CASE("the lag behind a ramp is what integrating it in time leaves", "[motio
       moving.right_side[j] = 0.0;
       for (std::size_t i = 0; i < 7; ++i) moving.right_side[j] += problem.kernel(i, j) * rate[i];
     }
-    const std::vector<double> b = circuit_of(one, moving).state_space().drive;
-    const std::vector<double> end = steady_state(circuit_of(one, moving).state_space());
+    const std::vector<double> b = network_circuit(one, moving).state_space().drive;
+    const std::vector<double> end = steady_state(network_circuit(one, moving).state_space());
     std::vector<double> x(system.states());
     const auto slope = [&](const std::vector<double>& at, double t) {
       std::vector<double> result(at.size());
@@ -84,12 +84,13 @@ TEST_CASE("a moving load is followed to within a tenth of a microsecond", "[moti
   const NetworkProblem problem = array_network(21, 1e-3).problem;
   const std::vector<double> rate = per_length(problem);
   // design: 0.109, 0.081 and 0.064 us for a cylinder of half width 2
-  CHECK_THAT(motion_lag(circuit_of(Realization::crossbar, problem), rate).seconds,
+  CHECK_THAT(motion_lag(network_circuit(Realization::crossbar, problem), rate).seconds,
              WithinRel(0.109e-6, 0.2));
-  CHECK_THAT(motion_lag(circuit_of(Realization::lattice, problem), rate).seconds,
+  CHECK_THAT(motion_lag(network_circuit(Realization::lattice, problem), rate).seconds,
              WithinRel(0.081e-6, 0.2));
-  CHECK_THAT(motion_lag(circuit_of(Realization::least_squares, problem), rate).seconds,
+  CHECK_THAT(motion_lag(network_circuit(Realization::least_squares, problem), rate).seconds,
              WithinRel(0.064e-6, 0.2));
-  CHECK_THROWS_AS(motion_lag(circuit_of(Realization::crossbar, problem), std::vector<double>(3)),
-                  std::invalid_argument);
+  CHECK_THROWS_AS(
+      motion_lag(network_circuit(Realization::crossbar, problem), std::vector<double>(3)),
+      std::invalid_argument);
 }

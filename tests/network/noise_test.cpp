@@ -8,6 +8,7 @@
 #include "tactile_net/network/state_space.hpp"
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"
+#include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 
 using namespace tactile_net;
@@ -16,7 +17,6 @@ namespace {
 
 constexpr double boltzmann = 1.380649e-23;
 constexpr double kelvin = 300.15;
-constexpr double w = 2.0 * std::numbers::pi * 1e7;
 const OpAmp noisy{.gain = 1e9, .bandwidth = 1e7, .noise_voltage = 5e-9};
 
 OutputNoise noise_of(Realization one, const NetworkProblem& problem,
@@ -49,7 +49,8 @@ TEST_CASE("a crossbar's resistors are in equipartition: W k T P^-1", "[noise]") 
     const std::vector<double> column = solve_symmetric(problem.matrix, unit);
     for (std::size_t j = 0; j < 11; ++j)
       CHECK_THAT(noise.thermal(j, i),
-                 WithinAbs(w * boltzmann * kelvin / 1e-3 * column[j], 1e-6 * noise.thermal(i, i)));
+                 WithinAbs(angular_bandwidth * boltzmann * kelvin / 1e-3 * column[j],
+                           1e-6 * noise.thermal(i, i)));
   }
 }
 
@@ -127,7 +128,7 @@ TEST_CASE("1/f noise is the integral of what every frequency adds", "[noise][fli
         const Eigen::VectorXcd through = shifted.transpose().partialPivLu().solve(row.transpose());
         sum += step * through.head(states).squaredNorm();
       }
-      const double expected = sum * std::pow(w * 5e-9, 2) * 1e4;
+      const double expected = sum * std::pow(angular_bandwidth * 5e-9, 2) * 1e4;
       CHECK_THAT(noise.flicker(2, 2), WithinRel(expected, 2e-3));
     }
 }

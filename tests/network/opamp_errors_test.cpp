@@ -15,9 +15,7 @@ using namespace tactile_net;
 
 namespace {
 
-constexpr double volts = 3.0;
-constexpr double siemens = 2e-3;
-const RealizationOptions scaled{.scale = {siemens, volts}};
+const RealizationOptions scaled{.scale = {.siemens = 2e-3, .volts = 3.0}};
 
 double norm(const std::vector<double>& values) {
   return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
@@ -44,7 +42,7 @@ TEST_CASE("offsets of a crossbar err by P^-1 D v over the answer", "[opamp_error
   const StaticErrors errors =
       errors_of(Realization::crossbar, network.problem, {.gain = 1e9, .offset = offset});
   const std::vector<double> d = totals(network.problem.matrix);
-  const double size = volts * norm(network.direct);
+  const double size = scaled.scale.volts * norm(network.direct);
   CHECK_THAT(errors.offset.alike,
              WithinRel(offset * norm(solve_symmetric(network.problem.matrix, d)) / size, 1e-5));
   double squares = 0.0;
@@ -64,7 +62,7 @@ TEST_CASE("bias currents of a crossbar err by P^-1 i over the answer", "[opamp_e
   const std::vector<double> ones(21, 1.0);
   CHECK_THAT(errors.bias_current.alike,
              WithinRel(bias * norm(solve_symmetric(network.problem.matrix, ones)) /
-                           (siemens * volts * norm(network.direct)),
+                           (scaled.scale.siemens * scaled.scale.volts * norm(network.direct)),
                        1e-5));
 }
 
@@ -242,7 +240,7 @@ TEST_CASE("a certificate knows what outputs carry, and names the one that carrie
     REQUIRE(strong.remarks.size() == 1);
     CHECK(strong.remarks[0].kind == CircuitRemark::Kind::output_current);
     CHECK(strong.remarks[0].part == strong.output_current->opamp);
-    CHECK_THAT(strong.remarks[0].repair, WithinRel(volts, 1e-6));
+    CHECK_THAT(strong.remarks[0].repair, WithinRel(scaled.scale.volts, 1e-6));
     options.scale.volts = strong.remarks[0].repair * 0.999;
     CHECK(certify(one, network.problem, options).remarks.empty());
     options.opamp.output_current.reset();

@@ -11,20 +11,20 @@ using namespace tactile_net;
 
 namespace {
 
-struct Kind {
+struct Variant {
   Realization realization;
   bool inverters = false;
 };
 
-const std::vector<Kind> kinds = {{Realization::ideal},
-                                 {Realization::nic},
-                                 {Realization::rail},
-                                 {Realization::crossbar},
-                                 {Realization::crossbar, true},
-                                 {Realization::least_squares},
-                                 {Realization::least_squares, true},
-                                 {Realization::lattice},
-                                 {Realization::lattice, true}};
+const std::vector<Variant> variants = {{Realization::ideal},
+                                       {Realization::nic},
+                                       {Realization::rail},
+                                       {Realization::crossbar},
+                                       {Realization::crossbar, true},
+                                       {Realization::least_squares},
+                                       {Realization::least_squares, true},
+                                       {Realization::lattice},
+                                       {Realization::lattice, true}};
 
 /// Solves a small dense system by elimination with row exchange.
 std::vector<double> solved(Matrix a, std::vector<double> b) {
@@ -53,10 +53,10 @@ std::vector<double> solved(Matrix a, std::vector<double> b) {
 TEST_CASE("the equations' answer is the direct solution", "[reduction]") {
   const std::size_t unknowns = GENERATE(as<std::size_t>{}, 1, 2);
   const ArrayNetwork network = array_network(11, 1e-3, unknowns);
-  for (const Kind& kind : kinds) {
-    CAPTURE(name(kind.realization), kind.inverters, unknowns);
+  for (const Variant& variant : variants) {
+    CAPTURE(name(variant.realization), variant.inverters, unknowns);
     const Reduction reduction(
-        realize(kind.realization, network.problem, {.inverters = kind.inverters}));
+        realize(variant.realization, network.problem, {.inverters = variant.inverters}));
     const Equations equations = reduction.equations();
     const std::vector<double> z = solved(equations.matrix, equations.right_side);
     REQUIRE(reduction.outputs() == network.direct.size());
@@ -67,10 +67,10 @@ TEST_CASE("the equations' answer is the direct solution", "[reduction]") {
 
 TEST_CASE("sensitivities are derivatives", "[reduction][property]") {
   const ArrayNetwork network = array_network(5, 1e-3);
-  for (const Kind& kind : kinds) {
-    CAPTURE(name(kind.realization), kind.inverters);
+  for (const Variant& variant : variants) {
+    CAPTURE(name(variant.realization), variant.inverters);
     const Reduction reduction(
-        realize(kind.realization, network.problem, {.inverters = kind.inverters}));
+        realize(variant.realization, network.problem, {.inverters = variant.inverters}));
     const Equations nominal = reduction.equations();
     const std::vector<double> z = solved(nominal.matrix, nominal.right_side);
     const Matrix derivatives = reduction.sensitivities(z);
@@ -101,10 +101,10 @@ TEST_CASE("sensitivities are derivatives", "[reduction][property]") {
 TEST_CASE("no draw of errors moves an entry by more than its bound", "[reduction][property]") {
   const ArrayNetwork network = array_network(5, 1e-3);
   const double error = 1e-4;
-  for (const Kind& kind : kinds) {
-    CAPTURE(name(kind.realization), kind.inverters);
+  for (const Variant& variant : variants) {
+    CAPTURE(name(variant.realization), variant.inverters);
     const Reduction reduction(
-        realize(kind.realization, network.problem, {.inverters = kind.inverters}));
+        realize(variant.realization, network.problem, {.inverters = variant.inverters}));
     const Equations nominal = reduction.equations();
     const Matrix bound = reduction.sensitivity_bound();
     double reached = 0.0;
@@ -126,9 +126,9 @@ TEST_CASE("no draw of errors moves an entry by more than its bound", "[reduction
 
 TEST_CASE("resistors stand in the order of the flattened circuit", "[reduction]") {
   const ArrayNetwork network = array_network(5, 1e-3);
-  for (const Kind& kind : kinds) {
+  for (const Variant& variant : variants) {
     const Circuit circuit =
-        realize(kind.realization, network.problem, {.inverters = kind.inverters});
+        realize(variant.realization, network.problem, {.inverters = variant.inverters});
     const Reduction reduction(circuit);
     const Circuit flat = FlatCircuit(circuit).circuit();
     REQUIRE(flat.resistors.size() == reduction.resistors().size());

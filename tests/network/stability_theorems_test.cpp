@@ -5,6 +5,7 @@
 #include "tactile_net/network/certificate.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/networks.hpp"
+#include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 
 using namespace tactile_net;
@@ -56,12 +57,9 @@ NetworkProblem random_network(Random& random, unsigned seed) {
   return problem;
 }
 
-constexpr double hertz = 1e7;
-const double w = 2.0 * 3.14159265358979324 * hertz;
-
 OpAmp opamp(std::optional<double> second_pole, std::optional<double> capacitance) {
   return {.gain = 1e9,
-          .bandwidth = hertz,
+          .bandwidth = bandwidth,
           .second_pole = second_pole,
           .input_capacitance = capacitance};
 }
@@ -98,13 +96,13 @@ TEST_CASE("T5: a crossbar bears second poles, and capacitance where they are not
     CAPTURE(seed);
     const NetworkProblem problem = random_network(random, seed);
     CHECK(certified(Realization::crossbar, problem,
-                    {.opamp = opamp(hertz * random.decades(1e-2, 1e2), std::nullopt)}));
-    CHECK(
-        certified(Realization::crossbar, problem,
-                  {.opamp = opamp(hertz * random.decades(1.0, 1e2), random.decades(1e-13, 1e-9))}));
+                    {.opamp = opamp(bandwidth * random.decades(1e-2, 1e2), std::nullopt)}));
+    CHECK(certified(
+        Realization::crossbar, problem,
+        {.opamp = opamp(bandwidth * random.decades(1.0, 1e2), random.decades(1e-13, 1e-9))}));
   }
   // Slow second poles and capacitance: one that is unstable.
-  RealizationOptions slow{.opamp = opamp(0.01 * hertz, 1e-10)};
+  RealizationOptions slow{.opamp = opamp(0.01 * bandwidth, 1e-10)};
   const NetworkProblem problem = array_network(11, 1e-2).problem;
   CHECK(certify(Realization::crossbar, problem, slow).stability == Stability::unstable);
 }
@@ -116,7 +114,7 @@ TEST_CASE("T1: converters bear capacitance at their inputs up to 1/(2 W r)",
     CAPTURE(seed);
     const NetworkProblem problem = random_network(random, seed);
     const double divider = 1e4;
-    const double capacitance = random.decades(1e-3, 0.4999) / (w * divider);
+    const double capacitance = random.decades(1e-3, 0.4999) / (angular_bandwidth * divider);
     CHECK(certified(Realization::nic, problem,
                     {.opamp = opamp(std::nullopt, capacitance),
                      .divider = divider,
@@ -124,7 +122,8 @@ TEST_CASE("T1: converters bear capacitance at their inputs up to 1/(2 W r)",
   }
   const NetworkProblem problem = array_network(11, 1e-3).problem;
   CHECK(certify(Realization::nic, problem,
-                {.opamp = opamp(std::nullopt, 20.0 / (w * 1e4)), .node_capacitance = 1e-11})
+                {.opamp = opamp(std::nullopt, 20.0 / (angular_bandwidth * 1e4)),
+                 .node_capacitance = 1e-11})
             .stability == Stability::unstable);
 }
 
@@ -136,7 +135,7 @@ TEST_CASE("T6: least squares bears the lag that its number allows", "[theorems][
     const std::size_t columns = 3 + seed % 4;
     const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
     RealizationOptions options{
-        .opamp = opamp(hertz * random.decades(1.0, 1e3), random.decades(1e-15, 1e-11)),
+        .opamp = opamp(bandwidth * random.decades(1.0, 1e3), random.decades(1e-15, 1e-11)),
         .residual_gain = random.decades(0.3, 30.0),
         .bandwidth_ratio = random.decades(1e-2, 1.0)};
     if (certified(Realization::least_squares, problem, options)) {
@@ -155,7 +154,7 @@ TEST_CASE("T6: least squares bears the lag that its number allows", "[theorems][
   CHECK(spoken < 180);
   // Op-amps as they are sold, on the array as it is: the default gain is unstable.
   const Certificate bought = certify(Realization::least_squares, array_network(21, 1e-3).problem,
-                                     {.opamp = opamp(2.0 * hertz, std::nullopt)});
+                                     {.opamp = opamp(2.0 * bandwidth, std::nullopt)});
   CHECK(bought.stability == Stability::unstable);
   CHECK_THAT(bought.dynamics.value().slowest, WithinRel(6.0e6, 0.05));
   CHECK(bought.theorem.unmet.value().condition == TheoremCondition::lag_within_bound);
@@ -171,14 +170,14 @@ TEST_CASE("T7: a lattice bears any second poles, or any capacitance at its resid
     const std::size_t columns = 3 + seed % 4;
     const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
     CHECK(certified(Realization::lattice, problem,
-                    {.opamp = opamp(hertz * random.decades(1e-2, 1e2), std::nullopt)}));
+                    {.opamp = opamp(bandwidth * random.decades(1e-2, 1e2), std::nullopt)}));
     CHECK(certified(Realization::lattice, problem,
                     {.opamp = opamp(std::nullopt, std::nullopt),
                      .node_capacitance = random.decades(1e-14, 1e-8)}));
   }
   // Capacitance at the inputs is outside, and with as much at the residuals unstable.
   CHECK(certify(Realization::lattice, array_network(21, 1e-3).problem,
-                {.opamp = opamp(hertz, 1e-9), .node_capacitance = 1e-9})
+                {.opamp = opamp(bandwidth, 1e-9), .node_capacitance = 1e-9})
             .stability == Stability::unstable);
 }
 
@@ -202,7 +201,7 @@ TEST_CASE(
     if (of_nodes)
       options.node_capacitance = random.decades(1e-13, 1e-9);
     else
-      options.opamp = opamp(hertz * random.decades(1.0, 1e3), random.decades(1e-13, 1e-9));
+      options.opamp = opamp(bandwidth * random.decades(1.0, 1e3), random.decades(1e-13, 1e-9));
     if (certified(Realization::least_squares, problem, options)) {
       ++spoken;
       continue;
@@ -227,10 +226,10 @@ TEST_CASE("T6L: one ladder outside of each of its conditions is unstable", "[the
     CHECK(c.stability == Stability::unstable);
     return c.theorem.unmet.value().condition;
   };
-  CHECK(unmet(opamp(2.0 * hertz, std::nullopt), {}) == TheoremCondition::lag_within_bound);
+  CHECK(unmet(opamp(2.0 * bandwidth, std::nullopt), {}) == TheoremCondition::lag_within_bound);
   CHECK(unmet(opamp({}, 1e-9), {}) == TheoremCondition::lag_within_bound);
   CHECK(unmet(opamp({}, {}), 1e-11) == TheoremCondition::lag_within_bound);
-  CHECK(unmet(opamp(2.0 * hertz, {}), 1e-11) == TheoremCondition::one_lag);
+  CHECK(unmet(opamp(2.0 * bandwidth, {}), 1e-11) == TheoremCondition::one_lag);
   OpAmp behind = opamp({}, 1e-12);
   behind.input_capacitance.reset();
   behind.output_resistance = 10.0;
@@ -250,7 +249,7 @@ TEST_CASE("T6L: one ladder outside of each of its conditions is unstable", "[the
       x.subcircuit = "a" + std::to_string(circuit.amplifiers.size());
       circuit.amplifiers.push_back(model);
       circuit.amplifiers.back().name = x.subcircuit;
-      circuit.amplifiers.back().opamp.bandwidth = hertz * random.decades(1e-2, 1e2);
+      circuit.amplifiers.back().opamp.bandwidth = bandwidth * random.decades(1e-2, 1e2);
     }
     if (poles(state_space(FlatCircuit(circuit))).front().real() > 0.0) ++unstable;
   }

@@ -1,22 +1,18 @@
 #include "tactile_net/network/state_space.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 
 #include "tactile_net/network/certificate.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/networks.hpp"
+#include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-constexpr double bandwidth = 1e7;
-const double w = 2.0 * std::numbers::pi * bandwidth;
-const OpAmp one_pole{.gain = 1e6, .bandwidth = bandwidth};
 
 double slowest(const Circuit& circuit) { return poles(state_space(circuit)).front().real(); }
 
@@ -70,7 +66,7 @@ TEST_CASE("an inverter's pole is at half its op-amp's bandwidth", "[state_space]
   circuit.instances = {{"X0", {in, out}, "inverter"}};
   circuit.resistors = {{"R0", in, 0, 1.0}};
   circuit.sources = {{"I0", in, 1.0}};
-  CHECK_THAT(slowest(circuit), WithinRel(-0.5 * w, 1e-3));
+  CHECK_THAT(slowest(circuit), WithinRel(-0.5 * angular_bandwidth, 1e-3));
   CHECK_THAT(steady_state(state_space(circuit))[0], WithinRel(-1.0, 1e-3));
 }
 
@@ -146,7 +142,7 @@ TEST_CASE("converters with swapped inputs are caught", "[state_space]") {
   const Circuit circuit = realize(Realization::nic, network.problem, options);
   CHECK(slowest(circuit) < 0.0);
   // design: 20 unstable modes of 25, growing at W
-  CHECK_THAT(slowest(swapped(circuit)), WithinRel(w, 0.01));
+  CHECK_THAT(slowest(swapped(circuit)), WithinRel(angular_bandwidth, 0.01));
 }
 
 TEST_CASE("least squares with complementary outputs is stable at every gain and bandwidth",
@@ -184,7 +180,7 @@ TEST_CASE("capacitance at inverting inputs unsettles converters beyond its rule"
   RealizationOptions options{.opamp = {.gain = 1e6, .bandwidth = 1e7, .input_capacitance = 1e-11},
                              .node_capacitance = 1e-11};
   CHECK(slowest(realize(Realization::nic, network.problem, options)) > 0.0);
-  options.divider = 1.0 / (2.0 * w * 1e-11);
+  options.divider = 1.0 / (2.0 * angular_bandwidth * 1e-11);
   CHECK(slowest(realize(Realization::nic, network.problem, options)) < 0.0);
 }
 

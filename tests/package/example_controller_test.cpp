@@ -38,11 +38,11 @@ struct Recorded {
   Recorded() {
     const std::string scene_file =
         folder.write("pad.toml", read_text(scene("recorded/thick-pad.toml")) + "\nalpha = 1e-8\n");
-    const ProcessResult planned = tool({"plan", scene_file, "-o", plan, "--friction", "0.6"});
+    const ProcessResult planned = run_tool({"plan", scene_file, "-o", plan, "--friction", "0.6"});
     CAPTURE(planned.errors);
     REQUIRE(planned.code == 0);
     const ProcessResult solved =
-        tool({"solve", scene_file, "--readings", frames, "-o", folder / "tractions.csv"});
+        run_tool({"solve", scene_file, "--readings", frames, "-o", folder / "tractions.csv"});
     CAPTURE(solved.errors);
     REQUIRE(solved.code == 0);
     tractions = table(read_text(folder / "tractions.csv"));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "tactile_net/control/planner.hpp"
@@ -12,14 +11,12 @@
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
 #include "tests/realtime/answer.hpp"
+#include "tests/realtime/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double sum(std::span<const double> values) {
   return static_cast<double>(std::accumulate(values.begin(), values.end(), 0.0L));

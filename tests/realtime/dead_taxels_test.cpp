@@ -9,6 +9,7 @@
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
+#include "tests/realtime/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 
 using namespace tactile_net;
@@ -68,8 +69,6 @@ void check_equal(const Frame& a, const Frame& b, double tolerance) {
   CHECK(a.estimate.outlier == b.estimate.outlier);
   CHECK(a.estimate.saturated == b.estimate.saturated);
 }
-
-const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 

@@ -1,11 +1,11 @@
 #include "tactile_net/realtime/estimator_plan.hpp"
 
 #include <functional>
-#include <limits>
 
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tests/catch.hpp"
+#include "tests/realtime/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 
 using namespace tactile_net;
@@ -29,9 +29,6 @@ void check_rules(const EstimatorPlan& good, const std::vector<Rule>& rules) {
     CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);
   }
 }
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

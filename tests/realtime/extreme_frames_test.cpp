@@ -2,16 +2,10 @@
 
 #include "tests/inverse/problems.hpp"
 #include "tests/realtime/answer.hpp"
+#include "tests/realtime/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 
 using namespace tactile_net;
-
-namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 TEST_CASE("a bad frame is reported and leaves every member of the estimate alone",
           "[contact_estimator]") {

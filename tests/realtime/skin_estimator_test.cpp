@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -7,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tests/catch.hpp"
@@ -23,23 +23,17 @@ std::vector<double> some_readings(std::size_t count, unsigned seed = 3) {
   return readings;
 }
 
-struct Answer {
+struct Update {
   std::vector<double> tractions;
   ContactEstimate estimate;
   FrameStatus status;
 };
 
-Answer answer(ContactEstimator& estimator, const std::vector<double>& readings) {
-  Answer result{std::vector<double>(estimator.tractions()), {}, FrameStatus::ok};
+Update update(ContactEstimator& estimator, const std::vector<double>& readings) {
+  Update result{std::vector<double>(estimator.tractions()), {}, FrameStatus::ok};
   result.estimate.tractions = result.tractions;
   result.status = estimator.update(readings, result.estimate);
   return result;
-}
-
-double norm(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum);
 }
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
@@ -48,8 +42,8 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(sum);
 }
 
-std::vector<SkinShape> shapes() {
-  std::vector<SkinShape> all;
+std::vector<SkinPlanShape> shapes() {
+  std::vector<SkinPlanShape> all;
   for (const Structure structure : {Structure::reflections, Structure::reflections_low_rank})
     for (const Precision precision : {Precision::float64, Precision::float32})
       for (const std::size_t unknowns : {1U, 3U}) {
@@ -74,7 +68,7 @@ std::vector<SkinShape> shapes() {
 }  // namespace
 
 TEST_CASE("products by reflections are what their words say, on every instruction set", "[skin]") {
-  for (SkinShape shape : shapes())
+  for (SkinPlanShape shape : shapes())
     for (const std::size_t margin : {0U, 2U}) {
       shape.margin = margin;
       CAPTURE(shape.rows, shape.columns, margin, shape.unknowns, name(shape.structure),
@@ -85,10 +79,11 @@ TEST_CASE("products by reflections are what their words say, on every instructio
       for (const InstructionSet set :
            {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
         ContactEstimator estimator(plan, set);
-        const Answer found = answer(estimator, readings);
+        const Update found = update(estimator, readings);
         REQUIRE(found.status == FrameStatus::ok);
         const double unit = shape.precision == Precision::float64 ? 1e-13 : 1e-5;
-        CHECK(distance(found.tractions, expected) <= unit * (norm(expected) + norm(readings)));
+        CHECK(distance(found.tractions, expected) <=
+              unit * (l2_norm(expected) + l2_norm(readings)));
       }
     }
 }
@@ -132,8 +127,8 @@ void check_batch(ContactEstimator& estimator, const std::vector<double>& reading
   for (std::size_t k = 0; k < frames; ++k) {
     CAPTURE(k, frames);
     const auto begin = readings.begin() + static_cast<std::ptrdiff_t>(k * estimator.readings());
-    const Answer alone =
-        answer(estimator, {begin, begin + static_cast<std::ptrdiff_t>(estimator.readings())});
+    const Update alone =
+        update(estimator, {begin, begin + static_cast<std::ptrdiff_t>(estimator.readings())});
     if (first == FrameStatus::ok) first = alone.status;
     CHECK(estimates[k].time == static_cast<double>(k));
     if (alone.status == FrameStatus::ok) {
@@ -150,13 +145,13 @@ void check_batch(ContactEstimator& estimator, const std::vector<double>& reading
 
 TEST_CASE("a batch of a skin is frame after frame, to the bit, on every instruction set",
           "[skin][batch]") {
-  std::vector<SkinShape> all = shapes();
+  std::vector<SkinPlanShape> all = shapes();
   for (const Structure structure : {Structure::dense, Structure::low_rank})
     for (const Precision precision : {Precision::float64, Precision::float32})
       all.push_back({.rows = 9, .columns = 7, .structure = structure, .precision = precision});
-  for (const SkinShape& shape : all)
+  for (const SkinPlanShape& shape : all)
     for (const bool diagnostics : {false, true}) {
-      SkinShape one = shape;
+      SkinPlanShape one = shape;
       one.diagnostics = diagnostics;
       one.dead = one.rows * one.columns > 3 && one.columns % 2 == 0 ? 1 : 0;
       CAPTURE(one.rows, one.columns, one.unknowns, name(one.structure), name(one.precision),
@@ -195,7 +190,7 @@ TEST_CASE("batches of a skin have any size, and know its baseline and its dead t
   check_batch(copy, some_readings(20 * plan.readings(), 6));
 
   // Tractions may lie where their frame's readings were.
-  SkinShape square{.rows = 8, .columns = 8, .margin = 0};
+  SkinPlanShape square{.rows = 8, .columns = 8, .margin = 0};
   const EstimatorPlan as_many = made_skin_plan(square);
   ContactEstimator in_place(as_many);
   const std::vector<double> readings = some_readings(19 * as_many.readings());
@@ -206,15 +201,15 @@ TEST_CASE("batches of a skin have any size, and know its baseline and its dead t
   REQUIRE(in_place.update_batch(memory, estimates) == FrameStatus::ok);
   for (std::size_t k = 0; k < 19; ++k) {
     const auto begin = readings.begin() + static_cast<std::ptrdiff_t>(k * as_many.readings());
-    const Answer alone =
-        answer(in_place, {begin, begin + static_cast<std::ptrdiff_t>(as_many.readings())});
+    const Update alone =
+        update(in_place, {begin, begin + static_cast<std::ptrdiff_t>(as_many.readings())});
     CHECK(
         std::equal(alone.tractions.begin(), alone.tractions.end(), estimates[k].tractions.begin()));
   }
 }
 
 TEST_CASE("plans of skins survive their file bit by bit, and are of version 6", "[skin]") {
-  for (SkinShape shape : shapes()) {
+  for (SkinPlanShape shape : shapes()) {
     shape.dead = shape.rows * shape.columns > 3 ? 2 : 0;
     EstimatorPlan plan = made_skin_plan(shape);
     plan.cells->deviations.assign(plan.values, 0.5);
@@ -229,7 +224,7 @@ TEST_CASE("plans of skins survive their file bit by bit, and are of version 6", 
     ContactEstimator one(plan);
     ContactEstimator other(again);
     const std::vector<double> readings = some_readings(plan.readings());
-    CHECK(answer(one, readings).tractions == answer(other, readings).tractions);
+    CHECK(update(one, readings).tractions == update(other, readings).tractions);
   }
 }
 
@@ -260,7 +255,7 @@ TEST_CASE("plans that know windows are of version 7, and refuse windows that do 
 
 TEST_CASE("forces, centre and torsion are those of the cells, by hand", "[skin]") {
   // Readings are the tractions of 2 x 3 cells, 0.5 by 0.25.
-  SkinShape shape{.rows = 2, .columns = 3, .margin = 0, .structure = Structure::dense};
+  SkinPlanShape shape{.rows = 2, .columns = 3, .margin = 0, .structure = Structure::dense};
   EstimatorPlan plan = made_skin_plan(shape);
   Factor identity{18, 18, std::vector<double>(18 * 18)};
   for (std::size_t i = 0; i < 18; ++i) identity.values[i * 18 + i] = 1.0;
@@ -274,7 +269,7 @@ TEST_CASE("forces, centre and torsion are those of the cells, by hand", "[skin]"
   f[5] = 1.0;        // p at (0.25, 0.25)
   f[6 + 5] = 0.5;    // q_y there
   f[12 + 0] = 0.25;  // q_z at the first
-  const ContactEstimate e = answer(estimator, f).estimate;
+  const ContactEstimate e = update(estimator, f).estimate;
   CHECK(e.contact);
   CHECK(e.normal_force == 0.125 * 4.0);
   CHECK(e.tangential_y == 0.125 * 0.5);
@@ -295,12 +290,12 @@ TEST_CASE("forces, centre and torsion are those of the cells, by hand", "[skin]"
 }
 
 TEST_CASE("where the noise is known only the cells that touch are summed", "[skin]") {
-  SkinShape shape{.rows = 1,
-                  .columns = 9,
-                  .margin = 0,
-                  .unknowns = 1,
-                  .structure = Structure::dense,
-                  .diagnostics = false};
+  SkinPlanShape shape{.rows = 1,
+                      .columns = 9,
+                      .margin = 0,
+                      .unknowns = 1,
+                      .structure = Structure::dense,
+                      .diagnostics = false};
   EstimatorPlan plan = made_skin_plan(shape);
   Factor identity{9, 9, std::vector<double>(81)};
   for (std::size_t i = 0; i < 9; ++i) identity.values[i * 10] = 1.0;
@@ -310,33 +305,33 @@ TEST_CASE("where the noise is known only the cells that touch are summed", "[ski
   plan.force_deviation = 0.125 * 3.0;
   ContactEstimator estimator(plan);
   const std::vector<double> one{1.0, 3.0, 1.0, 0.0, 2.5, 9.0, -0.5, 1.5, 0.0};
-  Answer found = answer(estimator, one);
+  Update found = update(estimator, one);
   // 3.0 is above two deviations with no peak above four; 2.5 and 9 are a patch with one.
   CHECK(found.estimate.touching == 2);
   CHECK(found.estimate.normal_force == 0.125 * 11.5);
   CHECK(found.estimate.contact);
   plan.cells->rim_columns = 2;
   ContactEstimator wide(plan);
-  found = answer(wide, one);
+  found = update(wide, one);
   CHECK(found.estimate.touching == 6);
   CHECK(found.estimate.normal_force == 0.125 * (1.0 + 0.0 + 2.5 + 9.0 - 0.5 + 1.5));
-  found = answer(estimator, std::vector<double>(9, 1.5));  // noise, as far as one can tell
+  found = update(estimator, std::vector<double>(9, 1.5));  // noise, as far as one can tell
   CHECK(found.estimate.touching == 0);
   CHECK_FALSE(found.estimate.contact);
   CHECK(std::isnan(found.estimate.centre));
-  found = answer(estimator, std::vector<double>(9, 2.0));  // no cell is certain, all together are
+  found = update(estimator, std::vector<double>(9, 2.0));  // no cell is certain, all together are
   CHECK(found.estimate.contact == (0.125 * 18.0 > 6.0 * plan.force_deviation));
 }
 
 TEST_CASE("taxels dead in the plan read what it fills in, whatever they say", "[skin]") {
   for (const Precision precision : {Precision::float64, Precision::float32})
     for (const bool diagnostics : {true, false}) {
-      const SkinShape shape{.rows = 5,
-                            .columns = 5,
-                            .precision = precision,
-                            .exchanged = true,
-                            .diagnostics = diagnostics,
-                            .dead = 3};
+      const SkinPlanShape shape{.rows = 5,
+                                .columns = 5,
+                                .precision = precision,
+                                .exchanged = true,
+                                .diagnostics = diagnostics,
+                                .dead = 3};
       const EstimatorPlan plan = made_skin_plan(shape);
       std::vector<double> readings = some_readings(plan.readings());
       std::vector<double> filled = readings;
@@ -352,17 +347,17 @@ TEST_CASE("taxels dead in the plan read what it fills in, whatever they say", "[
       }
       const std::vector<double> expected = by_reflections(plan.reconstruction, filled);
       ContactEstimator estimator(plan);
-      const Answer found = answer(estimator, readings);
+      const Update found = update(estimator, readings);
       REQUIRE(found.status == FrameStatus::ok);
       CHECK(distance(found.tractions, expected) <=
-            (precision == Precision::float64 ? 1e-13 : 1e-5) * norm(expected));
+            (precision == Precision::float64 ? 1e-13 : 1e-5) * l2_norm(expected));
       if (!diagnostics) continue;
       // One more taxel dies: what the others read still decides alone.
       REQUIRE(estimator.set_dead(20));
       std::vector<double> other = readings;
       for (std::size_t i = 20; i < n; i += plan.count) other[i] = -7.0;
-      CHECK(answer(estimator, readings).tractions == answer(estimator, other).tractions);
-      CHECK(answer(estimator, readings).tractions != found.tractions);
+      CHECK(update(estimator, readings).tractions == update(estimator, other).tractions);
+      CHECK(update(estimator, readings).tractions != found.tractions);
     }
 }
 
@@ -371,13 +366,13 @@ TEST_CASE("what a skin cannot answer is refused, and its estimate stays", "[skin
   ContactEstimator estimator(plan);
   std::vector<double> readings = some_readings(plan.readings());
   readings[7] = std::numeric_limits<double>::quiet_NaN();
-  Answer found = answer(estimator, readings);
+  Update found = update(estimator, readings);
   CHECK(found.status == FrameStatus::not_finite);
   CHECK(found.tractions == std::vector<double>(plan.tractions()));
   readings[7] = 1e308;
-  CHECK(answer(estimator, readings).status == FrameStatus::too_large);
+  CHECK(update(estimator, readings).status == FrameStatus::too_large);
   readings.pop_back();
-  CHECK(answer(estimator, readings).status == FrameStatus::wrong_size);
+  CHECK(update(estimator, readings).status == FrameStatus::wrong_size);
 }
 
 TEST_CASE("a skin's plan that does not fit together is refused", "[skin]") {

@@ -12,7 +12,7 @@
 
 namespace tactile_net {
 
-struct SkinShape {
+struct SkinPlanShape {
   std::size_t rows = 5;  ///< of taxels
   std::size_t columns = 4;
   std::size_t margin = 1;  ///< of cells around them
@@ -37,7 +37,7 @@ inline GridBlocks grid_blocks(std::size_t rows, std::size_t columns, std::size_t
 }
 
 /// Random factors between -1 and 1; with diagnostics a prediction that smooths.
-inline EstimatorPlan made_skin_plan(const SkinShape& shape, unsigned seed = 1) {
+inline EstimatorPlan made_skin_plan(const SkinPlanShape& shape, unsigned seed = 1) {
   std::mt19937 generator(seed);
   const auto random = [&] { return static_cast<double>(generator()) / 0x1p31 - 1.0; };
   EstimatorPlan plan;

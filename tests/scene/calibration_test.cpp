@@ -14,29 +14,25 @@
 
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/refusal.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
 /// Six readings: stress_x_0 ... stress_x_2, strain_x_0 ...
-const std::string sensor =
+const std::string line_sensor =
     "[sensor]\ncount = 3\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\", \"strain_x\"]\n"
     "[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n"
     "[noise]\nrms = { stress_x = 1.0, strain_x = 1.0 }\n";
 const std::string in_kilopascals = "[units]\nstress = \"kPa\"\n";
 
 Calibration calibration_of(const std::string& more, const std::string& file = "scene.toml") {
-  return parse_scene(sensor + more, file).calibration.value();
+  return parse_scene(line_sensor + more, file).calibration.value();
 }
 
-std::string refusal(const std::string& more, const std::string& file = "scene.toml") {
-  try {
-    (void)parse_scene(sensor + more, file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+std::string line_refusal(const std::string& more, const std::string& file = "scene.toml") {
+  return test::refusal(line_sensor + more, file);
 }
 
 using Numbers = std::vector<double>;
@@ -133,7 +129,7 @@ TEST_CASE("a calibration that does not fit is refused at its place", "[calibrati
        {"file = 3", "calibration.file must be text"},
        {"file = \"\"", "must name a file"},
        {"file = \"nowhere.csv\"", "no such file"}}));
-  CHECK_THAT(refusal("[calibration]\n" + more + "\n"),
+  CHECK_THAT(line_refusal("[calibration]\n" + more + "\n"),
              StartsWith("scene.toml:12:") && ContainsSubstring(words));
 }
 
@@ -160,10 +156,11 @@ TEST_CASE("a file beside the scene has a row per reading", "[calibration]") {
   CHECK(calibration.offset == Numbers{1000, 1000, 1000, 1, 1, 1});
   CHECK(calibration_of("[calibration]\nfile = \"below/c.csv\"\n", folder.scene()).baseline ==
         Numbers{1, 2, 3, 4, 5, 6});
-  CHECK_THAT(refusal("[calibration]\nfile = \"c.csv\"\ngain = 1\n", folder.scene()),
+  CHECK_THAT(line_refusal("[calibration]\nfile = \"c.csv\"\ngain = 1\n", folder.scene()),
              ContainsSubstring("calibration.gain stands in calibration.file too"));
-  CHECK_THAT(refusal("[calibration]\nfile = \"c.csv\"\nbaseline_frames = [0, 9]\n", folder.scene()),
-             ContainsSubstring("exclude each other"));
+  CHECK_THAT(
+      line_refusal("[calibration]\nfile = \"c.csv\"\nbaseline_frames = [0, 9]\n", folder.scene()),
+      ContainsSubstring("exclude each other"));
 }
 
 TEST_CASE("what is wrong in a calibration's file is said by its line, and not quoted",
@@ -181,7 +178,7 @@ TEST_CASE("what is wrong in a calibration's file is said by its line, and not qu
        {"reading,gain\nstress_x_1,1\n", "line 2: this row is that of stress_x_0"},
        {"", "it has 0 rows"}}));
   folder.write("c.csv", text);
-  const std::string error = refusal("[calibration]\nfile = \"c.csv\"\n", folder.scene());
+  const std::string error = line_refusal("[calibration]\nfile = \"c.csv\"\n", folder.scene());
   CHECK_THAT(error, ContainsSubstring("scene.toml:12:8: error: calibration.file names a file") &&
                         ContainsSubstring(words));
   CHECK(error.find("secret") == std::string::npos);
@@ -197,32 +194,28 @@ TEST_CASE("a scene names a calibration beside it or below alone", "[calibration]
        {std::string("../c.csv"), std::string("link.csv"), (folder.path / "c.csv").string(),
         std::string("/etc/passwd"), std::string("/dev/zero")}) {
     CAPTURE(file);
-    CHECK_THAT(refusal("[calibration]\nfile = \"" + file + "\"\n", inner),
+    CHECK_THAT(line_refusal("[calibration]\nfile = \"" + file + "\"\n", inner),
                ContainsSubstring("must name a file beside the scene's or below its folder"));
   }
-  CHECK_THAT(refusal("[calibration]\nfile = \".\"\n", inner), ContainsSubstring("is a folder"));
+  CHECK_THAT(line_refusal("[calibration]\nfile = \".\"\n", inner),
+             ContainsSubstring("is a folder"));
 }
 
 namespace {
 
 /// Two rows, three columns, two quantities: stress_x_0_0 ... stress_x_1_2, displacement_y_0_0 ...
-const std::string skin =
+const std::string skin_sensor =
     "[sensor]\nrows = 2\ncolumns = 3\npitch = 0.5\ndepth = 1.5\n"
     "reads = [\"stress_x\", \"displacement_y\"]\n"
     "[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n"
     "[noise]\nrms = { stress_x = 1.0, displacement_y = 1.0 }\n";
 
-SkinScene skin_with(const std::string& more, const std::string& file = "scene.toml") {
-  return std::get<SkinScene>(parse_any_scene(skin + more, file));
+SkinScene calibrated_skin(const std::string& more, const std::string& file = "scene.toml") {
+  return std::get<SkinScene>(parse_any_scene(skin_sensor + more, file));
 }
 
 std::string skin_refusal(const std::string& more, const std::string& file = "scene.toml") {
-  try {
-    (void)parse_any_scene(skin + more, file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal_of([&] { return parse_any_scene(skin_sensor + more, file); });
 }
 
 std::vector<double> twelve(double stress, double displacement) {
@@ -235,25 +228,25 @@ std::vector<double> twelve(double stress, double displacement) {
 
 TEST_CASE("a skin has the calibration of a line, a number a taxel and quantity",
           "[calibration][skin]") {
-  CHECK_FALSE(skin_with("").calibration);
+  CHECK_FALSE(calibrated_skin("").calibration);
   const Calibration units =
-      skin_with("[units]\nstress = \"kPa\"\nlength = \"mm\"\n").calibration.value();
+      calibrated_skin("[units]\nstress = \"kPa\"\nlength = \"mm\"\n").calibration.value();
   CHECK(units.gain == twelve(1000.0, 1e-3));
   const Calibration each =
-      skin_with("[calibration]\ngain = { stress_x = 2, displacement_y = 1e-6 }\noffset = 0.25\n")
+      calibrated_skin(
+          "[calibration]\ngain = { stress_x = 2, displacement_y = 1e-6 }\noffset = 0.25\n")
           .calibration.value();
   CHECK(each.gain == twelve(2.0, 1e-6));
   CHECK(each.offset == Numbers(12, 0.25));
   const Calibration listed =
-      skin_with(
+      calibrated_skin(
           "[calibration]\ngains = [1, 2, 4, 1, 2, 4, 0.5, 0.25, 1, 1, 1, -1]\noffsets = "
           "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]\n")
           .calibration.value();
   CHECK(listed.gain == Numbers{1, 0.5, 0.25, 1, 0.5, 0.25, 2, 4, 1, 1, 1, -1});
   CHECK(listed.baseline == Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
-  CHECK(
-      skin_with("[calibration]\nbaseline_frames = [2, 99]\n").calibration->baseline_frames->last ==
-      99);
+  CHECK(calibrated_skin("[calibration]\nbaseline_frames = [2, 99]\n")
+            .calibration->baseline_frames->last == 99);
 }
 
 TEST_CASE("a skin's calibration that does not fit is refused with both counts",
@@ -278,7 +271,7 @@ TEST_CASE("a skin's file of calibration names its readings by row and column",
       file += quantity + "_" + place + (quantity == "stress_x" ? ",2\n" : ",3\n");
   folder.write("c.csv", file);
   const std::string table = "[calibration]\nfile = \"c.csv\"\n";
-  CHECK(skin_with(table, folder.scene()).calibration->gain == twelve(2.0, 3.0));
+  CHECK(calibrated_skin(table, folder.scene()).calibration->gain == twelve(2.0, 3.0));
   folder.write("c.csv", "gain\n1\n1\n");
   CHECK_THAT(skin_refusal(table, folder.scene()),
              ContainsSubstring("it has 2 rows, the array 12 readings"));

@@ -16,7 +16,7 @@ namespace {
 
 using namespace tactile_net;
 
-const std::string good = R"(title = "A hand"
+const std::string good_hand = R"(title = "A hand"
 angles_in = "degrees"
 
 [load]
@@ -50,18 +50,18 @@ pad = { center = 0.02, half_width = 0.01, side = "left", reversed = true }
 contact = { center = 0.0, center_deviation = 1e-3 }
 )";
 
-Hand parse(const std::string& toml) { return parse_hand(toml, "folder/hand.toml"); }
+Hand parsed_hand(const std::string& toml) { return parse_hand(toml, "folder/hand.toml"); }
 
 /// The good hand with one thing put in another's place is refused there, with that message.
 void check(const std::string& from, const std::string& to, const std::string& place,
            const std::string& message) {
-  std::string toml = good;
+  std::string toml = good_hand;
   const std::size_t at = toml.find(from);
   REQUIRE(at != std::string::npos);
   toml.replace(at, from.size(), to);
   CAPTURE(from, to);
   try {
-    (void)parse(toml);
+    (void)parsed_hand(toml);
     FAIL_CHECK("the hand was read");
   } catch (const InputError& error) {
     const Diagnostic& first = error.diagnostics().front();
@@ -73,7 +73,7 @@ void check(const std::string& from, const std::string& to, const std::string& pl
 }  // namespace
 
 TEST_CASE("a hand is read as it stands, angles in radians", "[hand]") {
-  const Hand hand = parse(good);
+  const Hand hand = parsed_hand(good_hand);
   CHECK(hand.file == "hand.toml");
   CHECK(hand.folder == "folder");
   CHECK(hand.title == "A hand");
@@ -112,7 +112,7 @@ TEST_CASE("a hand is read as it stands, angles in radians", "[hand]") {
 }
 
 TEST_CASE("contacts from files, and names by number", "[hand]") {
-  const Hand hand = parse(
+  const Hand hand = parsed_hand(
       "[[finger]]\nbase = [0, 0]\nlinks = [1.0]\nangles = [0.5]\n"
       "pad = { center = 0.5, side = \"left\" }\n"
       "contact = { scene = \"a/tip.toml\", readings = \"b.csv\", frame = 3 }\n"
@@ -194,18 +194,20 @@ TEST_CASE("a grasping force is for two fingers, a squeeze for more", "[hand]") {
   const std::string third =
       "[[finger]]\nname = \"third\"\nbase = [0, 0]\nlinks = [1.0]\nangles = [0.0]\n"
       "pad = { center = 0.5, side = \"left\", half_width = 0.1 }\ncontact = { center = 0.0 }\n";
-  CHECK_THROWS_WITH(parse(good + third), ContainsSubstring("is defined for two fingers") &&
-                                             ContainsSubstring("give squeeze instead"));
-  CHECK_THROWS_WITH(parse("[grasp]\nsqueeze = 1.0\n" + third), ContainsSubstring("two fingers"));
+  CHECK_THROWS_WITH(
+      parsed_hand(good_hand + third),
+      ContainsSubstring("is defined for two fingers") && ContainsSubstring("give squeeze instead"));
+  CHECK_THROWS_WITH(parsed_hand("[grasp]\nsqueeze = 1.0\n" + third),
+                    ContainsSubstring("two fingers"));
 }
 
 TEST_CASE("all mistakes of a hand are told at once", "[hand]") {
-  std::string bad = good;
+  std::string bad = good_hand;
   bad.replace(bad.find("-4.9"), 4, "nan ");
   bad.replace(bad.find("links ="), 7, "lnks  =");
   bad.replace(bad.find("normal = 7.0"), 12, "normal = -7 ");
   try {
-    (void)parse(bad);
+    (void)parsed_hand(bad);
     FAIL("the hand was read");
   } catch (const InputError& error) {
     CHECK(error.diagnostics().size() == 3);
@@ -213,11 +215,11 @@ TEST_CASE("all mistakes of a hand are told at once", "[hand]") {
 }
 
 TEST_CASE("a file that is no hand says so in a hand's words", "[hand]") {
-  CHECK_THROWS_WITH(
-      parse(""), ContainsSubstring("the hand is empty") && ContainsSubstring("the smallest hand"));
-  CHECK_THROWS_WITH(parse("x = 1"),
+  CHECK_THROWS_WITH(parsed_hand(""), ContainsSubstring("the hand is empty") &&
+                                         ContainsSubstring("the smallest hand"));
+  CHECK_THROWS_WITH(parsed_hand("x = 1"),
                     ContainsSubstring("a hand has") && ContainsSubstring("[finger] is missing"));
-  CHECK_THROWS_WITH(parse("[[finger]\n"), ContainsSubstring("not valid TOML"));
+  CHECK_THROWS_WITH(parsed_hand("[[finger]\n"), ContainsSubstring("not valid TOML"));
   CHECK_THROWS_WITH(read_hand("no-such-hand.toml"), ContainsSubstring("no such file"));
 }
 
@@ -225,7 +227,7 @@ TEST_CASE("damaged hands are read or refused, never worse", "[hand][fuzz]") {
   std::mt19937 random{1};
   int read = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    std::string toml = good;
+    std::string toml = good_hand;
     for (int change = 0; change <= trial % 3; ++change) {
       const std::size_t at = random() % toml.size();
       if (trial % 2 == 0)
@@ -234,7 +236,7 @@ TEST_CASE("damaged hands are read or refused, never worse", "[hand][fuzz]") {
         toml[at] = static_cast<char>(random() % 128);
     }
     try {
-      const Hand hand = parse(toml);
+      const Hand hand = parsed_hand(toml);
       ++read;
       for (const HandFinger& finger : hand.fingers) CHECK_NOTHROW(pose_of(finger.with_pad(1.0)));
     } catch (const InputError& error) {

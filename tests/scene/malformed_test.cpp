@@ -8,55 +8,30 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 #include "tests/scene/good_scene.hpp"
+#include "tests/scene/refusal.hpp"
+#include "tests/scene/single_mistake.hpp"
 
 namespace {
 
-using tactile_net::Diagnostic;
+using namespace tactile_net;
+using test::Mistake;
 
-/// `place` is "line:column"; "0:0" is the file as a whole.
-struct Case {
-  std::string_view from;
-  std::string_view to;
-  std::string_view place;
-  std::string_view message;
-  std::string_view hint = "";
-};
-
-std::vector<Diagnostic> problems_of(const std::string& toml) {
-  try {
-    (void)tactile_net::parse_scene(toml, "scene.toml");
-  } catch (const tactile_net::InputError& error) {
-    return error.diagnostics();
-  }
-  return {};
+std::vector<Diagnostic> line_problems(const std::string& toml) {
+  return test::diagnostics_of([&] { return parse_scene(toml, "scene.toml"); });
 }
 
-void check_each(const std::vector<Case>& cases) {
-  for (const auto& [from, to, place, message, hint] : cases) {
-    std::string toml{good_scene};
-    const std::size_t at = toml.find(from);
-    CAPTURE(from, to);
-    REQUIRE(at != std::string::npos);
-    toml.replace(at, from.size(), to);
-
-    const auto problems = problems_of(toml);
-    CAPTURE(tactile_net::InputError{problems}.what());
-    REQUIRE(problems.size() == 1);
-    const Diagnostic& problem = problems.front();
-    CHECK(std::to_string(problem.line) + ':' + std::to_string(problem.column) == place);
-    CHECK_THAT(problem.message, ContainsSubstring(std::string{message}));
-    CHECK_THAT(problem.hint, ContainsSubstring(std::string{hint}));
-  }
+void check_lines(const std::vector<Mistake>& mistakes) {
+  test::check_each(good_scene, line_problems, mistakes);
 }
 
 }  // namespace
 
 TEST_CASE("the scene that the others are made of is good", "[scene]") {
-  CHECK(problems_of(std::string{good_scene}).empty());
+  CHECK(line_problems(std::string{good_scene}).empty());
 }
 
 TEST_CASE("a wrong [sensor] is reported", "[scene]") {
-  check_each({
+  check_lines({
       {"count = 5", "", "1:1", "sensor.count is missing", "count = 81"},
       {"count = 5", "count = 81.0", "2:9", "must be a whole number (got 81.0)", "not 81.0"},
       {"count = 5", "count = true", "2:9", "sensor.count must be a whole number (got true)"},
@@ -93,7 +68,7 @@ TEST_CASE("a wrong list of depths or reads is reported at the item", "[scene]") 
     std::string toml{good_scene};
     const std::string_view dft = "\"dft\", ";  // which takes one channel
     toml.erase(toml.find(dft), dft.size());
-    return problems_of(toml.replace(toml.find(from), from.size(), to));
+    return line_problems(toml.replace(toml.find(from), from.size(), to));
   };
   for (const auto& [from, to, column, message] :
        std::vector<std::tuple<std::string, std::string, std::size_t, std::string>>{
@@ -110,7 +85,7 @@ TEST_CASE("a wrong list of depths or reads is reported at the item", "[scene]") 
 }
 
 TEST_CASE("a wrong [material] is reported", "[scene]") {
-  check_each({
+  check_lines({
       {"youngs_modulus = 1.0", "", "7:1", "material.youngs_modulus is missing"},
       {"youngs_modulus = 1.0", "youngs_modulus = 0.0", "8:18", "must be > 0 (got 0.0)"},
       {"poisson_ratio = 0.45", "", "7:1", "material.poisson_ratio is missing"},
@@ -132,7 +107,7 @@ TEST_CASE("a wrong [material] is reported", "[scene]") {
 
 TEST_CASE("a wrong [[contact]] is reported", "[scene]") {
   const std::string_view rigid = "shape = \"punch\"\nhalf_width = 1.0\nforce = 1.0\nedge = 0.1";
-  check_each({
+  check_lines({
       {"[[contact]]", "[contact]", "11:1", "contact must be a list of tables", "[[contact]]"},
       {"shape = \"punch\"", "", "11:1", "contact.shape is missing", "\"cylinder\""},
       {"\"punch\"", "\"Punsch\"", "12:9", "names an unknown shape \"Punsch\"", "\"punch\"?"},
@@ -161,7 +136,7 @@ TEST_CASE("a wrong [[contact]] is reported", "[scene]") {
 }
 
 TEST_CASE("wrong [noise], [quantization] and [dead_taxels] are reported", "[scene]") {
-  check_each({
+  check_lines({
       {"rms = 1e-4", "", "17:1", "noise.rms is missing"},
       {"rms = 1e-4", "rms = -1e-4", "18:7", "noise.rms must be >= 0 (got -1e-4)"},
       {"rms = 1e-4", "rms = { stress_x = 1, strain_x = 1 }", "18:20", "sensor.reads does not name"},
@@ -187,7 +162,7 @@ TEST_CASE("wrong [noise], [quantization] and [dead_taxels] are reported", "[scen
 
 TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]") {
   const std::string_view alpha = "alpha = 1e-3";
-  check_each({
+  check_lines({
       {"\"exact\"", "\"exakt\"", "29:9", "unknown model \"exakt\"", "\"exact\"?"},
       {"[\"dft\", \"tikhonov\"]", "[]", "32:11", "must name at least one method"},
       {"[\"dft\", \"tikhonov\"]", "\"dft\"", "32:11", "must be a list of methods", "brackets"},
@@ -283,7 +258,7 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
 TEST_CASE("what is wrong with the file as a whole is reported", "[scene]") {
   const std::string minimum = "[sensor]\ncount = 5\npitch = 1\ndepth = 1\nreads = [\"stress_x\"]\n";
   const auto check = [](const std::string& toml, std::string_view place, std::string_view message) {
-    const auto problems = problems_of(toml);
+    const auto problems = line_problems(toml);
     CAPTURE(toml, tactile_net::InputError{problems}.what());
     REQUIRE(problems.size() == 1);
     CHECK(std::to_string(problems[0].line) + ':' + std::to_string(problems[0].column) == place);
@@ -302,7 +277,7 @@ TEST_CASE("what is wrong with the file as a whole is reported", "[scene]") {
 }
 
 TEST_CASE("a syntax error has the parser's place and words", "[scene]") {
-  check_each({
+  check_lines({
       {"\"punch\"", "punch", "12:9", "not valid TOML: value: could not determine", "quotes"},
       {"pitch = 0.5", "pitch = .5", "3:9", "not valid TOML: floating-point", "0.5"},
       {"pitch = 0.5", "pitch = 0,5", "3:10", "not valid TOML", "decimal sign is a point"},
@@ -317,7 +292,7 @@ TEST_CASE("a syntax error has the parser's place and words", "[scene]") {
 TEST_CASE("a key of absurdly many parts is refused before it nests as many tables", "[scene]") {
   std::string toml = "a";
   for (int i = 0; i < 1'000'000; ++i) toml += ". a";
-  const auto problems = problems_of(toml + " = 1");
+  const auto problems = line_problems(toml + " = 1");
   REQUIRE(problems.size() == 1);
   CHECK_THAT(problems[0].message, ContainsSubstring("too many parts"));
   CHECK(problems[0].source.size() < 200);
@@ -332,24 +307,24 @@ TEST_CASE("a list that is all wrong is reported by its first values", "[scene]")
            {"depth = 1.5", "depths = [" + zeros + "]", 5},
            {"depth = 1.5", "depths = [1" + zeros + "]", 5}}) {
     std::string toml{good_scene};
-    CHECK(problems_of(toml.replace(toml.find(from), from.size(), to)).size() == count);
+    CHECK(line_problems(toml.replace(toml.find(from), from.size(), to)).size() == count);
   }
 }
 
 TEST_CASE("more depths than anybody builds are refused", "[scene]") {
   std::string depths = "depths = [1";
   for (int i = 2; i < 100; ++i) depths += ", " + std::to_string(i);
-  check_each({{"depth = 1.5", depths + "]", "4:10", "must hold at most 64 depths (got 99)"}});
+  check_lines({{"depth = 1.5", depths + "]", "4:10", "must hold at most 64 depths (got 99)"}});
 }
 
 TEST_CASE("dots in comments, texts and lists of numbers are no key parts", "[scene]") {
-  CHECK(problems_of("# ............\ntitle = \"1.2.3.4.5.6.7.8.9.\\\".\"\n" +
-                    std::string{good_scene} + "volts = 1.0 # . . . . . . . . .\n")
+  CHECK(line_problems("# ............\ntitle = \"1.2.3.4.5.6.7.8.9.\\\".\"\n" +
+                      std::string{good_scene} + "volts = 1.0 # . . . . . . . . .\n")
             .empty());
 }
 
 TEST_CASE("every problem is reported at once, in the file's order, and none twice", "[scene]") {
-  const auto problems = problems_of(
+  const auto problems = line_problems(
       "[network]\nvolts = 0\n[sensor]\nreads = [\"stress\"]\ncount = 1\npitch = 0\n"
       "depth = 0\n[material]\nyoungs_modulus = 0\npoisson_ratio = 1\n");
   CHECK(problems.size() == 7);
@@ -363,12 +338,12 @@ TEST_CASE("one mistake is not reported as several", "[scene]") {
   toml.replace(toml.find("count = 5"), 9, "count = x");
   toml.replace(toml.find('x'), 1, "0");
   toml += "[[contact]]\nshape = \"tractions\"\nnormal = [1]\n";
-  CHECK(problems_of(toml).size() == 1);
+  CHECK(line_problems(toml).size() == 1);
 }
 
 TEST_CASE("strains and stresses together need the noise of each", "[scene]") {
   const auto with = [](std::string_view methods, std::string_view noise) {
-    return problems_of(
+    return line_problems(
         "[sensor]\ncount = 5\npitch = 1\ndepth = 1\nreads = [\"stress_x\", \"strain_x\"]\n"
         "[material]\nyoungs_modulus = 1\npoisson_ratio = 0\n" +
         std::string{methods} + std::string{noise});
@@ -387,12 +362,12 @@ TEST_CASE("strains and stresses together need the noise of each", "[scene]") {
 TEST_CASE("the list of problems has an end", "[scene]") {
   std::string toml;
   for (int i = 0; i < 5000; ++i) toml += "key" + std::to_string(i) + " = 1\n";
-  const auto problems = problems_of(toml + std::string{good_scene});
+  const auto problems = line_problems(toml + std::string{good_scene});
   CHECK(problems.size() == 101);
   CHECK_THAT(problems.back().message, ContainsSubstring("4900 more problems"));
 
   toml = "[[contact]]\nshape = \"tractions\"\nnormal = [";
   for (int i = 0; i < 5000; ++i) toml += "\"a\", ";
-  const auto of_list = problems_of(toml + "]\n");
+  const auto of_list = line_problems(toml + "]\n");
   CHECK(of_list.size() < 10);
 }

@@ -19,7 +19,7 @@ const std::string smallest =
     "[sensor]\ncount = 5\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\", \"shear_xy\"]\n"
     "[material]\nyoungs_modulus = 2\npoisson_ratio = 0.5\n";
 
-Scene parse(const std::string& toml) { return parse_scene(toml, "folder/scene.toml"); }
+Scene parsed_scene(const std::string& toml) { return parse_scene(toml, "folder/scene.toml"); }
 
 /// A file that is gone when the test ends.
 class TemporaryFile {
@@ -51,7 +51,7 @@ Diagnostic problem_of_file(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("the smallest scene is complete: defaults are filled in", "[scene]") {
-  const Scene scene = parse(smallest);
+  const Scene scene = parsed_scene(smallest);
   CHECK(scene.file == "scene.toml");
   CHECK(scene.title.empty());
   CHECK(scene.sensor.count == 5);
@@ -75,8 +75,8 @@ TEST_CASE("the smallest scene is complete: defaults are filled in", "[scene]") {
 }
 
 TEST_CASE("every table of the format arrives in the scene", "[scene]") {
-  const Scene scene =
-      parse("title = \"A \xC3\xA9\"\n" + std::string{good_scene} + "siemens = 2e-3\nvolts = 5\n");
+  const Scene scene = parsed_scene("title = \"A \xC3\xA9\"\n" + std::string{good_scene} +
+                                   "siemens = 2e-3\nvolts = 5\n");
   CHECK(scene.title == "A \xC3\xA9");
   REQUIRE(scene.contacts.size() == 1);
   const auto& contact = std::get<RigidContact>(scene.contacts[0]);
@@ -103,20 +103,21 @@ TEST_CASE("every table of the format arrives in the scene", "[scene]") {
 }
 
 TEST_CASE("one rms holds for every quantity, a table weights the rows", "[scene]") {
-  const auto one = parse(smallest + "[noise]\nrms = 0.5\n").noise.value();
+  const auto one = parsed_scene(smallest + "[noise]\nrms = 0.5\n").noise.value();
   CHECK(one.rms == PerQuantity<double>{{Quantity::stress_x, 0.5}, {Quantity::shear_xy, 0.5}});
   CHECK(one.seed == 1);
   CHECK_FALSE(one.weights_rows);
 
-  const auto each = parse(smallest + "[noise.rms]\nshear_xy = 2\nstress_x = 1\n").noise.value();
+  const auto each =
+      parsed_scene(smallest + "[noise.rms]\nshear_xy = 2\nstress_x = 1\n").noise.value();
   CHECK(each.rms == PerQuantity<double>{{Quantity::stress_x, 1}, {Quantity::shear_xy, 2}});
   CHECK(each.weights_rows);
 }
 
 TEST_CASE("sampled tractions stand at the taxels", "[scene]") {
-  const Scene scene = parse(smallest +
-                            "[[contact]]\nshape = \"tractions\"\nnormal = [0, 1, -2, 3, 0]\n"
-                            "tangential = [0, 0, 1, 0, 0]\n");
+  const Scene scene = parsed_scene(smallest +
+                                   "[[contact]]\nshape = \"tractions\"\nnormal = [0, 1, -2, 3, 0]\n"
+                                   "tangential = [0, 0, 1, 0, 0]\n");
   const auto& contact = std::get<SampledTractions>(scene.contacts.at(0));
   CHECK(contact.first == -1.0);
   CHECK(contact.pitch == 0.5);
@@ -126,14 +127,15 @@ TEST_CASE("sampled tractions stand at the taxels", "[scene]") {
 
 TEST_CASE("a contact may fill the array or hang over its edge", "[scene]") {
   const std::string contact = "[[contact]]\nshape = \"cylinder\"\nforce = 0\n";
-  CHECK(parse(smallest + contact + "half_width = 1.25\n").contacts.size() == 1);
-  CHECK(parse(smallest + contact + "half_width = 1\ncenter = -2.24\n").contacts.size() == 1);
-  CHECK(parse(smallest + contact + "half_width = 1\nfriction = -0.5\n").contacts.size() == 1);
+  CHECK(parsed_scene(smallest + contact + "half_width = 1.25\n").contacts.size() == 1);
+  CHECK(parsed_scene(smallest + contact + "half_width = 1\ncenter = -2.24\n").contacts.size() == 1);
+  CHECK(parsed_scene(smallest + contact + "half_width = 1\nfriction = -0.5\n").contacts.size() ==
+        1);
 }
 
 TEST_CASE("contacts may stand in a list", "[scene]") {
   const std::string one = "{ shape = \"wedge\", half_width = 1, force = 1 }";
-  CHECK(parse("contact = [" + one + ", " + one + "]\n" + smallest).contacts.size() == 2);
+  CHECK(parsed_scene("contact = [" + one + ", " + one + "]\n" + smallest).contacts.size() == 2);
 }
 
 TEST_CASE("tractions lie on a grid where taxels are far apart, at the taxels where they are dense",
@@ -142,7 +144,7 @@ TEST_CASE("tractions lie on a grid where taxels are far apart, at the taxels whe
     std::string text = smallest;
     const std::size_t at = text.find("pitch = ");
     text.replace(at, text.find('\n', at) - at, "pitch = " + pitch);
-    return parse(text + more).reconstruct.surface.basis;
+    return parsed_scene(text + more).reconstruct.surface.basis;
   };
   CHECK(basis("", "0.75") == SurfaceBasis::taxels);  // half of the depth
   CHECK(basis("", "0.76") == SurfaceBasis::hats);
@@ -151,7 +153,7 @@ TEST_CASE("tractions lie on a grid where taxels are far apart, at the taxels whe
   CHECK(basis("[forward]\nmodel = \"sampled\"\n", "3.0") == SurfaceBasis::taxels);
   CHECK(basis("[reconstruct]\nmethods = [\"dft\"]\n", "3.0") == SurfaceBasis::taxels);
   const Scene scene =
-      parse(smallest + "[reconstruct]\nsurface = \"grid\"\nspacing = 0.1\nmargin = 2.0\n");
+      parsed_scene(smallest + "[reconstruct]\nsurface = \"grid\"\nspacing = 0.1\nmargin = 2.0\n");
   CHECK(scene.reconstruct.surface.spacing == 0.1);
   CHECK(scene.reconstruct.surface.margin == 2.0);
 }
@@ -159,14 +161,15 @@ TEST_CASE("tractions lie on a grid where taxels are far apart, at the taxels whe
 TEST_CASE("the smoothing length is the first depth, or what the scene says", "[scene]") {
   std::string several = smallest;
   several.replace(several.find("depth = 1.5"), 11, "depths = [2.5, 1.5]");
-  CHECK(parse(several).reconstruct.smoothing_length == 2.5);
-  CHECK(parse(several + "[reconstruct]\nalpha = 1\n").reconstruct.smoothing_length == 2.5);
-  CHECK(parse(several + "[reconstruct]\nsmoothing_length = 0\n").reconstruct.smoothing_length == 0);
+  CHECK(parsed_scene(several).reconstruct.smoothing_length == 2.5);
+  CHECK(parsed_scene(several + "[reconstruct]\nalpha = 1\n").reconstruct.smoothing_length == 2.5);
+  CHECK(parsed_scene(several + "[reconstruct]\nsmoothing_length = 0\n")
+            .reconstruct.smoothing_length == 0);
 }
 
 TEST_CASE("methods that were not written ask for no alpha", "[scene]") {
-  CHECK_NOTHROW(parse(smallest + "[reconstruct]\n"));
-  CHECK_NOTHROW(parse(smallest + "[network]\nrealization = \"nic\"\n"));
+  CHECK_NOTHROW(parsed_scene(smallest + "[reconstruct]\n"));
+  CHECK_NOTHROW(parsed_scene(smallest + "[network]\nrealization = \"nic\"\n"));
 }
 
 TEST_CASE("the effects a scene calls for are named, in the order of the signal path", "[scene]") {
@@ -176,7 +179,7 @@ TEST_CASE("the effects a scene calls for are named, in the order of the signal p
       "saturation",   "quantization", "stuck_taxels",    "dead_taxels"};
   const auto simulated = [&](const std::string& toml) {
     std::vector<std::string_view> names;
-    const auto all = effects(parse(toml));
+    const auto all = effects(parsed_scene(toml));
     REQUIRE(all.size() == order.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
       CHECK(all[i].first == order[i]);
@@ -204,9 +207,9 @@ TEST_CASE("names of methods and models are those of the format", "[scene]") {
 TEST_CASE("line ends and a byte order mark make no difference", "[scene]") {
   std::string toml = "\xEF\xBB\xBF";
   for (const char c : smallest) toml += c == '\n' ? std::string{"\r\n"} : std::string{c};
-  CHECK(parse(toml).sensor.count == 5);
+  CHECK(parsed_scene(toml).sensor.count == 5);
   try {
-    (void)parse(
+    (void)parsed_scene(
         "\xEF\xBB\xBF"
         "a = 1\r\n" +
         smallest);
@@ -242,7 +245,8 @@ TEST_CASE("what is no file of text is refused, not read", "[scene]") {
 
 TEST_CASE("a class of op-amps is where its keys begin, and each may be another", "[scene]") {
   const auto opamp = [](const std::string& text) {
-    return parse(smallest + "[network]\nrealization = \"lattice\"\n" + text).network.parts.opamp;
+    return parsed_scene(smallest + "[network]\nrealization = \"lattice\"\n" + text)
+        .network.parts.opamp;
   };
   for (const OpAmpClass& one : opamp_classes()) {
     const std::string name(one.name);
@@ -266,10 +270,11 @@ TEST_CASE("a class of op-amps is where its keys begin, and each may be another",
 }
 
 TEST_CASE("corner of 1/f noise and output current are an op-amp's own", "[scene]") {
-  const OpAmp real = parse(smallest +
-                           "[network]\nrealization = \"lattice\"\nopamp = { bandwidth = 1e6, "
-                           "noise_voltage = 5e-9, noise_corner = 100, output_current = 0.02 }\n")
-                         .network.parts.opamp;
+  const OpAmp real =
+      parsed_scene(smallest +
+                   "[network]\nrealization = \"lattice\"\nopamp = { bandwidth = 1e6, "
+                   "noise_voltage = 5e-9, noise_corner = 100, output_current = 0.02 }\n")
+          .network.parts.opamp;
   CHECK(real == OpAmp{.bandwidth = 1e6,
                       .noise_voltage = 5e-9,
                       .noise_corner = 100.0,
@@ -278,9 +283,9 @@ TEST_CASE("corner of 1/f noise and output current are an op-amp's own", "[scene]
 
 TEST_CASE("arrays that are programmed, and the wires of their lines", "[scene]") {
   const auto options =
-      parse(smallest +
-            "[network]\nrealization = \"crossbar\"\n"
-            "tolerance = { bits = 8, cell_noise = 0.005, wire_resistance = 0.5 }\n")
+      parsed_scene(smallest +
+                   "[network]\nrealization = \"crossbar\"\n"
+                   "tolerance = { bits = 8, cell_noise = 0.005, wire_resistance = 0.5 }\n")
           .network.tolerance;
   CHECK(options.value().bits == 8);
   CHECK(options->cell_noise == 0.005);
@@ -289,17 +294,19 @@ TEST_CASE("arrays that are programmed, and the wires of their lines", "[scene]")
 }
 
 TEST_CASE("tolerances of their own: the stabiliser's resistors, and balance", "[scene]") {
-  const auto options = parse(smallest +
-                             "[network]\nrealization = \"lattice\"\n"
-                             "tolerance = { relative = 0.01, stabiliser = 1e-3, balance = 2e-3 }\n")
-                           .network.tolerance;
+  const auto options =
+      parsed_scene(smallest +
+                   "[network]\nrealization = \"lattice\"\n"
+                   "tolerance = { relative = 0.01, stabiliser = 1e-3, balance = 2e-3 }\n")
+          .network.tolerance;
   CHECK(options.value().stabiliser == 1e-3);
   CHECK(options->balance == 2e-3);
 }
 
 TEST_CASE("a ladder is an option of the circuit, off where nobody asks", "[scene]") {
-  CHECK_FALSE(parse(smallest).network.parts.ladder);
-  CHECK(parse(smallest + "[network]\nrealization = \"least_squares\"\nladder = true\n")
+  CHECK_FALSE(parsed_scene(smallest).network.parts.ladder);
+  CHECK(parsed_scene(smallest + "[network]\nrealization = \"least_squares\"\nladder = true\n")
             .network.parts.ladder);
-  CHECK_THROWS_WITH(parse(smallest + "[network]\nladder = 1\n"), ContainsSubstring("ladder"));
+  CHECK_THROWS_WITH(parsed_scene(smallest + "[network]\nladder = 1\n"),
+                    ContainsSubstring("ladder"));
 }

@@ -6,8 +6,10 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/refusal.hpp"
 
 using namespace tactile_net;
+using test::refusal;
 
 namespace {
 
@@ -121,15 +123,6 @@ std::vector<double> numbers(const Scene& scene) {
 const std::string small =
     "[sensor]\ncount = 3\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"
     "[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n";
-
-std::string refusal(const std::string& toml) {
-  try {
-    (void)parse_scene(toml, "scene.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 }  // namespace
 

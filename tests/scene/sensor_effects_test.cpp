@@ -12,7 +12,6 @@ namespace {
 using namespace tactile_net;
 
 Scene parse(const std::string& toml) { return parse_scene(toml, "scene.toml"); }
-Scene with(const std::string& tables) { return parse(time_scene + tables); }
 
 std::string without_time() { return time_scene.substr(0, time_scene.find("[time]")); }
 
@@ -71,7 +70,7 @@ TEST_CASE("a trajectory moves its contact; the scene holds it as it is at its fr
       cylinder +
       "half_width = 0.5\nfriction = 0.25\ntrajectory = [{ t = 0, force = 0, center = -0.5 },"
       " { t = 1.0, force = 4, center = 0.5 }]\n";
-  const Scene scene = with(moving);
+  const Scene scene = scene_with(moving);
   const auto& last = std::get<RigidContact>(scene.contacts.at(0));
   CHECK(last.force == 4.0);
   CHECK(last.center == 0.5);
@@ -121,7 +120,7 @@ TEST_CASE("a wrong trajectory is reported", "[scene][time]") {
 }
 
 TEST_CASE("every effect's table arrives in the scene", "[scene]") {
-  const Scene scene = with(R"(
+  const Scene scene = scene_with(R"(
 [viscoelasticity]
 terms = [{ fraction = 0.25, time = 0.5 }, { fraction = 0.5, time = 2.0 }]
 [hysteresis]
@@ -170,7 +169,7 @@ values = { strain_x = [5.0], strain_y = [6.0] }
   CHECK(scene.taxel_noise->seed == 7);
   CHECK(scene.saturation->range.at(Quantity::strain_y).high == 2.0);
   CHECK(scene.stuck_taxels->values.at(Quantity::strain_y) == std::vector{6.0});
-  CHECK_THAT(with("[low_pass]\ncutoff = 2.0\n").low_pass->time_constant,
+  CHECK_THAT(scene_with("[low_pass]\ncutoff = 2.0\n").low_pass->time_constant,
              WithinRel(0.07957747154594767, 1e-15));  // 1 / (4 pi)
 }
 

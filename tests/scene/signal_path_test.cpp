@@ -1,46 +1,21 @@
 // Effects on demand: none changes another's draws, a strength of zero is absence, and moments
 // between frames are gone through only for those that remember.
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/signal_frames.hpp"
 #include "tests/scene/time_scene.hpp"
 
 namespace {
 
 using namespace tactile_net;
-
-Scene with(const std::string& tables) { return parse_scene(time_scene + tables, "scene.toml"); }
-
-/// The frames of a signal that is `of(t, reading)` before the effects.
-std::vector<std::vector<double>> frames(const Scene& scene, auto of) {
-  SignalPath path = signal_path(scene);
-  std::vector<std::vector<double>> result;
-  for (const Instant& at : instants(scene)) {
-    std::vector<double> readings;
-    for (std::size_t i = 0; i < 10; ++i) readings.push_back(of(at.time, i));
-    path.apply(at, readings);
-    if (at.recorded) result.push_back(readings);
-  }
-  return result;
-}
-
-/// A signal that moves, with zeros of either sign in it.
-double moving(double t, std::size_t i) {
-  return i == 3 ? -0.0 : i == 4 ? 0.0 : std::sin(t + static_cast<double>(i));
-}
-
-std::vector<std::uint64_t> bits(const std::vector<std::vector<double>>& frames) {
-  std::vector<std::uint64_t> all;
-  for (const auto& frame : frames)
-    for (const double value : frame) all.push_back(std::bit_cast<std::uint64_t>(value));
-  return all;
-}
+using test::bits;
+using test::moving;
+using test::signal_frames;
 
 const std::string noise = "[noise]\nrms = 0.5\n";
 const std::string taxel_noise = "[taxel_noise]\nrms = [0.1, 0.2, 0.3, 0.4, 0.5]\n";
@@ -71,42 +46,44 @@ constexpr const char* zero_strengths[] = {
 }  // namespace
 
 TEST_CASE("an effect of strength zero is its absence, bit for bit", "[effects][identity]") {
-  const auto bare = bits(frames(with(""), moving));
+  const auto bare = bits(signal_frames(scene_with(""), moving));
   const std::string others = gain + noise + hysteresis;
   for (const std::string zero : zero_strengths) {
     CAPTURE(zero);
-    CHECK(bits(frames(with(zero), moving)) == bare);
+    CHECK(bits(signal_frames(scene_with(zero), moving)) == bare);
     // ... and beside others, those that draw among them.
     const std::string name = zero.substr(0, zero.find(']') + 1);
     if (others.find(name) != std::string::npos) continue;
-    CHECK(bits(frames(with(zero + others), moving)) == bits(frames(with(others), moving)));
+    CHECK(bits(signal_frames(scene_with(zero + others), moving)) ==
+          bits(signal_frames(scene_with(others), moving)));
   }
 }
 
 TEST_CASE("no effect changes what another draws", "[effects][identity]") {
   const auto one = [](double, std::size_t) { return 1.0; };
   const auto none = [](double, std::size_t) { return 0.0; };
-  const auto gains = frames(with(gain), one);
-  const auto offsets = frames(with(offset), none);
-  const auto noises = frames(with(noise), none);
-  const auto taxels = frames(with(taxel_noise), none);
-  const auto all = frames(with(taxel_noise + offset + noise + gain), one);
+  const auto gains = signal_frames(scene_with(gain), one);
+  const auto offsets = signal_frames(scene_with(offset), none);
+  const auto noises = signal_frames(scene_with(noise), none);
+  const auto taxels = signal_frames(scene_with(taxel_noise), none);
+  const auto all = signal_frames(scene_with(taxel_noise + offset + noise + gain), one);
   for (std::size_t k = 0; k < all.size(); ++k)
     for (std::size_t i = 0; i < 10; ++i)
       CHECK(all[k][i] == ((gains[k][i] + offsets[k][i]) + noises[k][i]) + taxels[k][i]);
   CHECK(offsets[0] == offsets[7]);
   CHECK(noises[0] != noises[7]);
   // What draws nothing leaves the draws alone: later stages alone, since they add.
-  const auto quiet = frames(with("[low_pass]\ncutoff = 1\n" + hysteresis), moving);
-  const auto noisy = frames(with("[low_pass]\ncutoff = 1\n" + hysteresis + noise), moving);
+  const auto quiet = signal_frames(scene_with("[low_pass]\ncutoff = 1\n" + hysteresis), moving);
+  const auto noisy =
+      signal_frames(scene_with("[low_pass]\ncutoff = 1\n" + hysteresis + noise), moving);
   for (std::size_t k = 0; k < quiet.size(); ++k)
     for (std::size_t i = 0; i < 10; ++i) CHECK(noisy[k][i] == quiet[k][i] + noises[k][i]);
 }
 
 TEST_CASE("frames do not depend on how many follow, nor on which one is wanted", "[effects]") {
-  const Scene scene = with(noise + hysteresis + "[low_pass]\ncutoff = 1\n");
-  const auto all = frames(scene, moving);
-  const auto some = frames(at_frame(scene, 7), moving);
+  const Scene scene = scene_with(noise + hysteresis + "[low_pass]\ncutoff = 1\n");
+  const auto all = signal_frames(scene, moving);
+  const auto some = signal_frames(at_frame(scene, 7), moving);
   REQUIRE(some.size() == 8);
   CHECK(std::equal(some.begin(), some.end(), all.begin()));
 }
@@ -115,20 +92,20 @@ TEST_CASE("without memory the moments are the frames", "[effects][time]") {
   const std::string contact =
       "[[contact]]\nshape = \"cylinder\"\nhalf_width = 0.5\n"
       "trajectory = [{ t = 0.05, force = 0 }, { t = 0.5, force = 1 }, { t = 0.77, force = 0 }]\n";
-  CHECK(instants(with(contact + noise)).size() == 21);
+  CHECK(instants(scene_with(contact + noise)).size() == 21);
   // Knots between frames count where something remembers; a knot on a frame is that frame.
-  const auto with_memory = instants(with(contact + hysteresis));
+  const auto with_memory = instants(scene_with(contact + hysteresis));
   CHECK(with_memory.size() == 23);
   CHECK(std::count_if(with_memory.begin(), with_memory.end(),
                       [](const Instant& at) { return at.recorded; }) == 21);
   for (std::size_t i = 1; i < with_memory.size(); ++i)
     CHECK_THAT(with_memory[i].since,
                WithinAbs(with_memory[i].time - with_memory[i - 1].time, 1e-15));
-  const auto windows = instants(with("[sampling]\naperture = 0.025\n"));
+  const auto windows = instants(scene_with("[sampling]\naperture = 0.025\n"));
   CHECK(windows.size() == 41);
   CHECK(std::count_if(windows.begin(), windows.end(), [](const Instant& at) { return at.opens; }) ==
         20);
-  CHECK(instants(with("[sampling]\naperture = 0.1\n")).size() == 21);  // windows that touch
+  CHECK(instants(scene_with("[sampling]\naperture = 0.1\n")).size() == 21);  // windows that touch
   CHECK(instants(parse_scene(time_scene.substr(0, time_scene.find("[time]")), "s")).size() == 1);
 }
 
@@ -145,7 +122,7 @@ std::vector<double> at_two_moments(const std::string& effects, std::size_t rate)
                "rate = " + std::to_string(rate) + "\nduration = 2");
   const Scene scene = parse_scene(toml + contact + effects, "s");
   const auto& path = scene.trajectories.at(0);
-  const auto all = frames(scene, [&](double t, std::size_t i) {
+  const auto all = signal_frames(scene, [&](double t, std::size_t i) {
     return contact_at(path, t).force * (1.0 + static_cast<double>(i));
   });
   std::vector<double> both = all.at(rate);

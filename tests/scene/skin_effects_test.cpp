@@ -1,8 +1,5 @@
 // The effects of a skin's scene: on one row each is the line's, bit for bit, whatever the order of
 // the tables; taxels are named by number, row and column, or name; what is wrong is said.
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,69 +7,50 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/refusal.hpp"
+#include "tests/scene/signal_frames.hpp"
 
 namespace {
 
 using namespace tactile_net;
+using test::bits;
+using test::moving;
+using test::signal_frames;
 
-const std::string rest =
+const std::string sensor_rest =
     "pitch = 0.5\ndepth = 1.5\nreads = [\"strain_x\", \"stress_y\"]\n"
     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n";
-const std::string time = "[time]\nrate = 10.0\nframes = 21\n";
+const std::string time_table = "[time]\nrate = 10.0\nframes = 21\n";
 const std::string weights = "[noise]\nrms = { strain_x = 0.5, stress_y = 0.25 }\n";
 
-Scene line(const std::string& tables) {
-  return parse_scene("[sensor]\ncount = 5\n" + rest + time + tables, "line.toml");
+Scene line_with(const std::string& tables) {
+  return parse_scene("[sensor]\ncount = 5\n" + sensor_rest + time_table + tables, "line.toml");
 }
 
-SkinScene skin(const std::string& tables, const std::string& sensor = "rows = 1\ncolumns = 5\n") {
+SkinScene skin_with(const std::string& tables,
+                    const std::string& sensor = "rows = 1\ncolumns = 5\n") {
   return std::get<SkinScene>(
-      parse_any_scene("[sensor]\n" + sensor + rest + time + tables, "skin.toml"));
+      parse_any_scene("[sensor]\n" + sensor + sensor_rest + time_table + tables, "skin.toml"));
 }
 
-std::vector<Diagnostic> problems_of(const std::string& tables) {
-  try {
-    (void)skin(tables, "rows = 3\ncolumns = 4\n");
-  } catch (const InputError& error) {
-    return error.diagnostics();
-  }
-  return {};
-}
-
-/// All frames of a signal that moves, with zeros of either sign in it.
-std::vector<double> frames(const auto& scene, std::size_t readings) {
-  SignalPath path = signal_path(scene);
-  std::vector<double> all;
-  for (const Instant& at : instants(scene)) {
-    std::vector<double> now;
-    for (std::size_t i = 0; i < readings; ++i)
-      now.push_back(i == 3 ? -0.0 : i == 4 ? 0.0 : std::sin(at.time + static_cast<double>(i)));
-    path.apply(at, now);
-    if (at.recorded) all.insert(all.end(), now.begin(), now.end());
-  }
-  return all;
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
-           return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-         });
+std::vector<Diagnostic> problems_with(const std::string& tables) {
+  return test::diagnostics_of([&] { return skin_with(tables, "rows = 3\ncolumns = 4\n"); });
 }
 
 }  // namespace
 
 TEST_CASE("each effect on a skin of one row or one column is the line's, bit for bit",
           "[scene][skin][effects]") {
-  const std::vector<double> none = frames(line(weights), 10);
+  const auto none = bits(signal_frames(line_with(weights), moving));
   for (const bench::EffectTable& table : bench::effect_tables) {
     CAPTURE(table.name);
     const std::string own = (table.name == "noise" ? "" : weights) +
                             (table.name == "noise" ? weights : std::string(table.toml));
-    const std::vector<double> of_line = frames(line(own), 10);
-    CHECK(same_bits(frames(skin(own), 10), of_line));
-    CHECK(same_bits(frames(skin(own, "rows = 5\ncolumns = 1\n"), 10), of_line));
-    if (table.name != "noise") CHECK_FALSE(same_bits(of_line, none));
-    for (const auto& [name, present] : effects(skin(own)))
+    const auto of_line = bits(signal_frames(line_with(own), moving));
+    CHECK(bits(signal_frames(skin_with(own), moving)) == of_line);
+    CHECK(bits(signal_frames(skin_with(own, "rows = 5\ncolumns = 1\n"), moving)) == of_line);
+    if (table.name != "noise") CHECK_FALSE(of_line == none);
+    for (const auto& [name, present] : effects(skin_with(own)))
       CHECK(present == (name == table.name || name == "noise"));
   }
 }
@@ -86,30 +64,30 @@ TEST_CASE("all effects at once, in any order of the file, pass a skin in the pat
     forwards += table.toml;
     backwards.insert(0, table.toml);
   }
-  const std::vector<double> of_line = frames(line(forwards), 10);
-  CHECK(same_bits(frames(skin(forwards), 10), of_line));
-  CHECK(same_bits(frames(skin(backwards), 10), of_line));
+  const auto of_line = bits(signal_frames(line_with(forwards), moving));
+  CHECK(bits(signal_frames(skin_with(forwards), moving)) == of_line);
+  CHECK(bits(signal_frames(skin_with(backwards), moving)) == of_line);
   // What is broken for good comes last: neither noise nor the converter moves it.
-  const auto broken = frames(skin(forwards + "[stuck_taxels]\nindices = [1]\nvalues = [9]\n"), 10);
-  for (std::size_t k = 0; k < broken.size(); k += 10) {
-    CHECK(broken[k + 1] == 9.0);
-    CHECK(broken[k + 3] == 0.0);
+  const SkinScene broken = skin_with(forwards + "[stuck_taxels]\nindices = [1]\nvalues = [9]\n");
+  for (const std::vector<double>& frame : signal_frames(broken, moving)) {
+    CHECK(frame[1] == 9.0);
+    CHECK(frame[3] == 0.0);
   }
 }
 
 TEST_CASE("moments between frames are those of the line", "[scene][skin][effects]") {
   const std::string windows = weights + "[sampling]\naperture = 0.025\n";
-  const auto of_line = instants(line(windows));
-  const auto of_skin = instants(skin(windows));
+  const auto of_line = instants(line_with(windows));
+  const auto of_skin = instants(skin_with(windows));
   REQUIRE(of_skin.size() == of_line.size());
   CHECK(of_skin.size() > 21);
   for (std::size_t i = 0; i < of_skin.size(); ++i) CHECK(of_skin[i].since == of_line[i].since);
-  CHECK(instants(skin(weights)).size() == 21);
+  CHECK(instants(skin_with(weights)).size() == 21);
 }
 
 TEST_CASE("in two dimensions a taxel leaks to four, and no further", "[scene][skin][effects]") {
   const SkinScene scene =
-      skin(weights + "[crosstalk]\nfraction = 0.25\n", "rows = 3\ncolumns = 4\n");
+      skin_with(weights + "[crosstalk]\nfraction = 0.25\n", "rows = 3\ncolumns = 4\n");
   SkinScene quiet = scene;
   quiet.noise.reset();
   SignalPath path = signal_path(quiet);
@@ -152,12 +130,12 @@ TEST_CASE("a skin's ranges are of each quantity, in its unit", "[scene][skin][ef
 TEST_CASE("taxels are named by number, by row and column, or by name", "[scene][skin][effects]") {
   const std::string sensor = "rows = 3\ncolumns = 4\n";
   const auto dead = [&](const std::string& list) {
-    return skin(weights + "[dead_taxels]\nindices = " + list + "\n", sensor).dead_taxels;
+    return skin_with(weights + "[dead_taxels]\nindices = " + list + "\n", sensor).dead_taxels;
   };
   CHECK(dead("[6, 7]") == std::vector<std::size_t>{6, 7});
   CHECK(dead("[[1, 2], \"1_3\"]") == std::vector<std::size_t>{6, 7});
   const SkinScene scene =
-      skin(weights + "[taxel_noise]\nindices = [[2, 3], \"0_1\"]\nrms = [1.0, 2.0]\n", sensor);
+      skin_with(weights + "[taxel_noise]\nindices = [[2, 3], \"0_1\"]\nrms = [1.0, 2.0]\n", sensor);
   CHECK(scene.taxel_noise->rms.at(SkinQuantity::strain_x)[11] == 1.0);
   CHECK(scene.taxel_noise->rms.at(SkinQuantity::stress_y)[1] == 2.0);
 }
@@ -166,7 +144,7 @@ TEST_CASE("what is wrong with a skin's effects is said once, at its place",
           "[scene][skin][effects]") {
   const auto check = [](const std::string& table, std::string_view message, std::string_view hint) {
     CAPTURE(table);
-    const auto problems = problems_of(weights + table);
+    const auto problems = problems_with(weights + table);
     REQUIRE(problems.size() == 1);
     CHECK(problems[0].line >= 13);
     CHECK_THAT(problems[0].message + " | " + problems[0].hint,

@@ -10,12 +10,14 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_template.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/refusal.hpp"
+#include "tests/scene/single_mistake.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-constexpr std::string_view good = R"([units]
+constexpr std::string_view good_skin = R"([units]
 length = "mm"
 modulus = "MPa"
 stress = "kPa"
@@ -61,55 +63,31 @@ spacing = 1.0
 margin = 2.0
 )";
 
-SkinScene skin(const std::string& toml) {
+SkinScene parsed_skin(const std::string& toml) {
   return std::get<SkinScene>(parse_any_scene(toml, "skin.toml"));
 }
 
-std::vector<Diagnostic> problems_of(const std::string& toml) {
-  try {
-    (void)parse_any_scene(toml, "skin.toml");
-  } catch (const InputError& error) {
-    return error.diagnostics();
-  }
-  return {};
+std::vector<Diagnostic> skin_problems(const std::string& toml) {
+  return test::diagnostics_of([&] { return parse_any_scene(toml, "skin.toml"); });
 }
 
-/// `place` is "line:column".
-struct Case {
-  std::string_view from;
-  std::string_view to;
-  std::string_view place;
-  std::string_view message;
-};
-
-void check_each(const std::vector<Case>& cases) {
-  for (const auto& [from, to, place, message] : cases) {
-    std::string toml{good};
-    const std::size_t at = toml.find(from);
-    CAPTURE(from, to);
-    REQUIRE(at != std::string::npos);
-    toml.replace(at, from.size(), to);
-    const auto problems = problems_of(toml);
-    CAPTURE(InputError{problems}.what());
-    REQUIRE(problems.size() == 1);
-    CHECK(std::to_string(problems[0].line) + ':' + std::to_string(problems[0].column) == place);
-    CHECK_THAT(problems[0].message, ContainsSubstring(std::string{message}));
-  }
+void check_skins(const std::vector<test::Mistake>& mistakes) {
+  test::check_each(good_skin, skin_problems, mistakes);
 }
 
 /// A file of taxels in a folder of its own, and a scene that names it.
-class TaxelFile {
+class SkinFolder {
  public:
-  explicit TaxelFile(const std::string& csv) {
+  explicit SkinFolder(const std::string& csv) {
     std::filesystem::create_directories(folder_);
     std::ofstream(folder_ / "palm.csv") << csv;
     std::ofstream(folder_ / "palm.toml")
         << "[sensor]\ntaxels = \"palm.csv\"\n[material]\nyoungs_modulus = 1.0\n"
            "poisson_ratio = 0.45\nlayer = { thickness = 4.0, base = \"bonded\" }\n";
   }
-  TaxelFile(const TaxelFile&) = delete;
-  TaxelFile& operator=(const TaxelFile&) = delete;
-  ~TaxelFile() { std::filesystem::remove_all(folder_); }
+  SkinFolder(const SkinFolder&) = delete;
+  SkinFolder& operator=(const SkinFolder&) = delete;
+  ~SkinFolder() { std::filesystem::remove_all(folder_); }
 
   [[nodiscard]] AnyScene scene() const { return read_any_scene(folder_ / "palm.toml"); }
   [[nodiscard]] std::string problem() const {
@@ -128,7 +106,7 @@ class TaxelFile {
 }  // namespace
 
 TEST_CASE("a skin's scene is read in SI, its contacts as they are at the last frame", "[scene]") {
-  const SkinScene scene = skin(std::string(good));
+  const SkinScene scene = parsed_skin(std::string(good_skin));
   CHECK(scene.sensor.rows == 3);
   CHECK(scene.sensor.columns == 4);
   CHECK(scene.sensor.pitch_y == 2e-3);
@@ -160,14 +138,14 @@ TEST_CASE("a skin is told from a line by rows, columns or a column z", "[scene]"
   CHECK(std::holds_alternative<SkinScene>(
       parse_any_scene("[sensor]\nrows = 1\ncolumns = 1\npitch = 1.0\n" + rest, "a.toml")));
   CHECK(std::holds_alternative<Scene>(
-      TaxelFile("y,depth,reads\n0,1,stress_x\n1,1,stress_x\n").scene()));
+      SkinFolder("y,depth,reads\n0,1,stress_x\n1,1,stress_x\n").scene()));
   CHECK(std::holds_alternative<SkinScene>(
-      TaxelFile("name,y [m],z [m],depth,reads\na,0,0,1,stress_x shear_xz\n").scene()));
+      SkinFolder("name,y [m],z [m],depth,reads\na,0,0,1,stress_x shear_xz\n").scene()));
 }
 
 TEST_CASE("who knows lines alone says so of a skin, once", "[scene]") {
   try {
-    (void)parse_scene(good, "skin.toml");
+    (void)parse_scene(good_skin, "skin.toml");
     FAIL("a skin is taken for a line");
   } catch (const InputError& error) {
     REQUIRE(error.diagnostics().size() == 1);
@@ -177,7 +155,7 @@ TEST_CASE("who knows lines alone says so of a skin, once", "[scene]") {
 }
 
 TEST_CASE("a study's scene may be a skin", "[scene]") {
-  const SceneTemplate base{std::string(good), "skin.toml"};
+  const SceneTemplate base{std::string(good_skin), "skin.toml"};
   CHECK(std::holds_alternative<SkinScene>(base.with({})));
 }
 
@@ -190,7 +168,7 @@ TEST_CASE("a skin whose file of taxels is not in order is no line", "[scene]") {
   for (const char* more : {"",
                            "[[contact]]\nshape = \"sphere\"\nradius = 1.0\nforce = 1.0\n"
                            "place = [0.0, 0.0]\n"}) {
-    const auto problems = problems_of(toml + more);
+    const auto problems = skin_problems(toml + more);
     REQUIRE(problems.size() == 1);
     CHECK(problems[0].line == 6);
     CHECK_THAT(problems[0].message, ContainsSubstring("a file that is not in order"));
@@ -199,8 +177,8 @@ TEST_CASE("a skin whose file of taxels is not in order is no line", "[scene]") {
 }
 
 TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
-  CHECK(problems_of(std::string(good)).empty());
-  check_each({
+  CHECK(skin_problems(std::string(good_skin)).empty());
+  check_skins({
       {"rows = 3", "rows = 0", "7:8", "must be from 1 to 262144"},
       {"columns = 4", "column = 4", "8:1", "unknown key \"sensor.column\""},
       {"pitch = [2.0, 1.5]", "pitch = [2.0]", "9:9", "must be two numbers"},
@@ -240,9 +218,9 @@ TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
 
 TEST_CASE("too many cells are refused with what would make fewer", "[scene]") {
   const auto hint = [](std::string_view from, std::string_view to) {
-    std::string toml(good);
+    std::string toml(good_skin);
     toml.replace(toml.find(from), from.size(), to);
-    const auto problems = problems_of(toml);
+    const auto problems = skin_problems(toml);
     CAPTURE(InputError{problems}.what());
     REQUIRE(problems.size() == 1);
     // What is advised makes a scene.
@@ -254,30 +232,30 @@ TEST_CASE("too many cells are refused with what would make fewer", "[scene]") {
   CHECK_THAT(hint("spacing = 1.0\nmargin", "spacing = 1e-300\nmargin"),
              ContainsSubstring("reconstruct.spacing is left out"));
   // Half of so small a depth: the depth is named, and a spacing that will do.
-  std::string toml(good);
+  std::string toml(good_skin);
   toml.replace(toml.find("depth = 2.0"), 11, "depth = 1e-6");
   toml.replace(toml.find("spacing = 1.0\nmargin = 2.0\n"), 27, "");
-  const auto problems = problems_of(toml);
+  const auto problems = skin_problems(toml);
   REQUIRE(problems.size() == 1);
   CHECK(problems[0].line == 10);
   const std::string& advice = problems[0].hint;
   REQUIRE(advice.starts_with("reconstruct.spacing = "));
-  CHECK(problems_of(toml + advice.substr(12, advice.find(',') - 12) + "\n").empty());
+  CHECK(skin_problems(toml + advice.substr(12, advice.find(',') - 12) + "\n").empty());
 }
 
 TEST_CASE("displacements along a surface that slips are refused with what to do", "[scene]") {
-  std::string toml(good);
+  std::string toml(good_skin);
   toml.replace(toml.find("\"shear_xz\""), 10, "\"displacement_y\"");
   toml.replace(toml.find("\"bonded\""), 8, "\"frictionless\"");
   toml.replace(toml.find("shear_xz = 0.05"), 15, "displacement_y = 0.1");
-  const auto problems = problems_of(toml);
+  const auto problems = skin_problems(toml);
   REQUIRE(problems.size() == 1);
   CHECK(problems[0].line == 11);
   CHECK_THAT(problems[0].hint, ContainsSubstring("bonded"));
 }
 
 TEST_CASE("a file of taxels that is not in order is said with its line", "[scene]") {
-  const auto problem = [](const std::string& csv) { return TaxelFile(csv).problem(); };
+  const auto problem = [](const std::string& csv) { return SkinFolder(csv).problem(); };
   const std::string head = "name,y,z,depth,reads\n";
   CHECK_THAT(problem(head + "a,0,0,1,stress_x\nb,0,0,1,stress_x\n"),
              ContainsSubstring("palm.toml:2:10") &&

@@ -12,10 +12,10 @@ using namespace tactile_net;
 
 namespace {
 
-const std::string pad =
+const std::string pad_pose =
     "place = [-0.03, 0.0, 0.1]\nnormal = [-1.0, 0.0, 0.0]\ntangent = [0.0, 0.0, 1.0]\n";
-const std::string contact = "contact = { center = [0.0, 0.001], center_deviation = 1e-4 }\n";
-const std::string finger = "[[finger]]\n" + pad + contact;
+const std::string contact_table = "contact = { center = [0.0, 0.001], center_deviation = 1e-4 }\n";
+const std::string finger = "[[finger]]\n" + pad_pose + contact_table;
 
 SpaceHand parsed(const std::string& toml) {
   return std::get<SpaceHand>(parse_any_hand(toml, "hand.toml", {.allow_outside = true}));
@@ -104,33 +104,36 @@ TEST_CASE("without joints the least forces are asked for, and hands of the plane
 }
 
 TEST_CASE("what is wrong with a hand in space is told by line, with a remedy", "[hand]") {
-  const auto with = [](const std::string& more) { return complaints("[[finger]]\n" + pad + more); };
+  const auto with = [](const std::string& more) {
+    return complaints("[[finger]]\n" + pad_pose + more);
+  };
   CHECK(complaints(finger) == "none");
   CHECK_THAT(complaints("[[finger]]\nplace = [0, 0, 0]\nnormal = [0, 0, 0]\ntangent = [0, 1, 0]\n" +
-                        contact),
+                        contact_table),
              ContainsSubstring("3: finger.normal must not be zero: it is a direction"));
-  CHECK_THAT(
-      complaints("[[finger]]\nplace = [0, 0]\nnormal = [1, 0, 0]\ntangent = [1, 1, 0]\n" + contact),
-      ContainsSubstring("2: finger.place must hold three numbers, X, Y and Z (got 2)") &&
-          ContainsSubstring("4: finger.tangent must be at right angles to the normal"));
-  CHECK_THAT(with(contact + "soft = true\n"),
+  CHECK_THAT(complaints("[[finger]]\nplace = [0, 0]\nnormal = [1, 0, 0]\ntangent = [1, 1, 0]\n" +
+                        contact_table),
+             ContainsSubstring("2: finger.place must hold three numbers, X, Y and Z (got 2)") &&
+                 ContainsSubstring("4: finger.tangent must be at right angles to the normal"));
+  CHECK_THAT(with(contact_table + "soft = true\n"),
              ContainsSubstring("6: finger.soft needs a torsion_radius here | the torsion that"));
-  CHECK_THAT(with(contact + "joints = [{ axis = [0, 1, 0] }]\n"),
+  CHECK_THAT(with(contact_table + "joints = [{ axis = [0, 1, 0] }]\n"),
              ContainsSubstring("place") && ContainsSubstring("a point of the axis"));
-  CHECK_THAT(with(contact + "joints = [{ slides = true, axis = [0, 1, 0], place = [0, 0, 0] }]\n"),
-             ContainsSubstring("is of no use to a joint that slides"));
-  CHECK_THAT(with(contact + "jacobian = [[1.0], [1.0]]\n"),
+  CHECK_THAT(
+      with(contact_table + "joints = [{ slides = true, axis = [0, 1, 0], place = [0, 0, 0] }]\n"),
+      ContainsSubstring("is of no use to a joint that slides"));
+  CHECK_THAT(with(contact_table + "jacobian = [[1.0], [1.0]]\n"),
              ContainsSubstring("must hold six rows"));
-  CHECK_THAT(with(contact + "jacobian = [[1.0, 2.0], [1.0], [1.0], [1.0], [1.0], [1.0]]\n"),
+  CHECK_THAT(with(contact_table + "jacobian = [[1.0, 2.0], [1.0], [1.0], [1.0], [1.0], [1.0]]\n"),
              ContainsSubstring("must be as long as the first row"));
-  CHECK_THAT(with(contact + "torque_limits = [1.0]\n"),
+  CHECK_THAT(with(contact_table + "torque_limits = [1.0]\n"),
              ContainsSubstring("has no place without joints"));
   CHECK_THAT(with("contact = { normal = -1.0, tangential = [0, 0], center = [0, 0] }\n"),
              ContainsSubstring("contact.normal must be > 0"));
   CHECK_THAT(
       with("contact = { normal = 1.0, tangential = [0, 0], torsion = 0.1, center = [0, 0] }\n"),
       ContainsSubstring("has no place on a hard finger | torsion_radius makes it a soft one"));
-  CHECK_THAT(with(contact + "links = [0.1]\n"), ContainsSubstring("links"));
+  CHECK_THAT(with(contact_table + "links = [0.1]\n"), ContainsSubstring("links"));
   CHECK_THAT(complaints("angles_in = \"degrees\"\n" + finger),
              ContainsSubstring("has no place in a hand in space"));
   CHECK_THAT(complaints("[grasp]\nleast = \"torques\"\n" + finger + "name = \"b\"\n"),

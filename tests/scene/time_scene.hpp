@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tactile_net/scene/reader.hpp"
+
 inline const std::string time_scene = R"([sensor]
 count = 5
 pitch = 0.5
@@ -19,3 +21,7 @@ rate = 10.0
 frames = 21
 
 )";
+
+inline tactile_net::Scene scene_with(const std::string& tables) {
+  return tactile_net::parse_scene(time_scene + tables, "scene.toml");
+}

@@ -7,24 +7,17 @@
 
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/scene/refusal.hpp"
 
 using namespace tactile_net;
+using test::refusal;
 
 namespace {
 
-const std::string pad = "[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n";
+const std::string material_table = "[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n";
 
 std::string positions(const std::string& list, const std::string& more = "depth = 1.5\n") {
-  return "[sensor]\npositions = [" + list + "]\nreads = [\"stress_x\"]\n" + more + pad;
-}
-
-std::string refusal(const std::string& text, const std::string& file = "scene.toml") {
-  try {
-    (void)parse_scene(text, file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return "[sensor]\npositions = [" + list + "]\nreads = [\"stress_x\"]\n" + more + material_table;
 }
 
 /// A folder of its own with a file of taxels.
@@ -42,7 +35,7 @@ class TaxelFile {
   /// @param sensor  more lines of [sensor]; @param head  what stands before it
   [[nodiscard]] std::string refusal(const std::string& sensor = {},
                                     const std::string& head = {}) const {
-    return ::refusal(scene(sensor, head), (folder_ / "scene.toml").string());
+    return test::refusal(scene(sensor, head), (folder_ / "scene.toml").string());
   }
   [[nodiscard]] Scene read(const std::string& sensor = {}, const std::string& head = {}) const {
     return parse_scene(scene(sensor, head), (folder_ / "scene.toml").string());
@@ -50,7 +43,7 @@ class TaxelFile {
 
  private:
   static std::string scene(const std::string& sensor, const std::string& head) {
-    return head + "[sensor]\ntaxels = \"palm.csv\"\n" + sensor + pad;
+    return head + "[sensor]\ntaxels = \"palm.csv\"\n" + sensor + material_table;
   }
   std::filesystem::path folder_;
 };
@@ -131,8 +124,8 @@ TEST_CASE("the scene says what the file leaves out", "[scene][uneven]") {
 
 TEST_CASE("taxels may have a width, one for all or each its own", "[scene][uneven]") {
   const std::string even = "[sensor]\ncount = 5\npitch = 1\ndepth = 1.5\nreads = [\"stress_x\"]\n";
-  CHECK(parse_scene(even + "width = 0.8\n" + pad, "scene.toml").sensor.width == 0.8);
-  CHECK(sites(parse_scene(even + "width = 0.8\n" + pad, "s").sensor)[3].width == 0.8);
+  CHECK(parse_scene(even + "width = 0.8\n" + material_table, "scene.toml").sensor.width == 0.8);
+  CHECK(sites(parse_scene(even + "width = 0.8\n" + material_table, "s").sensor)[3].width == 0.8);
   const Scene listed =
       parse_scene(positions("-2, 0, 3", "depth = 1.5\nwidth = [0, 1.0, 2]\n"), "scene.toml");
   CHECK(listed.sensor.taxels[1].width == 1.0);
@@ -142,8 +135,10 @@ TEST_CASE("taxels may have a width, one for all or each its own", "[scene][uneve
   const TaxelFile silent("y,depth,reads\n-2,1.5,stress_x\n0,1.2,stress_x\n");
   CHECK(silent.read("width = 0.7\n").sensor.taxels[1].width == 0.7);
 
-  CHECK_THAT(refusal(even + "width = -1\n" + pad), ContainsSubstring("sensor.width must be >= 0"));
-  CHECK_THAT(refusal(even + "width = 1e6\n" + pad), ContainsSubstring("at most 10000 depths"));
+  CHECK_THAT(refusal(even + "width = -1\n" + material_table),
+             ContainsSubstring("sensor.width must be >= 0"));
+  CHECK_THAT(refusal(even + "width = 1e6\n" + material_table),
+             ContainsSubstring("at most 10000 depths"));
   CHECK_THAT(refusal(positions("-2, 0, 3", "depth = 1.5\nwidth = [1, 2]\n")),
              ContainsSubstring("one for each taxel: 3 (got 2)"));
   CHECK_THAT(refusal(positions("-2, 0, 3", "depth = 1.5\nwidth = 1e6\n")),
@@ -170,6 +165,6 @@ TEST_CASE("a file of taxels that is not in order is refused with its line", "[sc
              ContainsSubstring("line 1: a column has another name than y, depth, reads"));
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n"), ContainsSubstring("1 taxels: from 2"));
   CHECK_THAT(said(""), ContainsSubstring("it has 0 rows"));
-  CHECK_THAT(refusal("[sensor]\ntaxels = \"../palm.csv\"\n" + pad),
+  CHECK_THAT(refusal("[sensor]\ntaxels = \"../palm.csv\"\n" + material_table),
              ContainsSubstring("beside the scene's"));
 }

@@ -10,15 +10,10 @@
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/sensing/pad.hpp"
 
 using namespace tactile_net;
 using std::numbers::pi;
-
-namespace {
-
-constexpr Material pad{.youngs_modulus = 2.0, .poisson_ratio = 0.45};
-
-}  // namespace
 
 TEST_CASE("a point reads itself, to the bit", "[aperture]") {
   const Aperture point = GENERATE(Aperture{}, Aperture{0.0, 1.0});

@@ -13,10 +13,10 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-const SensorArray pad{.count = 4,
-                      .pitch = 0.5,
-                      .depths = {1.0, 1.5},
-                      .reads = {Quantity::strain_x, Quantity::shear_xy}};
+const SensorArray good_array{.count = 4,
+                             .pitch = 0.5,
+                             .depths = {1.0, 1.5},
+                             .reads = {Quantity::strain_x, Quantity::shear_xy}};
 
 std::string refusal(const SensorArray& array) {
   try {
@@ -27,10 +27,10 @@ std::string refusal(const SensorArray& array) {
   return "";
 }
 
-/// `pad` with one member replaced.
+/// `good_array` with one member replaced.
 template <class Member>
 SensorArray with(Member SensorArray::*member, Member value) {
-  SensorArray array = pad;
+  SensorArray array = good_array;
   array.*member = std::move(value);
   return array;
 }
@@ -38,7 +38,7 @@ SensorArray with(Member SensorArray::*member, Member value) {
 }  // namespace
 
 TEST_CASE("taxels are centred on y = 0 and a pitch apart", "[array]") {
-  CHECK(positions(pad) == std::vector{-0.75, -0.25, 0.25, 0.75});
+  CHECK(positions(good_array) == std::vector{-0.75, -0.25, 0.25, 0.75});
   CHECK(positions(with(&SensorArray::count, std::size_t{3})) == std::vector{-0.5, 0.0, 0.5});
   CHECK(positions(with(&SensorArray::count, std::size_t{2})) == std::vector{-0.25, 0.25});
 }
@@ -51,7 +51,7 @@ TEST_CASE("positions are symmetric to the bit", "[array][property]") {
 }
 
 TEST_CASE("channels run quantity by quantity, each through the depths", "[array]") {
-  const auto all = channels(pad);
+  const auto all = channels(good_array);
   REQUIRE(all.size() == 4);
   CHECK(all[0].name == "strain_x@0");
   CHECK(all[1].name == "strain_x@1");
@@ -71,7 +71,7 @@ TEST_CASE("with one depth a channel is named after its quantity", "[array]") {
 }
 
 TEST_CASE("a refusal names field, rule and value of an array", "[array]") {
-  CHECK(refusal(pad).empty());
+  CHECK(refusal(good_array).empty());
   CHECK(refusal(with(&SensorArray::count, std::size_t{1})) == "count must be >= 2 (got 1)");
   CHECK(refusal(with(&SensorArray::count, std::size_t{0})) == "count must be >= 2 (got 0)");
   CHECK(refusal(with(&SensorArray::pitch, 0.0)) == "pitch must be > 0 (got 0)");

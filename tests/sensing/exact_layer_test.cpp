@@ -1,29 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 #include <vector>
 
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/sensing/bumps.hpp"
 
 using namespace tactile_net;
-
-namespace {
-
-double peak(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
-const SampledTractions bumps{.first = -1.2,
-                             .pitch = 0.4,
-                             .normal = {1.0, 3.0, 0.0, 0.0, 0.0, 2.0},
-                             .tangential = {0.0, -1.0, 0.5, 0.0, 0.0, 0.0}};
-
-}  // namespace
 
 TEST_CASE("readings that are zero by physics are answered, as zero", "[exact][layer]") {
   const auto layer = [](Base base, double nu) {

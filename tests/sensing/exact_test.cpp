@@ -9,6 +9,8 @@
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
+#include "tests/sensing/bumps.hpp"
+#include "tests/sensing/pad.hpp"
 
 using namespace tactile_net;
 using std::numbers::pi;
@@ -93,19 +95,11 @@ double closed_form(const Channel& channel, const Material& material, const Conta
   return ((1.0 - nu * nu) * along - nu * (1.0 + nu) * across) / material.youngs_modulus;
 }
 
-const Material pad{.youngs_modulus = 2.0, .poisson_ratio = 0.45};
-
 SensorArray line(std::size_t count, double pitch, std::vector<double> depths) {
   return {.count = count,
           .pitch = pitch,
           .depths = std::move(depths),
           .reads = {quantities.begin(), quantities.end()}};
-}
-
-double peak(std::span<const double> values) {
-  double largest = 0.0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
 }
 
 /// Largest deviation of any channel from the closed form, in units of the channel's peak.
@@ -124,11 +118,6 @@ double deviation(const SensorArray& array, const Contact& contact) {
   }
   return worst;
 }
-
-const SampledTractions bumps{.first = -1.2,
-                             .pitch = 0.4,
-                             .normal = {1.0, 3.0, 0.0, 0.0, 0.0, 2.0},
-                             .tangential = {0.0, -1.0, 0.5, 0.0, 0.0, 0.0}};
 
 }  // namespace
 

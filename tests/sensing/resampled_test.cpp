@@ -11,10 +11,12 @@ using namespace tactile_net;
 
 namespace {
 
-const SensorArray array{.count = 5, .pitch = 2.0, .depths = {1.0}, .reads = {Quantity::stress_x}};
+const SensorArray coarse_array{
+    .count = 5, .pitch = 2.0, .depths = {1.0}, .reads = {Quantity::stress_x}};
 
 Surface grid(double spacing, double margin = 2.0) {
-  return surface_of(array, {.basis = SurfaceBasis::hats, .spacing = spacing, .margin = margin});
+  return surface_of(coarse_array,
+                    {.basis = SurfaceBasis::hats, .spacing = spacing, .margin = margin});
 }
 
 double integral(const std::vector<double>& values, const Surface& surface) {

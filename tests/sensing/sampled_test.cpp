@@ -5,17 +5,17 @@
 
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tests/catch.hpp"
+#include "tests/sensing/pad.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const Material pad{.youngs_modulus = 2.0, .poisson_ratio = 0.45};
-
-const SensorArray array{.count = 9,
-                        .pitch = 0.4,
-                        .depths = {0.7, 1.5},
-                        .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::strain_y}};
+const SensorArray nine_taxels{
+    .count = 9,
+    .pitch = 0.4,
+    .depths = {0.7, 1.5},
+    .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::strain_y}};
 
 std::vector<double> wave(std::size_t count, double frequency) {
   std::vector<double> values(count);
@@ -48,17 +48,17 @@ TEST_CASE("a unit load at one taxel is read as that column of the kernel", "[sam
   TractionField field{.normal = std::vector<double>(9), .tangential = std::vector<double>(9)};
   field.normal[2] = 1.0;
   field.tangential[6] = -2.0;
-  const auto readings = sampled_readings(array, pad, field);
+  const auto readings = sampled_readings(nine_taxels, pad, field);
   REQUIRE(readings.size() == 6 * 9);
   auto reading = readings.begin();
-  for (const Channel& channel : channels(array))
+  for (const Channel& channel : channels(nine_taxels))
     for (std::size_t n = 0; n < 9; ++n) {
-      const double y = position(array, n);
+      const double y = position(nine_taxels, n);
       const double expected =
           0.4 * (half_plane_kernel(channel.quantity, Traction::normal, pad, channel.depth,
-                                   y - position(array, 2)) -
+                                   y - position(nine_taxels, 2)) -
                  2.0 * half_plane_kernel(channel.quantity, Traction::tangential, pad, channel.depth,
-                                         y - position(array, 6)));
+                                         y - position(nine_taxels, 6)));
       CAPTURE(channel.name, n);
       CHECK_THAT(*reading++, WithinAbs(expected, 1e-15));
     }
@@ -72,9 +72,9 @@ TEST_CASE("readings are linear in the field", "[sampled][property]") {
     sum.normal[i] = 3.0 * one.normal[i] - two.normal[i];
     sum.tangential[i] = 3.0 * one.tangential[i];
   }
-  const auto a = sampled_readings(array, pad, one);
-  const auto b = sampled_readings(array, pad, two);
-  const auto c = sampled_readings(array, pad, sum);
+  const auto a = sampled_readings(nine_taxels, pad, one);
+  const auto b = sampled_readings(nine_taxels, pad, two);
+  const auto c = sampled_readings(nine_taxels, pad, sum);
   for (std::size_t i = 0; i < c.size(); ++i) CHECK_THAT(c[i], WithinAbs(3.0 * a[i] - b[i], 1e-14));
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("what j causes at i under a push, i causes at j", "[sampled][property]
 }
 
 TEST_CASE("stress keeps the force when the array is wide", "[sampled][property]") {
-  SensorArray wide = array;
+  SensorArray wide = nine_taxels;
   wide.count = 4001;
   wide.pitch = 0.1;
   wide.depths = {1.0};
@@ -106,19 +106,19 @@ TEST_CASE("stress keeps the force when the array is wide", "[sampled][property]"
 TEST_CASE("an empty tangential field is a field of zeros", "[sampled]") {
   const TractionField none{.normal = wave(9, 1.0), .tangential = {}};
   const TractionField zeros{.normal = none.normal, .tangential = std::vector<double>(9)};
-  CHECK(sampled_readings(array, pad, none) == sampled_readings(array, pad, zeros));
+  CHECK(sampled_readings(nine_taxels, pad, none) == sampled_readings(nine_taxels, pad, zeros));
 }
 
 TEST_CASE("units scale the sampled readings and nothing else", "[sampled][property]") {
   const double metre = GENERATE(1e-3, 1e3, 1e100);
   const double pascal = GENERATE(1.0, 1e6);
-  SensorArray scaled = array;
+  SensorArray scaled = nine_taxels;
   scaled.pitch *= metre;
   for (double& depth : scaled.depths) depth *= metre;
   const Material stiff{.youngs_modulus = pad.youngs_modulus * pascal,
                        .poisson_ratio = pad.poisson_ratio};
   const TractionField field{.normal = wave(9, 1.0), .tangential = wave(9, 2.0)};
-  const auto before = sampled_readings(array, pad, field);
+  const auto before = sampled_readings(nine_taxels, pad, field);
   const auto after = sampled_readings(scaled, stiff, field);
   for (std::size_t i = 0; i < before.size(); ++i) {
     const bool strain = i >= 4 * 9;
@@ -128,14 +128,15 @@ TEST_CASE("units scale the sampled readings and nothing else", "[sampled][proper
 
 TEST_CASE("readings are not made of parts that do not fit", "[sampled]") {
   const TractionField fits{.normal = wave(9, 1.0), .tangential = {}};
-  SensorArray empty = array;
+  SensorArray empty = nine_taxels;
   empty.reads.clear();
   CHECK_THROWS_AS(sampled_readings(empty, pad, fits), std::invalid_argument);
-  CHECK_THROWS_AS(sampled_readings(array, {.poisson_ratio = 0.6}, fits), std::invalid_argument);
+  CHECK_THROWS_AS(sampled_readings(nine_taxels, {.poisson_ratio = 0.6}, fits),
+                  std::invalid_argument);
   const TractionField short_normal{.normal = wave(8, 1.0), .tangential = {}};
-  CHECK_THROWS_WITH(sampled_readings(array, pad, short_normal),
+  CHECK_THROWS_WITH(sampled_readings(nine_taxels, pad, short_normal),
                     "normal must hold one value per taxel, 9 (got 8)");
   const TractionField long_tangential{.normal = wave(9, 1.0), .tangential = wave(10, 1.0)};
-  CHECK_THROWS_WITH(sampled_readings(array, pad, long_tangential),
+  CHECK_THROWS_WITH(sampled_readings(nine_taxels, pad, long_tangential),
                     "tangential must hold one value per taxel, 9 (got 10)");
 }

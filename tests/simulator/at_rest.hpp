@@ -11,9 +11,10 @@
 namespace tactile_net {
 
 /// Voltages of the outputs.
-inline std::vector<double> at_rest(const Circuit& circuit) {
+inline std::vector<double> at_rest(const Circuit& circuit,
+                                   const Analysis& analysis = DirectCurrent{}) {
   std::ostringstream deck;
-  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
+  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file, analysis);
   Ngspice ngspice;
   return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
 }

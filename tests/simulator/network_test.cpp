@@ -11,6 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"
 #include "tests/network/networks.hpp"
+#include "tests/simulator/at_rest.hpp"
 
 using namespace tactile_net;
 
@@ -38,11 +39,8 @@ Circuit realized(Realization realization, const Case& one, const RealizationOpti
 }
 
 Eigen::VectorXd relaxed(const Circuit& circuit) {
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file);
-  Ngspice ngspice;
-  const OperatingPoint point = operating_point(ngspice, deck.str(), output_names(circuit));
-  return Eigen::Map<const Eigen::VectorXd>(point.voltages.data(), std::ssize(point.voltages));
+  const std::vector<double> voltages = at_rest(circuit);
+  return Eigen::Map<const Eigen::VectorXd>(voltages.data(), std::ssize(voltages));
 }
 
 }  // namespace

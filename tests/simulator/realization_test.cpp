@@ -1,6 +1,5 @@
 // Analog against digital: every realisation of every kind of problem, relaxed by ngspice.
 #include <cmath>
-#include <sstream>
 
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/deck.hpp"
@@ -9,21 +8,15 @@
 #include "tactile_net/simulator/step_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
+#include "tests/simulator/at_rest.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-std::vector<double> relaxed(const Circuit& circuit, const Analysis& analysis = DirectCurrent{}) {
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file, analysis);
-  Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
-}
-
 double difference(const Circuit& circuit, const ArrayNetwork& network,
                   const Analysis& analysis = DirectCurrent{}) {
-  return relative_l2_error(relaxed(circuit, analysis), network.direct);
+  return relative_l2_error(at_rest(circuit, analysis), network.direct);
 }
 
 }  // namespace
@@ -105,7 +98,7 @@ TEST_CASE("every step of the op-amp's model leaves the operating point where it 
                WithinRel(gain, 1e-3));
     CHECK_THAT(with({.gain = 1e6, .rail = 12.0}), WithinRel(gain, 1e-2));
     CHECK(with({.gain = 1e6, .offset = 1e-4}) > 2.0 * gain);
-    const std::vector<double> clamped = relaxed(realize(
+    const std::vector<double> clamped = at_rest(realize(
         one, network.problem, {.scale = {.volts = 100.0}, .opamp = {.gain = 1e6, .rail = 2.0}}));
     CHECK(std::abs(clamped[2]) < 0.7 * 100.0 * network.direct[2]);  // it cannot reach the answer
   }
@@ -130,7 +123,7 @@ TEST_CASE("ngspice settles in a ladder's time, with second poles and capacitance
     REQUIRE(certificate.stability == Stability::stable);
     const Circuit circuit = realize(Realization::least_squares, network.problem, options);
     Ngspice ngspice;
-    const Transient seen = settle(ngspice, circuit, certificate, relaxed(circuit));
+    const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
     REQUIRE(seen.end == TransientEnd::settles);
     CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.02));
   }
@@ -141,5 +134,5 @@ TEST_CASE("ngspice settles in a ladder's time, with second poles and capacitance
   CHECK(certificate.stability == Stability::unstable);
   const Circuit circuit = realize(Realization::least_squares, network.problem, sold);
   Ngspice ngspice;
-  CHECK(settle(ngspice, circuit, certificate, relaxed(circuit)).end != TransientEnd::settles);
+  CHECK(settle(ngspice, circuit, certificate, at_rest(circuit)).end != TransientEnd::settles);
 }

@@ -22,7 +22,7 @@ void run_whatever_comes(const std::string& deck) {
   }
 }
 
-const std::string circuit = "R1 a 0 1k\nI1 0 a 1m\n.op\n";
+const std::string circuit_cards = "R1 a 0 1k\nI1 0 a 1m\n.op\n";
 
 }  // namespace
 
@@ -33,12 +33,13 @@ TEST_CASE("commands in a deck start nothing and write nothing outside", "[spice]
   const std::string evil = (own / "evil.inc").string();
   std::ofstream(evil) << ".control\nshell touch " << mark << "\n.endc\n";
   for (const std::string& deck :
-       {"* t\n" + circuit + ".control\nshell touch " + mark + "\n.endc\n.end\n",
+       {"* t\n" + circuit_cards + ".control\nshell touch " + mark + "\n.endc\n.end\n",
         "*ng_script\nshell touch " + mark + "\nquit\n",
-        "* t\n.include " + evil + "\n" + circuit + ".end\n",
-        "* t\n" + circuit + ".control\nrun\nwrite " + mark + "\n.endc\n.end\n",
-        "* t\n" + circuit + ".control\nrun\nprint a > " + mark + "\n.endc\n.end\n",
-        "* t\n" + circuit + ".control\nset rawfile=" + mark + "\nrun\nwrite\n.endc\n.end\n"}) {
+        "* t\n.include " + evil + "\n" + circuit_cards + ".end\n",
+        "* t\n" + circuit_cards + ".control\nrun\nwrite " + mark + "\n.endc\n.end\n",
+        "* t\n" + circuit_cards + ".control\nrun\nprint a > " + mark + "\n.endc\n.end\n",
+        "* t\n" + circuit_cards + ".control\nset rawfile=" + mark +
+            "\nrun\nwrite\n.endc\n.end\n"}) {
     CAPTURE(deck);
     run_whatever_comes(deck);
     CHECK_FALSE(fs::exists(mark));

@@ -4,33 +4,36 @@
 #include <limits>
 
 #include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const std::vector<SkinQuantity> three = {SkinQuantity::stress_x, SkinQuantity::shear_xy,
-                                         SkinQuantity::shear_xz};
-const SkinArray lattice{
-    .rows = 2, .columns = 3, .pitch_y = 1.0, .pitch_z = 2.0, .depths = {1.0, 3.0}, .reads = three};
+const SkinArray two_by_three{.rows = 2,
+                             .columns = 3,
+                             .pitch_y = 1.0,
+                             .pitch_z = 2.0,
+                             .depths = {1.0, 3.0},
+                             .reads = press_and_drag};
 
 SkinArray palm() {
   return uneven_skin({{"thumb", 1.0, 2.0, 0.5, {SkinQuantity::stress_x}},
-                      {"", -1.0, 2.0, 0.25, three},
+                      {"", -1.0, 2.0, 0.25, press_and_drag},
                       {"palm", 1.0, 2.0, 0.75, {SkinQuantity::stress_x, SkinQuantity::strain_z}}});
 }
 
 }  // namespace
 
 TEST_CASE("an even skin's readings: quantities, depths, rows, columns", "[skin]") {
-  CHECK(reading_count(lattice) == 36);
-  CHECK(taxel_count(lattice) == 6);
-  const auto all = channels(lattice);
-  REQUIRE(all.size() == channel_count(lattice));
+  CHECK(reading_count(two_by_three) == 36);
+  CHECK(taxel_count(two_by_three) == 6);
+  const auto all = channels(two_by_three);
+  REQUIRE(all.size() == channel_count(two_by_three));
   CHECK(all[1].name == "stress_x@1");
   CHECK(all[1].depth == 3.0);
   CHECK(all[2].quantity == SkinQuantity::shear_xy);
-  const auto places = sites(lattice);
+  const auto places = sites(two_by_three);
   REQUIRE(places.size() == 36);
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t i = 0; i < all[c].count; ++i) {
@@ -42,7 +45,7 @@ TEST_CASE("an even skin's readings: quantities, depths, rows, columns", "[skin]"
       CHECK(site.y == (i / 3 == 0 ? -0.5 : 0.5));
       CHECK(site.z == 2.0 * (static_cast<double>(i % 3) - 1.0));
     }
-  const auto names = reading_names(lattice);
+  const auto names = reading_names(two_by_three);
   CHECK(names[0] == "stress_x@0_0_0");
   CHECK(names[11] == "stress_x@1_1_2");
 }
@@ -69,7 +72,7 @@ TEST_CASE("an uneven skin's readings: quantities, then taxels that have them", "
 }
 
 TEST_CASE("one row, one column, one taxel are skins", "[skin]") {
-  SkinArray row = lattice;
+  SkinArray row = two_by_three;
   row.rows = 1;
   row.pitch_y = 0.0;
   CHECK_NOTHROW(check(row));
@@ -78,7 +81,7 @@ TEST_CASE("one row, one column, one taxel are skins", "[skin]") {
   row.pitch_z = std::numeric_limits<double>::quiet_NaN();
   CHECK_NOTHROW(check(row));
   CHECK(sites(row)[0].z == 0.0);
-  const SkinArray one = uneven_skin({{"", 7.0, 8.0, 2.0, three}});
+  const SkinArray one = uneven_skin({{"", 7.0, 8.0, 2.0, press_and_drag}});
   CHECK(one.pitch_z == 2.0);
 }
 
@@ -110,7 +113,7 @@ TEST_CASE("a skin that cannot be is refused with the rule and what to do", "[ski
   CHECK_THROWS_WITH(refused([](auto& t) { t.clear(); })(), "taxels must hold at least one taxel");
 
   const auto changed = [](auto change) {
-    SkinArray skin = lattice;
+    SkinArray skin = two_by_three;
     change(skin);
     return skin;
   };
@@ -130,8 +133,8 @@ TEST_CASE("a taxel below the base is refused, one on it is not", "[skin]") {
   const auto on = [](double thickness) {
     return Material{.layer = Layer{.thickness = thickness, .base = Base::bonded}};
   };
-  CHECK_NOTHROW(check(lattice, on(3.0)));
-  CHECK_THROWS_WITH(check(lattice, on(2.0)),
+  CHECK_NOTHROW(check(two_by_three, on(3.0)));
+  CHECK_THROWS_WITH(check(two_by_three, on(2.0)),
                     "depth must be at most the layer's thickness, 2: below its base there is "
                     "nothing to read (got 3)");
   CHECK_THROWS_WITH(check(palm(), on(0.6)),

@@ -5,25 +5,12 @@
 #include <limits>
 
 #include "tests/catch.hpp"
+#include "tests/skin/dragged_frame.hpp"
 #include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-struct Frame {
-  SkinProblem problem;
-  std::vector<double> readings;
-};
-
-Frame pressed(const SkinProblemOptions& options) {
-  const SkinArray skin = square_skin(5, 2e-3);
-  Frame frame{make_problem(skin, silicone, options), {}};
-  std::mt19937 random(23);
-  frame.readings = exact_readings(skin, silicone, random_contacts(random, 2.5e-3));
-  (void)add_noise(frame.readings, 0.01, random);
-  return frame;
-}
 
 constexpr Constraints held{.friction_limit = 0.8};
 
@@ -34,7 +21,8 @@ TEST_CASE("a search without taxels is that of the problem which never had them",
   const std::vector<std::size_t> gone =
       GENERATE(std::vector<std::size_t>{12}, std::vector<std::size_t>{0, 7, 13});
   CAPTURE(offsets, gone);
-  const Frame frame = pressed({.channel_rms = {1.0, 0.5, 2.0}, .unknown_offsets = offsets});
+  const SkinFrame frame =
+      dragged_frame(5, 23, {.channel_rms = {1.0, 0.5, 2.0}, .unknown_offsets = offsets});
   SkinProblem rest = frame.problem;
   leave_out(rest, gone);
   double largest = 0.0;
@@ -57,7 +45,7 @@ TEST_CASE("a search without taxels is that of the problem which never had them",
 }
 
 TEST_CASE("a search that looks on ends where it is told to", "[skin][cone]") {
-  const Frame frame = pressed({});
+  const SkinFrame frame = dragged_frame(5, 23, {});
   const ConeSearch search(frame.problem, 1e-9, held);
   std::size_t looks = 0;
   const auto look = [&](std::size_t last) {

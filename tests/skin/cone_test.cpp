@@ -5,26 +5,12 @@
 #include "tactile_net/skin/covariance.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tests/catch.hpp"
+#include "tests/skin/dragged_frame.hpp"
 #include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-struct Frame {
-  SkinProblem problem;
-  std::vector<double> readings;
-};
-
-Frame dragged(std::size_t count, const SkinProblemOptions& options = {}) {
-  const SkinArray skin = square_skin(count, 2e-3);
-  Frame frame{make_problem(skin, silicone, options), {}};
-  std::mt19937 random(11);
-  frame.readings =
-      exact_readings(skin, silicone, random_contacts(random, 0.5e-3 * static_cast<double>(count)));
-  (void)add_noise(frame.readings, 0.01, random);
-  return frame;
-}
 
 /// Onto |q| <= limit p, by Moreau's two cones: what is left is in the polar one.
 void project(std::vector<double>& f, double limit) {
@@ -42,7 +28,7 @@ void project(std::vector<double>& f, double limit) {
 }
 
 /// Nesterov's accelerated projected gradients with restarts: another way to the same minimum.
-std::vector<double> by_gradients(const Frame& frame, double alpha, double limit) {
+std::vector<double> by_gradients(const SkinFrame& frame, double alpha, double limit) {
   const Matrix p = normal_matrix(frame.problem, alpha);
   const std::vector<double> b = normal_right_side(frame.problem, frame.readings);
   double bound = 0.0;  // of the largest eigenvalue
@@ -79,7 +65,7 @@ TEST_CASE("the cone's tractions are those of projected gradients", "[skin][cone]
   const auto grid =
       GENERATE(SkinGridOptions{.margin = 1e-3}, SkinGridOptions{.spacing = 2e-3, .margin = 0.0});
   CAPTURE(weight, grid.spacing.value_or(0.0));
-  const Frame frame = dragged(5, {.tangential_weight = weight, .grid = grid});
+  const SkinFrame frame = dragged_frame(5, 11, {.tangential_weight = weight, .grid = grid});
   if (grid.spacing) REQUIRE(frame.problem.kernel.columns <= frame.problem.kernel.rows);
   for (const double alpha : {1e-2, 1e-3}) {
     const double limit = 0.5;
@@ -94,7 +80,7 @@ TEST_CASE("the cone's tractions are those of projected gradients", "[skin][cone]
 }
 
 TEST_CASE("nothing pulls, and friction keeps its limit in every cell", "[skin][cone][property]") {
-  const Frame frame = dragged(8);
+  const SkinFrame frame = dragged_frame(8, 11);
   const double limit = 0.3;
   const SkinConeSolution found =
       SkinCone(frame.problem, 1e-3, {.friction_limit = limit}).solve(frame.readings);
@@ -118,7 +104,7 @@ TEST_CASE("nothing pulls, and friction keeps its limit in every cell", "[skin][c
 TEST_CASE("a cone of another alpha is the one made anew, to the last bit", "[skin][cone]") {
   const auto grid = GENERATE(SkinGridOptions{}, SkinGridOptions{.spacing = 2e-3, .margin = 0.0});
   const bool offsets = GENERATE(false, true);
-  const Frame frame = dragged(6, {.grid = grid, .unknown_offsets = offsets});
+  const SkinFrame frame = dragged_frame(6, 11, {.grid = grid, .unknown_offsets = offsets});
   const Constraints held{.friction_limit = 0.5};
   const SkinCone first(frame.problem, 1e-1, held);
   for (const double alpha : {1e-1, 1e-3, 1e-5}) {
@@ -136,7 +122,7 @@ TEST_CASE("a cone of another alpha is the one made anew, to the last bit", "[ski
 }
 
 TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone][family]") {
-  const Frame frame = dragged(8, {.tangential_weight = 2.0});
+  const SkinFrame frame = dragged_frame(8, 11, {.tangential_weight = 2.0});
   const double alpha = 1e-3;
   const SkinConeSolution found =
       SkinCone(frame.problem, alpha, {.friction_limit = 0.8}).solve(frame.readings, 5000, 1e-10);
@@ -158,7 +144,7 @@ TEST_CASE("a face's family is the least, whichever way its stabiliser is factore
           "[skin][cone][family]") {
   // A thousand cells and more in a smoothing length go by a QR, fewer by a sparse root.
   for (const double cells : {1.0, 900.0, 1100.0}) {
-    Frame frame = dragged(6, {.tangential_weight = 3.0});
+    SkinFrame frame = dragged_frame(6, 11, {.tangential_weight = 3.0});
     frame.problem.smoothing_length = cells * frame.problem.grid.spacing_y;
     const double alpha = 1e-3 / (1.0 + cells * cells);
     ConeFace face;  // every other cell: half of them slide, half stick
@@ -206,7 +192,7 @@ TEST_CASE("a face's family is the least, whichever way its stabiliser is factore
 }
 
 TEST_CASE("without constraints that bind the cone's tractions are the family's", "[skin][cone]") {
-  const Frame frame = dragged(6);
+  const SkinFrame frame = dragged_frame(6, 11);
   const SkinFamily family(frame.problem);
   const std::vector<double> free = family.solve(family.analyse(frame.readings), 1e-2);
   const SkinConeSolution found =
@@ -215,7 +201,7 @@ TEST_CASE("without constraints that bind the cone's tractions are the family's",
 }
 
 TEST_CASE("a dense array's cone is found within the steps that were promised", "[skin][cone]") {
-  const Frame frame = dragged(16);
+  const SkinFrame frame = dragged_frame(16, 11);
   const double alpha = GENERATE(1e-3, 1e-4, 1e-5);
   CAPTURE(alpha);
   const SkinConeSolution found =
@@ -249,7 +235,7 @@ TEST_CASE("the constraints take away half of the error", "[skin][cone][alpha]") 
 }
 
 TEST_CASE("a frame that stops early, is none, or is empty, is said to be so", "[skin][cone]") {
-  const Frame frame = dragged(6);
+  const SkinFrame frame = dragged_frame(6, 11);
   const SkinCone cone(frame.problem, 1e-5, {.friction_limit = 0.8});
   const SkinConeSolution early = cone.solve(frame.readings, 3);
   CHECK(early.verdict == ConstrainedVerdict::iteration_limit);

@@ -4,20 +4,20 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/matrix_gradients.hpp"
 #include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-constexpr Material silicone{.youngs_modulus = 0.25e6, .poisson_ratio = 0.48};
-constexpr double alpha = 1e-4;
+constexpr Material firm_silicone{.youngs_modulus = 0.25e6, .poisson_ratio = 0.48};
+constexpr double direct_alpha = 1e-4;
 
 SkinProblem problem_of(std::size_t rows, std::size_t columns, const SkinProblemOptions& options) {
   return make_problem(
@@ -27,19 +27,11 @@ SkinProblem problem_of(std::size_t rows, std::size_t columns, const SkinProblemO
        .pitch_z = 3e-3,
        .depths = {3e-3},
        .reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz}},
-      silicone, options);
-}
-
-std::vector<double> noise(std::size_t count) {
-  std::mt19937 generator(3);
-  std::normal_distribution<double> normal;
-  std::vector<double> values(count);
-  for (double& value : values) value = normal(generator);
-  return values;
+      firm_silicone, options);
 }
 
 /// Fewer readings than tractions, more, a dead taxel, offsets that are not known.
-std::vector<SkinProblem> problems() {
+std::vector<SkinProblem> small_problems() {
   return {problem_of(4, 5, {}), problem_of(5, 4, {.components = 1, .grid = {.margin = 0.0}}),
           problem_of(3, 4, {.dead_taxels = {5}, .grid = {.margin = 0.0}}),
           problem_of(4, 4, {.tangential_weight = 2.0, .unknown_offsets = true})};
@@ -48,7 +40,7 @@ std::vector<SkinProblem> problems() {
 /// P f - b over b.
 double gradient(const SkinProblem& problem, const std::vector<double>& readings,
                 const std::vector<double>& f) {
-  const Matrix matrix = normal_matrix(problem, alpha);
+  const Matrix matrix = normal_matrix(problem, direct_alpha);
   const std::vector<double> right = normal_right_side(problem, readings);
   std::vector<double> left(right.size());
   for (std::size_t i = 0; i < right.size(); ++i)
@@ -60,23 +52,23 @@ double gradient(const SkinProblem& problem, const std::vector<double>& readings,
 
 TEST_CASE("the frame by a QR satisfies the normal equations, and is the classes' answer",
           "[skin][direct]") {
-  for (const SkinProblem& problem : problems()) {
+  for (const SkinProblem& problem : small_problems()) {
     CAPTURE(problem.kernel.rows, problem.kernel.columns);
-    const std::vector<double> readings = noise(problem.weights.size());
-    const std::vector<double> f = tikhonov_solve(problem, alpha, readings);
+    const std::vector<double> readings = random_numbers(problem.weights.size(), 3);
+    const std::vector<double> f = tikhonov_solve(problem, direct_alpha, readings);
     CHECK(gradient(problem, readings, f) < 1e-10);
     const SkinFamily family(problem);
-    CHECK(relative_l2_error(family.solve(family.analyse(readings), alpha), f) < 1e-11);
+    CHECK(relative_l2_error(family.solve(family.analyse(readings), direct_alpha), f) < 1e-11);
   }
 }
 
 TEST_CASE("conjugate gradients with the matrix come nearer with every step, and end at the answer",
           "[skin][direct]") {
-  for (const SkinProblem& problem : problems()) {
-    const std::vector<double> readings = noise(problem.weights.size());
-    const std::vector<double> exact = tikhonov_solve(problem, alpha, readings);
-    const SkinMatrixGradients inverse(problem, alpha);
-    const Matrix matrix = normal_matrix(problem, alpha);
+  for (const SkinProblem& problem : small_problems()) {
+    const std::vector<double> readings = random_numbers(problem.weights.size(), 3);
+    const std::vector<double> exact = tikhonov_solve(problem, direct_alpha, readings);
+    const SkinMatrixGradients inverse(problem, direct_alpha);
+    const Matrix matrix = normal_matrix(problem, direct_alpha);
     const auto energy = [&](const std::vector<double>& f) {  // of the error, in P's norm
       double sum = 0.0;
       for (std::size_t i = 0; i < f.size(); ++i)
@@ -101,13 +93,14 @@ TEST_CASE("conjugate gradients with the matrix come nearer with every step, and 
 TEST_CASE("one frame by a QR or by steps: units do not matter, and bad input is refused",
           "[skin][direct]") {
   const SkinProblem problem = problem_of(3, 3, {});
-  std::vector<double> readings = noise(problem.weights.size());
-  const std::vector<double> exact = tikhonov_solve(problem, alpha, readings);
-  const SkinMatrixGradients inverse(problem, alpha);
+  std::vector<double> readings = random_numbers(problem.weights.size(), 3);
+  const std::vector<double> exact = tikhonov_solve(problem, direct_alpha, readings);
+  const SkinMatrixGradients inverse(problem, direct_alpha);
   std::vector<double> f(exact.size(), 7.0);
   CHECK_THROWS_AS(tikhonov_solve(problem, 0.0, readings), std::invalid_argument);
   CHECK_THROWS_AS(SkinMatrixGradients(problem, -1.0), std::invalid_argument);
-  CHECK_THROWS_AS(tikhonov_solve(problem, alpha, std::vector<double>(2)), std::invalid_argument);
+  CHECK_THROWS_AS(tikhonov_solve(problem, direct_alpha, std::vector<double>(2)),
+                  std::invalid_argument);
   CHECK_THROWS_AS(inverse.solve(std::vector<double>(2), f, 1), std::invalid_argument);
   CHECK_THROWS_AS(inverse.solve(readings, std::span(f).first(2), 1), std::invalid_argument);
   std::vector<double> large = readings;
@@ -117,7 +110,7 @@ TEST_CASE("one frame by a QR or by steps: units do not matter, and bad input is 
   for (double& value : of_large) value *= 1e-150;
   CHECK(relative_l2_error(of_large, exact) < 1e-9);
   readings[1] = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(tikhonov_solve(problem, alpha, readings), std::invalid_argument);
+  CHECK_THROWS_AS(tikhonov_solve(problem, direct_alpha, readings), std::invalid_argument);
   CHECK(inverse.solve(readings, f, 1) == FrameStatus::too_large);
   CHECK(f == std::vector<double>(f.size(), 7.0));
   REQUIRE(inverse.solve(std::vector<double>(readings.size()), f, 5) == FrameStatus::ok);

@@ -24,15 +24,15 @@ namespace {
 
 using enum SkinQuantity;
 
-const SkinArray skin{.rows = 3,
-                     .columns = 4,
-                     .pitch_y = 1.0,
-                     .pitch_z = 2.0,
-                     .depths = {1.0, 2.0},
-                     .reads = {stress_x, displacement_z}};
+const SkinArray three_by_four{.rows = 3,
+                              .columns = 4,
+                              .pitch_y = 1.0,
+                              .pitch_z = 2.0,
+                              .depths = {1.0, 2.0},
+                              .reads = {stress_x, displacement_z}};
 
 std::vector<double> ramp() {
-  std::vector<double> readings(reading_count(skin));
+  std::vector<double> readings(reading_count(three_by_four));
   for (std::size_t i = 0; i < readings.size(); ++i) readings[i] = static_cast<double>(i) + 1.0;
   return readings;
 }
@@ -47,7 +47,7 @@ std::vector<double> after(const std::unique_ptr<SensorEffect>& effect, std::vect
 }  // namespace
 
 TEST_CASE("a skin's layout: channels, taxels, and who lies beside whom", "[skin][effects]") {
-  const SignalLayout layout = signal_layout(skin);
+  const SignalLayout layout = signal_layout(three_by_four);
   CHECK(layout.taxels == 12);
   REQUIRE(layout.channels.size() == 4);
   REQUIRE(layout.readings.size() == 48);
@@ -57,13 +57,13 @@ TEST_CASE("a skin's layout: channels, taxels, and who lies beside whom", "[skin]
   CHECK(layout.neighbours.size() == 4 * (9 + 8));
   CHECK(layout.most_neighbours == 4);
   for (const auto& [first, second] : layout.neighbours) {
-    const SkinSite a = sites(skin)[first];
-    const SkinSite b = sites(skin)[second];
+    const SkinSite a = sites(three_by_four)[first];
+    const SkinSite b = sites(three_by_four)[second];
     CHECK(a.channel == b.channel);
     CHECK(std::abs(a.y - b.y) + 0.5 * std::abs(a.z - b.z) == 1.0);
   }
   // The same lattice as loose taxels, one pitch both ways: the same neighbours.
-  SkinArray square = skin;
+  SkinArray square = three_by_four;
   square.pitch_z = 1.0;
   square.depths = {1.0};
   std::vector<SkinTaxel> taxels;
@@ -75,7 +75,7 @@ TEST_CASE("a skin's layout: channels, taxels, and who lies beside whom", "[skin]
 }
 
 TEST_CASE("crosstalk on a skin keeps the sum, and what is the same everywhere", "[skin][effects]") {
-  const auto leaks = make_effect(Crosstalk{.fraction = 0.25}, signal_layout(skin));
+  const auto leaks = make_effect(Crosstalk{.fraction = 0.25}, signal_layout(three_by_four));
   const auto in = ramp();
   const auto out = after(leaks, in);
   for (std::size_t c = 0; c < 4; ++c) {
@@ -90,12 +90,12 @@ TEST_CASE("crosstalk on a skin keeps the sum, and what is the same everywhere", 
   for (const std::size_t i : {1u, 4u, 6u, 9u}) CHECK(spread[i] == 0.25);
   CHECK(spread[5] == 0.0);
   CHECK(after(leaks, std::vector<double>(48, 3.0)) == std::vector<double>(48, 3.0));
-  CHECK_THROWS_WITH(make_effect(Crosstalk{.fraction = 0.3}, signal_layout(skin)),
+  CHECK_THROWS_WITH(make_effect(Crosstalk{.fraction = 0.3}, signal_layout(three_by_four)),
                     "fraction must be from 0 to 0.25 (got 0.3)");
 }
 
 TEST_CASE("noise, gains, offsets and the rest know a skin's quantities", "[skin][effects]") {
-  const SignalLayout layout = signal_layout(skin);
+  const SignalLayout layout = signal_layout(three_by_four);
   const auto in = ramp();
   const PerQuantity<double> rms = {{stress_x, 0.5}, {displacement_z, 0.0}};
   const auto noisy = after(make_effect(NoiseModel{.rms = rms}, layout), in);
@@ -144,7 +144,7 @@ TEST_CASE("noise, gains, offsets and the rest know a skin's quantities", "[skin]
 }
 
 TEST_CASE("what remembers, remembers a skin's readings", "[skin][effects]") {
-  const SignalLayout layout = signal_layout(skin);
+  const SignalLayout layout = signal_layout(three_by_four);
   std::vector<std::unique_ptr<SensorEffect>> stages;
   stages.push_back(make_effect(Viscoelasticity{{{0.5, 1.0}}}, layout));
   stages.push_back(make_effect(
@@ -152,7 +152,7 @@ TEST_CASE("what remembers, remembers a skin's readings", "[skin][effects]") {
       layout));
   stages.push_back(make_effect(LowPass{.time_constant = 1e-3}, layout));
   stages.push_back(make_effect(Sampling{.aperture = 1e-6}, layout));
-  SignalPath path(std::move(stages), reading_count(skin));
+  SignalPath path(std::move(stages), reading_count(three_by_four));
   CHECK(path.stages() == 4);
   std::vector<double> readings;
   for (int i = 0; i <= 400; ++i) {

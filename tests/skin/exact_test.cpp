@@ -23,7 +23,7 @@ std::vector<double> at(const SkinLoad& load, const Material& material, double de
 }
 
 /// The largest of each kind.
-std::array<double, 3> largest(const std::vector<double>& readings) {
+std::array<double, 3> largest_of_each_kind(const std::vector<double>& readings) {
   std::array<double, 3> result{};
   for (std::size_t q = 0; q < readings.size(); ++q) {
     double& own = result[static_cast<std::size_t>(traits(skin_quantities[q]).kind)];
@@ -34,7 +34,7 @@ std::array<double, 3> largest(const std::vector<double>& readings) {
 
 void check_equal(const std::vector<double>& found, const std::vector<double>& expected,
                  double tolerance) {
-  const auto scale = largest(expected);
+  const auto scale = largest_of_each_kind(expected);
   REQUIRE(found.size() == expected.size());
   for (std::size_t q = 0; q < found.size(); ++q) {
     CAPTURE(name(skin_quantities[q]));
@@ -72,7 +72,7 @@ constexpr SkinContact apex{.shape = SkinShape::cone,
                            .direction = 2.0,
                            .stick = 0.5};
 
-Material skin(double nu, std::optional<Layer> layer = {}) {
+Material material_of(double nu, std::optional<Layer> layer = {}) {
   return {.youngs_modulus = 1.0, .poisson_ratio = nu, .layer = layer};
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("contacts are read as their transforms say", "[skin][reference]") {
   };
   const Reference references[] = {
       {turned,
-       skin(0.45, Layer{1.5, Base::bonded}),
+       material_of(0.45, Layer{1.5, Base::bonded}),
        0.6,
        0.5,
        0.3,
@@ -102,7 +102,7 @@ TEST_CASE("contacts are read as their transforms say", "[skin][reference]") {
         -0.2065984095475308, 0.12636010752923998, 0.2301073200550258, 0.10445811060203804,
         0.28991058419377336, 0.08785953664622874, 0.06375998434294146}},
       {turned,
-       skin(0.5, Layer{1.5, Base::bonded}),
+       material_of(0.5, Layer{1.5, Base::bonded}),
        1.5,
        -1.0,
        0.7,
@@ -110,7 +110,7 @@ TEST_CASE("contacts are read as their transforms say", "[skin][reference]") {
         0.031997387967031776, 0.0, 0.0, 0.0, 0.0, -0.17202209150650033, 0.09599216390109533, 0.0,
         0.0, 0.0, 0.0}},
       {turned,
-       skin(0.3),
+       material_of(0.3),
        0.6,
        0.5,
        0.3,
@@ -119,7 +119,7 @@ TEST_CASE("contacts are read as their transforms say", "[skin][reference]") {
         -0.11282743109412131, 0.12593571343911641, 0.2780378791418948, 0.0653191201022891,
         0.8655971709651927, 0.13912165878029592, -0.030105864285805087}},
       {turned,
-       skin(0.3, Layer{1.2, Base::frictionless}),
+       material_of(0.3, Layer{1.2, Base::frictionless}),
        0.5,
        -0.4,
        0.9,
@@ -128,7 +128,7 @@ TEST_CASE("contacts are read as their transforms say", "[skin][reference]") {
         -0.04748268413892625, -0.03554602387725375, -0.004944260833545947, -0.05496535033157263,
         0.0549983177282902}},
       {dragged,
-       skin(0.4, Layer{1.5, Base::bonded}),
+       material_of(0.4, Layer{1.5, Base::bonded}),
        0.6,
        0.5,
        0.3,
@@ -137,7 +137,7 @@ TEST_CASE("contacts are read as their transforms say", "[skin][reference]") {
         -0.07351397159989767, 0.1711838788005865, -0.2843659991863559, -0.08286773053410432,
         0.19318650984329055, 0.14371931750028008, -0.17585987009508308}},
       {apex,
-       skin(0.4, Layer{1.5, Base::bonded}),
+       material_of(0.4, Layer{1.5, Base::bonded}),
        0.6,
        0.5,
        0.3,
@@ -172,8 +172,8 @@ TEST_CASE("rings of point loads are sources at imaginary depth", "[skin][propert
       ellipse.shape = SkinShape::ellipsoid;
       ellipse.second_radius = std::nextafter(1.0, 2.0);
       CAPTURE(depth, y);
-      check_equal(at(ellipse, skin(0.3), depth, y, 0.1), at(circle, skin(0.3), depth, y, 0.1),
-                  4e-12);
+      check_equal(at(ellipse, material_of(0.3), depth, y, 0.1),
+                  at(circle, material_of(0.3), depth, y, 0.1), 4e-12);
     }
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("very near below a contact readings are what Huber and the surface say
   const double peak = 1.5 / pi;
   for (const double x : {1.0 / 60.0, 1.0 / 100.0, 1.0 / 1000.0}) {
     const auto readings =
-        at(sphere, skin(0.3), x, 0.0, 0.0, {SkinQuantity::stress_x, SkinQuantity::stress_y});
+        at(sphere, material_of(0.3), x, 0.0, 0.0, {SkinQuantity::stress_x, SkinQuantity::stress_y});
     CAPTURE(x);
     const double down = 1.0 / (1.0 + x * x);
     CHECK_THAT(readings[0], WithinAbs(peak * down, 1e-12));
@@ -192,16 +192,16 @@ TEST_CASE("very near below a contact readings are what Huber and the surface say
   }
   const SkinContact twist{.radius = 1.0, .force = 0.0, .torsion = 1.0};
   const double x = 1e-3;
-  const auto near = at(twist, skin(0.3), x, 0.6, 0.0, {SkinQuantity::shear_xz});
+  const auto near = at(twist, material_of(0.3), x, 0.6, 0.0, {SkinQuantity::shear_xz});
   CHECK_THAT(near[0],
              WithinAbs(traction(SkinLoad(twist), SkinTraction::tangential_z, 0.6, 0.0), 1e-2));
-  CHECK_THROWS_WITH(at(twist, skin(0.3), 1e-9, 0.6, 0.0, {SkinQuantity::shear_xz}),
+  CHECK_THROWS_WITH(at(twist, material_of(0.3), 1e-9, 0.6, 0.0, {SkinQuantity::shear_xz}),
                     "taxel 0 at the depth 1e-09 lies too near below a contact of radius 1 for an "
                     "exact reading: take deeper taxels, or sampled readings");
 }
 
 TEST_CASE("far away a load is its resultants", "[skin][property]") {
-  for (const Material& material : {skin(0.2), skin(0.45, Layer{1e7, Base::bonded})}) {
+  for (const Material& material : {material_of(0.2), material_of(0.45, Layer{1e7, Base::bonded})}) {
     const SkinWrench all = resultant(SkinLoad(turned));
     const double x = 1e4;
     const double y = 5e3;
@@ -221,7 +221,7 @@ TEST_CASE("far away a load is its resultants", "[skin][property]") {
 
 TEST_CASE("a load that is turned turns its readings", "[skin][property]") {
   // By a right angle: y becomes z, z becomes -y.
-  for (const Material& material : {skin(0.3), skin(0.45, Layer{1.5, Base::bonded})}) {
+  for (const Material& material : {material_of(0.3), material_of(0.45, Layer{1.5, Base::bonded})}) {
     SkinContact other = turned;
     other.y = -turned.z;
     other.z = turned.y;
@@ -250,7 +250,7 @@ TEST_CASE("readings add up, and a skin's are its taxels' one by one", "[skin]") 
                         .pitch_z = 0.5,
                         .depths = {0.5, 0.9},
                         .reads = {SkinQuantity::shear_xz, SkinQuantity::strain_x}};
-  const Material material = skin(0.45, Layer{1.5, Base::bonded});
+  const Material material = material_of(0.45, Layer{1.5, Base::bonded});
   const std::vector<SkinLoad> loads = {turned, dragged,
                                        SampledPatch{.rows = 1,
                                                     .columns = 2,
@@ -287,11 +287,12 @@ TEST_CASE("a patch that holds a contact's cells reads as the contact", "[skin]")
                            .tangential_y = part(1),
                            .tangential_z = part(2)};
   // Uniform cells err by their moments, some spacing^2 / depth^2.
-  check_equal(at(patch, skin(0.4), 0.8, 0.4, 0.2), at(turned, skin(0.4), 0.8, 0.4, 0.2), 1e-3);
+  check_equal(at(patch, material_of(0.4), 0.8, 0.4, 0.2),
+              at(turned, material_of(0.4), 0.8, 0.4, 0.2), 1e-3);
 }
 
 TEST_CASE("a reading without a value is refused", "[skin]") {
-  const Material slips = skin(0.3, Layer{1.0, Base::frictionless});
+  const Material slips = material_of(0.3, Layer{1.0, Base::frictionless});
   const std::vector<SkinQuantity> slides = {SkinQuantity::displacement_y};
   CHECK_THROWS_WITH(at(turned, slips, 0.5, 0.0, 0.0, slides),
                     ContainsSubstring("displacement_y under a tangential_y load is not defined"));

@@ -27,7 +27,7 @@ struct Named {
 
 /// Even and odd, one row, one taxel, rectangles, dead rows that mirror themselves and not, places
 /// anywhere, one component, one place at two depths.
-std::vector<Named> problems() {
+std::vector<Named> named_problems() {
   const auto make = [](SkinArray skin, const SkinProblemOptions& options = {},
                        const Material& material = silicone) {
     return make_problem(skin, material, options);
@@ -72,14 +72,6 @@ std::vector<Named> problems() {
        4}};
 }
 
-std::vector<double> random_readings(std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> value;
-  std::vector<double> readings(count);
-  for (double& reading : readings) reading = value(random);
-  return readings;
-}
-
 double largest(std::span<const double> values) {
   return *std::max_element(values.begin(), values.end());
 }
@@ -87,11 +79,11 @@ double largest(std::span<const double> values) {
 }  // namespace
 
 TEST_CASE("a family's tractions solve the normal equations, in every class", "[skin][family]") {
-  for (const auto& [name, problem, classes] : problems()) {
+  for (const auto& [name, problem, classes] : named_problems()) {
     CAPTURE(name);
     const SkinFamily family(problem);
     CHECK(family.classes() == classes);
-    const std::vector<double> readings = random_readings(problem.weights.size(), 1);
+    const std::vector<double> readings = random_numbers(problem.weights.size(), 1);
     const FilterFrame frame = family.analyse(readings);
     const double top = largest(family.singular_values());
     for (const double share : {1.0, 1e-3, 1e-6}) {
@@ -123,7 +115,7 @@ TEST_CASE("classes are parts of one decomposition: the same frame, filters and t
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) CHECK_THAT(a[i], WithinAbs(b[i], 1e-14 * b.back()));
 
-  const std::vector<double> readings = random_readings(problem.weights.size(), 2);
+  const std::vector<double> readings = random_numbers(problem.weights.size(), 2);
   const FilterFrame one = apart.analyse(readings);
   const FilterFrame other = whole.analyse(readings);
   CHECK_THAT(norm(one.beta), WithinRel(norm(other.beta), 1e-13));
@@ -184,7 +176,7 @@ TEST_CASE("neither alpha, nor tractions, nor bands follow the grid's spacing",
 TEST_CASE("units do not matter, however large or small", "[skin][family][property]") {
   // Lengths times 1e150 or 1e-150, tractions times 1e100 or 1e-100.
   const SkinArray skin = square_skin(4, 2e-3);
-  const std::vector<double> readings = random_readings(48, 7);
+  const std::vector<double> readings = random_numbers(48, 7);
   const SkinProblem problem = make_problem(skin, silicone);
   const SkinFamily family(problem);
   const FilterFrame frame = family.analyse(readings);

@@ -20,12 +20,12 @@ SkinArray in_plane_skin(std::size_t side) {
                       SkinQuantity::shear_yz});
 }
 
-struct Skin {
+struct TiledSkin {
   SkinArray array;
   SkinProblemOptions options{};
 };
 /// Larger than a tile: square and oblong, dead taxels, two cells to a taxel, one traction.
-std::vector<Skin> skins() {
+std::vector<TiledSkin> skins() {
   SkinArray oblong = in_plane_skin(9);
   oblong.columns = 40;
   return {{in_plane_skin(24)},
@@ -38,7 +38,7 @@ std::vector<Skin> skins() {
 }  // namespace
 
 TEST_CASE("what long waves cost is what P says of each", "[skin][large][coarse]") {
-  for (const Skin& skin : skins())
+  for (const TiledSkin& skin : skins())
     for (const bool has_even_drags : {true, false}) {
       const auto system = make_large_skin_system(skin.array, silicone, skin.options);
       const double alpha = 1e-3 * std::pow(even_readings(*system).pressure, 2);
@@ -74,7 +74,7 @@ TEST_CASE("a drag along the skin is seen everywhere by shear, by stresses in the
 
 TEST_CASE("two levels are symmetric and positive where conjugate gradients go",
           "[skin][large][coarse]") {
-  for (const Skin& skin : skins())
+  for (const TiledSkin& skin : skins())
     for (const double share : {1e-2, 1e-6, 1e-8}) {
       const auto system = make_large_skin_system(skin.array, silicone, skin.options);
       const EvenReadings even = even_readings(*system);

@@ -73,14 +73,6 @@ inline double dot(std::span<const double> a, std::span<const double> b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-inline std::vector<double> random_numbers(std::size_t count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::normal_distribution<double> normal;
-  std::vector<double> all(count);
-  for (double& one : all) one = normal(random);
-  return all;
-}
-
 /// P x.
 inline std::vector<double> normal_product(LargeSkinSystem& system, double alpha,
                                           std::span<const double> x) {

@@ -11,6 +11,7 @@
 #include "tactile_net/skin/covariance.hpp"
 #include "tactile_net/skin/resultant.hpp"
 #include "tests/catch.hpp"
+#include "tests/skin/pad_material.hpp"
 #include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
@@ -54,10 +55,8 @@ constexpr std::array<Truth, 5> truths{
       0.00010547945205479256, 4.836206245026954e-06}}};
 
 void check_pad(const std::string& set, const SkinArray& skin, const Recording& recording) {
-  const Material rubber{
-      .youngs_modulus = 0.25e6, .poisson_ratio = 0.48, .layer = Layer{4e-3, Base::bonded}};
-  const SkinProblem problem =
-      make_problem(skin, rubber, {.channel_rms = {39.7, 10.8, 10.6}, .grid = {.spacing = 1e-3}});
+  const SkinProblem problem = make_problem(
+      skin, pad_material, {.channel_rms = {39.7, 10.8, 10.6}, .grid = {.spacing = 1e-3}});
   const SkinFamily family(problem);
   const AlphaTables tables(family.singular_values(), independent_readings(problem));
   for (std::size_t frame = 0; frame < truths.size(); ++frame) {

@@ -9,6 +9,7 @@
 
 #include "tactile_net/skin/forward.hpp"
 #include "tests/catch.hpp"
+#include "tests/skin/pad_material.hpp"
 
 using namespace tactile_net;
 using std::numbers::pi;
@@ -18,9 +19,9 @@ namespace {
 using enum SkinQuantity;
 
 /// In the order of the file's columns.
-const std::vector<SkinQuantity> columns = {stress_x,       shear_xy,       shear_xz,
-                                           stress_y,       stress_z,       shear_yz,
-                                           displacement_x, displacement_y, displacement_z};
+const std::vector<SkinQuantity> file_columns = {stress_x,       shear_xy,       shear_xz,
+                                                stress_y,       stress_z,       shear_yz,
+                                                displacement_x, displacement_y, displacement_z};
 
 struct Pad {
   std::vector<SkinTaxel> taxels{};
@@ -41,8 +42,9 @@ Pad read_pad(const std::string& wanted, std::size_t step) {
     if (values.at(1) != wanted || std::stoul(values.at(0)) % step != 0) continue;
     const auto number = [&](std::size_t i) { return std::stod(values.at(i)); };
     const auto frame = static_cast<std::size_t>(number(5));
-    if (frame == 0) pad.taxels.push_back({values[0], number(3), number(4), number(2), columns});
-    for (std::size_t q = 0; q < columns.size(); ++q)
+    if (frame == 0)
+      pad.taxels.push_back({values[0], number(3), number(4), number(2), file_columns});
+    for (std::size_t q = 0; q < file_columns.size(); ++q)
       pad.readings.at(frame).push_back(number(6 + q));
   }
   return pad;
@@ -83,22 +85,18 @@ std::vector<SkinLoad> loads(std::size_t frame) {
   }
 }
 
-constexpr Material rubber{.youngs_modulus = 0.25e6,
-                          .poisson_ratio = 0.48,
-                          .layer = Layer{.thickness = 4e-3, .base = Base::bonded}};
-
 /// Relative 2-norms, a number for each column, the largest of the five frames.
 std::vector<double> differences(const Pad& pad) {
   const SkinArray skin = uneven_skin(pad.taxels);
-  const ExactSkinModel model(skin, rubber);
-  std::vector<double> worst(columns.size());
+  const ExactSkinModel model(skin, pad_material);
+  std::vector<double> worst(file_columns.size());
   for (std::size_t frame = 0; frame < pad.readings.size(); ++frame) {
     const auto exact = model.readings(loads(frame));
-    for (std::size_t q = 0; q < columns.size(); ++q) {
+    for (std::size_t q = 0; q < file_columns.size(); ++q) {
       double difference = 0.0;
       double size = 0.0;
       for (std::size_t i = 0; i < pad.taxels.size(); ++i) {
-        const double elements = pad.readings[frame].at(i * columns.size() + q);
+        const double elements = pad.readings[frame].at(i * file_columns.size() + q);
         difference = std::hypot(difference, elements - exact[q * pad.taxels.size() + i]);
         size = std::hypot(size, elements);
       }
@@ -116,8 +114,8 @@ TEST_CASE("finite elements read what the exact forward model says", "[skin][refe
   const auto found = differences(pad);
   // What the README states of the elements' own error.
   const std::array bars = {0.0018, 0.0040, 0.0040, 0.0027, 0.0027, 0.0031, 0.0035, 0.0035, 0.0035};
-  for (std::size_t q = 0; q < columns.size(); ++q) {
-    CAPTURE(name(columns[q]));
+  for (std::size_t q = 0; q < file_columns.size(); ++q) {
+    CAPTURE(name(file_columns[q]));
     CHECK(found[q] < bars[q]);
   }
 }
@@ -126,8 +124,8 @@ TEST_CASE("so they do at depths of the taxels' own", "[skin][reference]") {
   const Pad pad = read_pad("skin", 3);
   REQUIRE(pad.taxels.size() == 50);
   const auto found = differences(pad);
-  for (std::size_t q = 0; q < columns.size(); ++q) {
-    CAPTURE(name(columns[q]));
+  for (std::size_t q = 0; q < file_columns.size(); ++q) {
+    CAPTURE(name(file_columns[q]));
     CHECK(found[q] < 0.007);
   }
 }

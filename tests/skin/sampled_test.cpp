@@ -3,21 +3,19 @@
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const std::vector<SkinQuantity> three = {SkinQuantity::stress_x, SkinQuantity::shear_xy,
-                                         SkinQuantity::shear_xz};
-
-SkinArray lattice(std::size_t rows, std::size_t columns, double depth) {
+SkinArray square_lattice(std::size_t rows, std::size_t columns, double depth) {
   return {.rows = rows,
           .columns = columns,
           .pitch_y = 1.0,
           .pitch_z = 1.0,
           .depths = {depth},
-          .reads = three};
+          .reads = press_and_drag};
 }
 
 /// The same taxels, without a lattice.
@@ -28,7 +26,7 @@ SkinArray loose(const SkinArray& skin) {
   return uneven_skin(taxels);
 }
 
-double norm(const std::vector<double>& values, std::size_t first, std::size_t count) {
+double norm_of_part(const std::vector<double>& values, std::size_t first, std::size_t count) {
   double sum = 0.0;
   for (std::size_t i = first; i < first + count; ++i) sum = std::hypot(sum, values[i]);
   return sum;
@@ -37,7 +35,7 @@ double norm(const std::vector<double>& values, std::size_t first, std::size_t co
 }  // namespace
 
 TEST_CASE("one cell's readings are its kernel", "[skin]") {
-  const SkinArray skin = lattice(3, 2, 0.9);
+  const SkinArray skin = square_lattice(3, 2, 0.9);
   const Material layer{
       .youngs_modulus = 2.0, .poisson_ratio = 0.4, .layer = Layer{1.3, Base::bonded}};
   for (const SkinGridOptions& options : {SkinGridOptions{}, SkinGridOptions{.spacing = 1.0}}) {
@@ -63,7 +61,7 @@ TEST_CASE("one cell's readings are its kernel", "[skin]") {
 }
 
 TEST_CASE("a lattice reads what loose taxels at its places do", "[skin]") {
-  const SkinArray skin = lattice(4, 3, 2.0);
+  const SkinArray skin = square_lattice(4, 3, 2.0);
   const SkinGrid grid = grid_of(skin);
   const SkinLoad load = SkinContact{.y = 0.3, .radius = 1.5, .friction = 0.4, .torsion = 0.1};
   const auto tractions = cell_means(std::span(&load, 1), grid);
@@ -87,7 +85,7 @@ TEST_CASE("cells' means sampled are near the exact readings, as was measured", "
     double depth, normal, shear;
   };
   for (const Bar& bar : {Bar{0.5, 0.035, 0.11}, Bar{2.0, 0.012, 0.016}, Bar{3.0, 0.009, 0.011}}) {
-    const SkinArray skin = lattice(13, 13, bar.depth);
+    const SkinArray skin = square_lattice(13, 13, bar.depth);
     const SkinGrid grid = grid_of(skin, {.spacing = 1.0, .margin = 3.0});
     const Material material{.poisson_ratio = 0.45};
     const SkinLoad load =
@@ -95,14 +93,14 @@ TEST_CASE("cells' means sampled are near the exact readings, as was measured", "
     const auto exact = exact_readings(skin, material, std::span(&load, 1));
     auto error = sampled_readings(skin, material, grid, cell_means(std::span(&load, 1), grid));
     for (std::size_t i = 0; i < error.size(); ++i) error[i] -= exact[i];
-    CAPTURE(bar.depth, norm(error, 0, 169) / norm(exact, 0, 169));
-    CHECK(norm(error, 0, 169) < bar.normal * norm(exact, 0, 169));
-    CHECK(norm(error, 169, 169) < bar.shear * norm(exact, 169, 169));
+    CAPTURE(bar.depth, norm_of_part(error, 0, 169) / norm_of_part(exact, 0, 169));
+    CHECK(norm_of_part(error, 0, 169) < bar.normal * norm_of_part(exact, 0, 169));
+    CHECK(norm_of_part(error, 169, 169) < bar.shear * norm_of_part(exact, 169, 169));
   }
 }
 
 TEST_CASE("tractions that do not fit are refused", "[skin]") {
-  const SkinArray skin = lattice(2, 2, 1.0);
+  const SkinArray skin = square_lattice(2, 2, 1.0);
   const SkinGrid grid = grid_of(skin);
   CHECK_THROWS_WITH(sampled_readings(skin, Material{}, grid, std::vector<double>(5)),
                     "tractions must hold one value for each cell and component, 49 or 147 (got 5)");

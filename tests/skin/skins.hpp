@@ -67,6 +67,14 @@ inline double distance(std::span<const double> x, std::span<const double> y) {
   return sum;
 }
 
+inline std::vector<double> random_numbers(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> all(count);
+  for (double& one : all) one = normal(random);
+  return all;
+}
+
 /// Adds white noise. @return  its rms, a share of the largest reading
 inline double add_noise(std::vector<double>& readings, double share, std::mt19937& random) {
   double largest = 0.0;

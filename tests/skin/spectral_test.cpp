@@ -9,7 +9,7 @@ using namespace tactile_net;
 
 namespace {
 
-SkinArray lattice(std::size_t rows, std::size_t columns, std::vector<double> depths) {
+SkinArray oblong_lattice(std::size_t rows, std::size_t columns, std::vector<double> depths) {
   return {.rows = rows,
           .columns = columns,
           .pitch_y = 1.0,
@@ -31,8 +31,9 @@ std::vector<double> noise(std::size_t count) {
 TEST_CASE("by FFT cells cause what the sum says", "[skin]") {
   const Material half_space{};
   const Material layer{.layer = Layer{2.5, Base::bonded}};
-  for (const SkinArray& skin : {lattice(5, 7, {2.0, 1.5}), lattice(1, 6, {2.0}),
-                                lattice(4, 1, {2.0}), lattice(1, 1, {2.0}), lattice(3, 3, {0.7})})
+  for (const SkinArray& skin :
+       {oblong_lattice(5, 7, {2.0, 1.5}), oblong_lattice(1, 6, {2.0}), oblong_lattice(4, 1, {2.0}),
+        oblong_lattice(1, 1, {2.0}), oblong_lattice(3, 3, {0.7})})
     for (const Material& material : {half_space, layer})
       for (const std::size_t components : {1u, 3u}) {
         // Without a margin some taxels lie on the outermost cells.
@@ -51,7 +52,7 @@ TEST_CASE("by FFT cells cause what the sum says", "[skin]") {
 }
 
 TEST_CASE("taxels beside the lattice are refused", "[skin]") {
-  const SkinArray skin = lattice(4, 4, {1.0});
+  const SkinArray skin = oblong_lattice(4, 4, {1.0});
   SkinGrid grid = grid_of(skin);
   grid.spacing_y *= 1.1;
   const char* const sentence =

@@ -16,20 +16,17 @@
 #include "tactile_net/skin/matrix_gradients.hpp"
 #include "tactile_net/study/tradeoff.hpp"
 #include "tests/catch.hpp"
+#include "tests/study/ticking.hpp"
 
 using namespace tactile_net;
 using namespace tactile_net::study;
+using test::ticking;
 
 namespace {
 
 using Family = WorkCurve::Family;
 
-double ticking() {
-  thread_local double now = 0.0;
-  return now += 0x1p-10;
-}
-
-const std::string pressed = R"(
+const std::string pressed_skin = R"(
 [sensor]
 rows = 4
 columns = 4
@@ -56,8 +53,8 @@ Study study_of(const std::string& text, bool circuits = false) {
   return tradeoff(parse_any_scene(text, "skin.toml"), {.circuits = circuits, .clock = ticking});
 }
 
-const Study& digital() {
-  static const Study study = study_of(pressed + "friction_limit = 0.8\n");
+const Study& digital_skin_study() {
+  static const Study study = study_of(pressed_skin + "friction_limit = 0.8\n");
   return study;
 }
 
@@ -91,8 +88,8 @@ std::vector<double> eliminated(const StudyInput& input) {
 }  // namespace
 
 TEST_CASE("a skin's reference is the solution of its normal equations", "[tradeoff][skin]") {
-  const StudyInput& input = digital().input;
-  CHECK(digital().complete);
+  const StudyInput& input = digital_skin_study().input;
+  CHECK(digital_skin_study().complete);
   CHECK(input.is_skin());
   CHECK(relative_l2_error(eliminated(input), input.solution) < 1e-10);
   CHECK(input.agreement < 1e-12);
@@ -103,11 +100,11 @@ TEST_CASE("a skin's reference is the solution of its normal equations", "[tradeo
 TEST_CASE("exact methods of a skin have no error, and the classes are the dense matrix to 1e-12",
           "[tradeoff][skin]") {
   for (const Family family : {Family::singular_values, Family::factorisation}) {
-    REQUIRE(of(digital(), family).size() == 1);
-    CHECK(*of(digital(), family).front().error_to_solution < 1e-11);
+    REQUIRE(of(digital_skin_study(), family).size() == 1);
+    CHECK(*of(digital_skin_study(), family).front().error_to_solution < 1e-11);
   }
   std::size_t found = 0;
-  for (const WorkPoint& point : of(digital(), Family::product)) {
+  for (const WorkPoint& point : of(digital_skin_study(), Family::product)) {
     if (point.knob.kind != Knob::Kind::none) continue;
     REQUIRE(point.measured());
     ++found;
@@ -118,7 +115,7 @@ TEST_CASE("exact methods of a skin have no error, and the classes are the dense 
 
 TEST_CASE("every point of a skin's study has the error that an elimination finds",
           "[tradeoff][skin]") {
-  const StudyInput& input = digital().input;
+  const StudyInput& input = digital_skin_study().input;
   const std::vector<double> exact = eliminated(input);
   std::vector<double> f(exact.size());
   const auto holds = [&](const WorkPoint& point) {
@@ -129,7 +126,7 @@ TEST_CASE("every point of a skin's study has the error that an elimination finds
   const lab::SkinSceneProblem& skin = input.skin();
   const KroneckerTerms terms(skin.problem(), skin.family().reconstruction(input.alpha));
   std::size_t sums = 0;
-  for (const WorkPoint& point : of(digital(), Family::kronecker))
+  for (const WorkPoint& point : of(digital_skin_study(), Family::kronecker))
     for (double accuracy = 0.3; accuracy > 1e-13; accuracy *= 0.2) {
       KroneckerSum sum = terms.sum(accuracy);
       if (sum.terms() != point.knob.count) continue;
@@ -140,14 +137,14 @@ TEST_CASE("every point of a skin's study has the error that an elimination finds
     }
   CHECK(sums > 5);
   LargeSkinTikhonov by_fft(skin.scene().sensor, skin.scene().material, skin.options(), input.alpha);
-  REQUIRE_FALSE(of(digital(), Family::conjugate_gradients).empty());
-  for (const WorkPoint& point : of(digital(), Family::conjugate_gradients)) {
+  REQUIRE_FALSE(of(digital_skin_study(), Family::conjugate_gradients).empty());
+  for (const WorkPoint& point : of(digital_skin_study(), Family::conjugate_gradients)) {
     REQUIRE(by_fft.solve(input.readings, f, 1e-300, point.knob.count) == FrameStatus::ok);
     holds(point);
   }
   const SkinMatrixGradients by_matrix(skin.problem(), input.alpha);
-  REQUIRE(of(digital(), Family::matrix_gradients).size() > 3);
-  for (const WorkPoint& point : of(digital(), Family::matrix_gradients)) {
+  REQUIRE(of(digital_skin_study(), Family::matrix_gradients).size() > 3);
+  for (const WorkPoint& point : of(digital_skin_study(), Family::matrix_gradients)) {
     REQUIRE(by_matrix.solve(input.readings, f, point.knob.count) == FrameStatus::ok);
     holds(point);
   }
@@ -157,7 +154,7 @@ TEST_CASE("more steps and more terms are nearer to the exact solution of a skin"
           "[tradeoff][skin]") {
   for (const Family family :
        {Family::kronecker, Family::conjugate_gradients, Family::matrix_gradients}) {
-    const std::vector<WorkPoint> points = of(digital(), family);
+    const std::vector<WorkPoint> points = of(digital_skin_study(), family);
     REQUIRE_FALSE(points.empty());
     // One tile holds these cells, and its inverse is that of all.
     if (family != Family::conjugate_gradients) {
@@ -175,22 +172,22 @@ TEST_CASE("more steps and more terms are nearer to the exact solution of a skin"
 
 TEST_CASE("constraints end at their optimum, nearer to the truth; fewer cells are further off",
           "[tradeoff][skin]") {
-  const std::vector<WorkPoint> cone = of(digital(), Family::friction_cone);
+  const std::vector<WorkPoint> cone = of(digital_skin_study(), Family::friction_cone);
   REQUIRE(cone.size() > 1);
   CHECK(cone.back().knob.optimal);
   CHECK_FALSE(cone.front().knob.optimal);
   CHECK_FALSE(cone.back().error_to_solution);
-  CHECK(*cone.back().error_to_truth < digital().input.solution_error);
-  const std::vector<WorkPoint> coarse = of(digital(), Family::coarser_surface);
+  CHECK(*cone.back().error_to_truth < digital_skin_study().input.solution_error);
+  const std::vector<WorkPoint> coarse = of(digital_skin_study(), Family::coarser_surface);
   REQUIRE(coarse.size() == 1);  // two cells a taxel, one
   CHECK(coarse.front().knob.count == 36);
   CHECK_FALSE(coarse.front().error_to_solution);
-  CHECK(*coarse.front().error_to_truth > 0.5 * digital().input.solution_error);
+  CHECK(*coarse.front().error_to_truth > 0.5 * digital_skin_study().input.solution_error);
   CHECK(*coarse.front().error_to_truth < 1.0);
 }
 
 TEST_CASE("a plan of a shape streams the bytes of the real plan of that size", "[tradeoff][skin]") {
-  const StudyInput& input = digital().input;
+  const StudyInput& input = digital_skin_study().input;
   const SkinScene& scene = input.skin().scene();
   for (const Structure structure : {Structure::dense, Structure::reflections})
     for (const Precision precision : {Precision::float64, Precision::float32}) {
@@ -222,7 +219,7 @@ TEST_CASE("a plan of a shape streams the bytes of the real plan of that size", "
 
 TEST_CASE("arrays of other sizes are timed, keep their proportions, and have no error",
           "[tradeoff][skin]") {
-  std::vector<WorkPoint> sizes = digital().points();
+  std::vector<WorkPoint> sizes = digital_skin_study().points();
   std::erase_if(sizes, [](const WorkPoint& point) { return point.knob.kind != Knob::Kind::array; });
   CHECK(sizes.size() >= 24);
   for (const WorkPoint& point : sizes) {
@@ -231,10 +228,10 @@ TEST_CASE("arrays of other sizes are timed, keep their proportions, and have no 
     CHECK_FALSE(point.error_to_solution);
     CHECK_FALSE(point.error_to_truth);
   }
-  SkinScene oblong = digital().input.skin().scene();
+  SkinScene oblong = digital_skin_study().input.skin().scene();
   oblong.sensor.columns = 2;
   CHECK((size_of(oblong, 16).rows == 16 && size_of(oblong, 16).columns == 8));
-  const std::vector<std::string> text = report::sizes_in_words(digital());
+  const std::vector<std::string> text = report::sizes_in_words(digital_skin_study());
   REQUIRE(text.size() == 1);
   CHECK_THAT(text.front(), StartsWith("in a loop of 1 kHz a frame of 16 x 16 such taxels takes") &&
                                ContainsSubstring("; one of 32 x 32 such taxels takes"));
@@ -247,10 +244,10 @@ TEST_CASE("circuits too large for operating points and draws are named, with the
       throw SimulatorError(SimulatorError::Cause::not_installed, "asked", {});
     }
   } simulator;
-  const StudyInput input =
-      study_input(parse_any_scene(pressed.substr(0, pressed.find("rows = 4")) + "rows = 9" +
-                                      pressed.substr(pressed.find("rows = 4") + 8),
-                                  "skin.toml"));
+  const StudyInput input = study_input(
+      parse_any_scene(pressed_skin.substr(0, pressed_skin.find("rows = 4")) + "rows = 9" +
+                          pressed_skin.substr(pressed_skin.find("rows = 4") + 8),
+                      "skin.toml"));
   const StudySection section = operating_points(input, simulator);
   REQUIRE_FALSE(section.points.empty());
   for (const WorkPoint& point : section.points) {
@@ -262,7 +259,7 @@ TEST_CASE("circuits too large for operating points and draws are named, with the
 }
 
 TEST_CASE("no point of a skin's front is both slower and worse than another", "[tradeoff][skin]") {
-  const std::vector<WorkPoint> points = digital().points();
+  const std::vector<WorkPoint> points = digital_skin_study().points();
   const auto front = pareto_front(points, &WorkPoint::error_to_solution, TimeOf::frame);
   REQUIRE_FALSE(front.empty());
   for (const std::size_t i : front)
@@ -274,7 +271,7 @@ TEST_CASE("no point of a skin's front is both slower and worse than another", "[
 
 TEST_CASE("uneven and partly dead skins are studied without what they lack",
           "[tradeoff][skin][long]") {
-  const Study dead = study_of(pressed + "[dead_taxels]\nindices = [\"1_1\"]\n");
+  const Study dead = study_of(pressed_skin + "[dead_taxels]\nindices = [\"1_1\"]\n");
   CHECK(dead.complete);
   CHECK(*of(dead, Family::singular_values).front().error_to_solution < 1e-11);
   for (const WorkPoint& point : of(dead, Family::product))

@@ -12,22 +12,17 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/study/processor.hpp"
 #include "tests/catch.hpp"
+#include "tests/study/ticking.hpp"
 
 using namespace tactile_net;
 using namespace tactile_net::study;
+using test::tick;
+using test::ticking;
 
 namespace {
 
 using Family = WorkCurve::Family;
 using Kind = Job::Kind;
-
-constexpr double tick = 0x1p-10;  // exact however often it is added
-
-/// Goes on by a tick each time it is asked, for each thread by itself: who watches changes nothing.
-double ticking() {
-  thread_local double now = 0.0;
-  return now += tick;
-}
 
 StudySection found(const Job& job, double seconds) {
   WorkPoint point;
@@ -78,16 +73,16 @@ struct Saved final : StudyObserver {
   [[nodiscard]] bool stop() const override { return count >= stop_after; }
 };
 
-constexpr std::array digital = {Kind::products, Kind::factorisations, Kind::fft};
+constexpr std::array digital_kinds = {Kind::products, Kind::factorisations, Kind::fft};
 
 void add_all(Jobs& jobs) {
-  for (std::size_t i = 0; i < digital.size(); ++i)
-    jobs.add({digital[i]}, true, 1.0 + static_cast<double>(i));
+  for (std::size_t i = 0; i < digital_kinds.size(); ++i)
+    jobs.add({digital_kinds[i]}, true, 1.0 + static_cast<double>(i));
   for (const Realization realization : realizations)
     jobs.add({Kind::settling, realization}, false, 10.0);
 }
 
-const std::string pressed =
+const std::string pressed_line =
     "[sensor]\ncount = 21\npitch = 0.5\ndepth = 1.0\nreads = [\"strain_x\"]\n"
     "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2.0\nforce = 1.0\n"
@@ -205,8 +200,8 @@ TEST_CASE("progress names a job, grows, and knows no pace before a job is done",
 
 TEST_CASE("by a clock of its own a study of the arithmetic is the same twice, times included",
           "[tradeoff]") {
-  const Study one = digital_study(pressed);
-  const Study two = digital_study(pressed);
+  const Study one = digital_study(pressed_line);
+  const Study two = digital_study(pressed_line);
   CHECK(one.complete);
   CHECK(one.sections == two.sections);
   CHECK(one.sections.size() == 6);
@@ -228,8 +223,8 @@ TEST_CASE("by a clock of its own a study of the arithmetic is the same twice, ti
 
 TEST_CASE("a grid's steps are doubled, and the answer stays as long as the pad cannot tell",
           "[tradeoff]") {
-  const Study study = digital_study(
-      replaced(pressed, "[reconstruct]", "[reconstruct]\nsurface = \"grid\"\nspacing = 0.125"));
+  const Study study = digital_study(replaced(pressed_line, "[reconstruct]",
+                                             "[reconstruct]\nsurface = \"grid\"\nspacing = 0.125"));
   std::vector<WorkPoint> points = study.points();
   std::erase_if(
       points, [](const WorkPoint& point) { return point.curve.family != Family::coarser_surface; });
@@ -247,15 +242,16 @@ TEST_CASE("a grid's steps are doubled, and the answer stays as long as the pad c
 
 TEST_CASE("what a method cannot do is a failure of its kind, and leaves the others", "[tradeoff]") {
   const WorkCurve coarse{.family = Family::fewer_taxels};
-  const Study dead = digital_study(pressed + "[dead_taxels]\nindices = [3]\n");
+  const Study dead = digital_study(pressed_line + "[dead_taxels]\nindices = [3]\n");
   CHECK(failures(dead, coarse) == std::vector<Failure>{{.kind = Failure::Kind::dead_taxels}});
-  const Study prime = digital_study(replaced(pressed, "count = 21", "count = 24"));
+  const Study prime = digital_study(replaced(pressed_line, "count = 21", "count = 24"));
   CHECK(failures(prime, coarse) ==
         std::vector<Failure>{{.kind = Failure::Kind::no_stride, .count = 24}});
 
-  const Study shallow = digital_study(replaced(replaced(pressed, "depth = 1.0", "depth = 1e-5"),
-                                               "\"strain_x\"", "\"shear_xy\", \"stress_x\"") +
-                                      "[forward]\nmodel = \"sampled\"\n");
+  const Study shallow =
+      digital_study(replaced(replaced(pressed_line, "depth = 1.0", "depth = 1e-5"), "\"strain_x\"",
+                             "\"shear_xy\", \"stress_x\"") +
+                    "[forward]\nmodel = \"sampled\"\n");
   const auto whole_job =
       failures(shallow, {.family = Family::job, .job = Job{Kind::forward_model}});
   REQUIRE(whole_job.size() == 1);
@@ -266,7 +262,7 @@ TEST_CASE("what a method cannot do is a failure of its kind, and leaves the othe
 }
 
 TEST_CASE("a scene without a reading other than zero cannot be studied", "[tradeoff]") {
-  std::string noise = pressed;
+  std::string noise = pressed_line;
   noise.erase(noise.find("[[contact]]"), noise.find("[reconstruct]") - noise.find("[[contact]]"));
   CHECK_THROWS_AS(digital_study(noise), std::invalid_argument);
 }

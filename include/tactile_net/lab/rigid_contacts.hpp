@@ -26,18 +26,16 @@ struct ContactPoint {
   double sideways = 0.0;    ///< across [N]; in plane strain nothing follows it
 };
 
-using Vector3 = std::array<double, 3>;
-
 /// A contact of two objects in the world, as MuJoCo has it.
 struct PairContact {
-  Vector3 position{};
+  std::array<double, 3> position{};
   std::array<double, 9> frame{};  ///< row-major; its first row points from the first to the second
-  Vector3 force{};                ///< on the second, in that frame [N]
+  std::array<double, 3> force{};  ///< on the second, in that frame [N]
 };
 
 /// A pad's flat face in the world.
 struct PadFace {
-  Vector3 origin{};  ///< below which the array's middle lies
+  std::array<double, 3> origin{};  ///< below which the array's middle lies
   /// Row-major; its columns are x along the array, y across it, z out of the pad.
   std::array<double, 9> axes{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 

@@ -9,6 +9,9 @@
 
 namespace tactile_net {
 
+/// Across a diode of the clamp that holds an output within its rails, as it begins to conduct [V].
+inline constexpr double diode_drop = 0.6;
+
 /// What is absent is not simulated. With nothing given the amplifier is a nullor: no input current,
 /// no input voltage, whatever output it takes.
 struct OpAmp {

@@ -13,7 +13,7 @@
 namespace tactile_net::pages {
 
 /// How the drawing places the scene: its y and x are in pixels of a picture `width` wide.
-struct PadFrame {
+struct PadLayout {
   double width = 1000.0;
   double surface = 110.0;  ///< y of the pad's surface in the picture: above it loads are drawn
   double scale = 1.0;      ///< pixels per unit of length
@@ -28,7 +28,7 @@ struct PadFrame {
 
 /// Down to a layer's base, or on a half plane to twice the deepest taxel; at least a tenth of the
 /// width is left for the pad, so that a long thin array is drawn deeper than it is.
-[[nodiscard]] PadFrame pad_frame(const Scene& scene);
+[[nodiscard]] PadLayout pad_layout(const Scene& scene);
 
 /// An <svg> with its words below it. Without loads no room is left for them.
 ///

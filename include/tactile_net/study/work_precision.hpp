@@ -13,6 +13,8 @@ namespace tactile_net::study {
 
 /// Which error of a point a question is about.
 using ErrorOf = std::optional<double> WorkPoint::*;
+inline constexpr ErrorOf to_solution = &WorkPoint::error_to_solution;
+inline constexpr ErrorOf to_truth = &WorkPoint::error_to_truth;
 
 /// Indices of the points that no other of the same `time_of` beats in both time and error, fastest
 /// first. Points without that error are left out.

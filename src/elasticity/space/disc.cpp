@@ -1,7 +1,6 @@
 #include "tactile_net/elasticity/space/disc.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -9,6 +8,7 @@
 #include "elasticity/space/half_space_field.hpp"
 #include "elasticity/space/imaginary_source.hpp"
 #include "elasticity/space/read.hpp"
+#include "numeric/gauss_rule.hpp"
 #include "numeric/require.hpp"
 
 namespace tactile_net {
@@ -55,7 +55,7 @@ double traction(const Disc& disc, double r) noexcept {
 
 double disc_reading(SkinQuantity quantity, SkinTraction component, const Material& material,
                     const Disc& disc, double depth, double y, double z) noexcept {
-  using Rule = boost::math::quadrature::gauss<double, 20>;
+  const GaussRule rule = gauss_rule(20);
   using Field = HalfSpaceField<std::complex<double>, ImaginarySource>;
   // In units of the radius: (x + i t)^2 + r^2 vanishes at t = r + i x, towards which panels shrink.
   const double a = disc.radius;
@@ -78,10 +78,10 @@ double disc_reading(SkinQuantity quantity, SkinTraction component, const Materia
     while (from < width) {
       const double to = std::min(width, from + std::max(nearest, from));
       const double half = 0.5 * (to - from);
-      for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+      for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
         for (const double sign : {-1.0, 1.0})
-          sum += half * Rule::weights()[i] *
-                 at(middle + side * (from + half * (1.0 + sign * Rule::abscissa()[i])));
+          sum += half * rule.weights[i] *
+                 at(middle + side * (from + half * (1.0 + sign * rule.abscissa[i])));
       from = to;
     }
     return sum;

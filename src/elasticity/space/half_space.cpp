@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "elasticity/space/point_source.hpp"
 #include "elasticity/space/read.hpp"
 #include "elasticity/space/rectangle_source.hpp"
+#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
@@ -58,12 +58,12 @@ class RectangleLoad {
     // In half diagonals. What corners leave cancels with the square of the distance; the numbers of
     // points leave less than rounding even where the rectangle is a needle, seen along it.
     const double result = distance < 2.0     ? corners(p)
-                          : distance < 3.0   ? quadrature<16>(p)
-                          : distance < 5.0   ? quadrature<12>(p)
-                          : distance < 10.0  ? quadrature<9>(p)
-                          : distance < 30.0  ? quadrature<7>(p)
-                          : distance < 100.0 ? quadrature<5>(p)
-                                             : quadrature<4>(p);
+                          : distance < 3.0   ? quadrature(p, 16)
+                          : distance < 5.0   ? quadrature(p, 12)
+                          : distance < 10.0  ? quadrature(p, 9)
+                          : distance < 30.0  ? quadrature(p, 7)
+                          : distance < 100.0 ? quadrature(p, 5)
+                                             : quadrature(p, 4);
     return traits(quantity).kind == QuantityKind::displacement ? result * unit : result;
   }
 
@@ -81,21 +81,20 @@ class RectangleLoad {
            (corner(p.y + p.a, p.z - p.b) + corner(p.y - p.a, p.z + p.b));
   }
 
-  template <unsigned points>
-  [[nodiscard]] double quadrature(const Place& p) const noexcept {
-    using Rule = boost::math::quadrature::gauss<double, points>;
+  [[nodiscard]] double quadrature(const Place& p, std::size_t count) const noexcept {
+    const GaussRule rule = gauss_rule(count);
     const auto point = [&](double y, double z) {
       return reading<quantity, component>(PointSource<double>(p.x, y, z), material_);
     };
     double sum = 0.0;
     // The middle of an odd rule comes first; four times instead of once or twice, at a quarter or
     // half.
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
-      for (std::size_t j = 0; j < Rule::abscissa().size(); ++j) {
-        const double v = p.a * Rule::abscissa()[i];
-        const double w = p.b * Rule::abscissa()[j];
-        const double weight = (v == 0.0 ? 0.5 : 1.0) * (w == 0.0 ? 0.5 : 1.0) * Rule::weights()[i] *
-                              Rule::weights()[j];
+    for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
+      for (std::size_t j = 0; j < rule.abscissa.size(); ++j) {
+        const double v = p.a * rule.abscissa[i];
+        const double w = p.b * rule.abscissa[j];
+        const double weight =
+            (v == 0.0 ? 0.5 : 1.0) * (w == 0.0 ? 0.5 : 1.0) * rule.weights[i] * rule.weights[j];
         sum += weight * ((point(p.y + v, p.z + w) + point(p.y - v, p.z - w)) +
                          (point(p.y + v, p.z - w) + point(p.y - v, p.z + w)));
       }

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "elasticity/space/plane_wave.hpp"
 #include "elasticity/space/reduced_bessel.hpp"
+#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
@@ -19,7 +19,7 @@ constexpr std::size_t tables = layer_table_orders.size();
 constexpr std::array edges = {
     0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, LayerTables::reach};
 constexpr std::size_t panels = edges.size() - 1;
-constexpr double largest_decay = 52.0;  // k (2 - depth) up to which the integral runs
+constexpr double largest_table_decay = 52.0;  // k (2 - depth) up to which the integral runs
 
 /// The integrands' amplitudes F, with the signs of i^j.
 LayerFunctionValues amplitudes(const PlaneWave& wave, double nu) {
@@ -56,16 +56,15 @@ struct Node {
 /// As wide as `width`, one panel after the other, up to k = end: those of one end are the first of
 /// those of another.
 std::vector<Node> nodes(double end, double width) {
-  using Rule = boost::math::quadrature::gauss<double, 20>;
+  const GaussRule rule = gauss_rule(20);
   const auto count = static_cast<std::size_t>(std::ceil(end / width));
   std::vector<Node> all;
   all.reserve(count * 20);
   for (std::size_t panel = 0; panel < count; ++panel)
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+    for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
       for (const double side : {-1.0, 1.0})
-        all.push_back(
-            {(static_cast<double>(panel) + 0.5 * (1.0 + side * Rule::abscissa()[i])) * width,
-             0.5 * width * Rule::weights()[i]});
+        all.push_back({(static_cast<double>(panel) + 0.5 * (1.0 + side * rule.abscissa[i])) * width,
+                       0.5 * width * rule.weights[i]});
   return all;
 }
 
@@ -92,7 +91,7 @@ class BesselValues {
  private:
   BesselValues() {
     for (std::size_t panel = 0; panel < panels; ++panel) {
-      const std::vector<Node> all = nodes(largest_decay, width_for(panel));
+      const std::vector<Node> all = nodes(largest_table_decay, width_for(panel));
       for (std::size_t i = 0; i < LayerTables::At::count; ++i) {
         const double r = edges[panel] + 0.5 * (edges[panel + 1] - edges[panel]) *
                                             (1.0 + std::cos(chebyshev_angle(i)));
@@ -110,7 +109,7 @@ std::vector<LayerFunctionValues> integrand(const Material& layer, double depth, 
   Material half_space = layer;
   half_space.layer.reset();
   std::vector<LayerFunctionValues> all;
-  for (const auto& [k, weight] : nodes(largest_decay / (2.0 - depth), width)) {
+  for (const auto& [k, weight] : nodes(largest_table_decay / (2.0 - depth), width)) {
     LayerFunctionValues values = amplitudes(plane_wave(layer, depth, k), layer.poisson_ratio);
     const LayerFunctionValues half =
         amplitudes(plane_wave(half_space, depth, k), layer.poisson_ratio);

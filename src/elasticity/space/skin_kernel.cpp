@@ -1,7 +1,6 @@
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -11,6 +10,7 @@
 
 #include "elasticity/space/layer_tables.hpp"
 #include "elasticity/space/read.hpp"
+#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
@@ -78,13 +78,13 @@ double reading(SkinQuantity quantity, SkinTraction load, const Material& materia
 /// over which what the base adds is smooth.
 template <unsigned points>
 class HalfRule {
-  using Rule = boost::math::quadrature::gauss<double, points>;
   static_assert(points % 2 == 0);
 
  public:
   HalfRule(double width, double thickness) noexcept
       : pieces_(static_cast<std::size_t>(std::max(1.0, std::ceil(width / thickness)))),
-        half_piece_(0.5 * width / static_cast<double>(pieces_)) {}
+        half_piece_(0.5 * width / static_cast<double>(pieces_)),
+        rule_(gauss_rule(points)) {}
 
   [[nodiscard]] std::size_t size() const noexcept { return pieces_ * points / 2; }
 
@@ -98,14 +98,14 @@ class HalfRule {
     const bool right = inside >= points / 2;
     const std::size_t node = right ? inside - points / 2 : points / 2 - 1 - inside;
     const double middle = 2.0 * static_cast<double>(piece) + 1.0 - static_cast<double>(pieces_);
-    const double offset = Rule::abscissa()[node];
-    return {half_piece_ * (middle + (right ? offset : -offset)),
-            half_piece_ * Rule::weights()[node]};
+    const double offset = rule_.abscissa[node];
+    return {half_piece_ * (middle + (right ? offset : -offset)), half_piece_ * rule_.weights[node]};
   }
 
  private:
   std::size_t pieces_;
   double half_piece_;
+  GaussRule rule_;
 };
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace tactile_net {
 namespace {
 
 constexpr int most_steps = 100;
-constexpr double exact = 1e-12;    // residuals and gap at which the search ends
-constexpr double believed = 1e-7;  // at which it is believed where rounding has ended it
+constexpr double exact = 1e-12;        // residuals and gap at which the search ends
+constexpr double believed_end = 1e-7;  // at which it is believed_end where rounding has ended it
 
 /// A point of the homogeneous model, or a direction.
 struct Point {
@@ -79,7 +79,7 @@ class Search {
     const double optimum = off_optimum();
     const double infeasible = off_infeasible();
     const double unbounded = off_unbounded();
-    if (!(std::min({optimum, infeasible, unbounded}) <= believed)) return Kind::not_found;
+    if (!(std::min({optimum, infeasible, unbounded}) <= believed_end)) return Kind::not_found;
     if (optimum <= infeasible && optimum <= unbounded) return Kind::solved;
     return infeasible <= unbounded ? Kind::infeasible : Kind::unbounded;
   }

@@ -2,8 +2,9 @@
 /// Linear programs over cones of second order. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

@@ -3,10 +3,11 @@
 /// torsion over its radius too. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

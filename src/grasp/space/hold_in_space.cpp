@@ -14,9 +14,8 @@
 namespace tactile_net {
 namespace {
 
-constexpr double rounding = 1e-10;  // of the largest singular value
-constexpr double unborne = 1e-9;    // share of the load that contacts cannot bear
-constexpr double believed = 1e-8;   // of what is left of the conditions for a minimum
+constexpr double unborne = 1e-9;           // share of the load that contacts cannot bear
+constexpr double believed_minimum = 1e-8;  // of what is left of the conditions for a minimum
 
 void require(bool holds, const std::string& rule) {
   if (!holds) throw std::invalid_argument(rule);
@@ -49,9 +48,9 @@ void check(std::span<const SpaceFinger> fingers, std::span<const SpaceContactPla
 
 /// What is asked for, in newtons and over the grasp's length: M, and C x = d with independent rows.
 /// x are the contacts' forces, those of a finger with friction along its cone: (mu F_x, F_y, ...).
-struct Task {
-  Task(const SpaceMap& grasp, std::span<const SpaceContactPlace> contacts,
-       const SpaceLoad& external, const SpaceHoldOptions& asked)
+struct SpaceTask {
+  SpaceTask(const SpaceMap& grasp, std::span<const SpaceContactPlace> contacts,
+            const SpaceLoad& external, const SpaceHoldOptions& asked)
       : map(grasp), load(external), options(asked), columns(radii_of(contacts)) {
     along = Eigen::VectorXd::Ones(columns.count());
     for (std::size_t i = 0; i < options.friction.size(); ++i) {
@@ -70,7 +69,7 @@ struct Task {
       wanted(6) = *options.squeeze;
     }
     const Svd svd = singular_value_decomposition(all);
-    const Eigen::Index rank = (svd.values.array() > rounding * svd.values(0)).count();
+    const Eigen::Index rank = (svd.values.array() > rank_rounding * svd.values(0)).count();
     range = svd.u.leftCols(rank);
     least.c = range.transpose() * all;
     least.d = range.transpose() * wanted;
@@ -108,7 +107,7 @@ struct Task {
 };
 
 /// A load that no forces at all carry, of whatever sign.
-void refuse_unborne(const Task& task) {
+void refuse_unborne(const SpaceTask& task) {
   const Eigen::VectorXd left = task.wanted - task.range * (task.range.transpose() * task.wanted);
   if (!(left.norm() > unborne * task.wanted.norm())) return;
   const bool moves = left.head<6>().norm() > unborne * task.wanted.norm();
@@ -118,7 +117,7 @@ void refuse_unborne(const Task& task) {
 }
 
 /// Of the cones without the squeeze: a motion that nothing resists, or the least squeeze.
-[[noreturn]] void refuse(const Task& task, const ConeAnswer& answer,
+[[noreturn]] void refuse(const SpaceTask& task, const ConeAnswer& answer,
                          std::span<const SpaceContactPlace> contacts) {
   if (!task.options.squeeze) {
     const Eigen::VectorXd y = task.range * answer.y.tail(task.range.cols());
@@ -126,7 +125,7 @@ void refuse_unborne(const Task& task) {
   }
   SpaceHoldOptions options = task.options;
   options.squeeze.reset();
-  const Task loose(task.map, contacts, task.load, options);
+  const SpaceTask loose(task.map, contacts, task.load, options);
   refuse_unborne(loose);
   ConeProgram program{.c = loose.in_cones(task.map.squeeze()).transpose(),
                       .a = loose.least.c,
@@ -144,12 +143,12 @@ void refuse_unborne(const Task& task) {
 }
 
 /// Where Newton's method may begin: the interior-point method's answer.
-ConeAnswer inner_answer(const Task& task, std::span<const SpaceContactPlace> contacts) {
+ConeAnswer inner_answer(const SpaceTask& task, std::span<const SpaceContactPlace> contacts) {
   Eigen::MatrixXd both(task.least.m.rows() + task.least.c.rows(), task.least.m.cols());
   const double largest = task.least.m.cwiseAbs().maxCoeff();
   both << task.least.m / (largest > 0.0 ? largest : 1.0), task.least.c;
   const Eigen::VectorXd values = singular_values(both);
-  if (both.rows() < both.cols() || !(values(values.size() - 1) > rounding * values(0)))
+  if (both.rows() < both.cols() || !(values(values.size() - 1) > rank_rounding * values(0)))
     throw CannotHoldInSpace(NoHold::undetermined, std::nullopt, std::nullopt);
   const double size = task.least.d.norm();
   if (task.least.cones.empty() || !(size > 0.0)) return {.kind = ConeAnswer::Kind::solved};
@@ -166,7 +165,7 @@ ConeAnswer inner_answer(const Task& task, std::span<const SpaceContactPlace> con
 }
 
 /// By the contact of finger `by` moving along `way`.
-Eigen::VectorXd change_by_place(const Task& task, const LeastPoint& point,
+Eigen::VectorXd change_by_place(const SpaceTask& task, const LeastPoint& point,
                                 const Eigen::VectorXd& felt, std::size_t by, Vector3 way) {
   const SpaceMap& map = task.map;
   const Eigen::Index four = 4 * static_cast<Eigen::Index>(by);
@@ -194,7 +193,7 @@ Eigen::VectorXd change_by_place(const Task& task, const LeastPoint& point,
                       dm.transpose() * point.minus_mx() + dc.transpose() * point.multipliers());
 }
 
-HeldSpaceGrasp with_deviations(const Task& task, const LeastPoint& point,
+HeldSpaceGrasp with_deviations(const SpaceTask& task, const LeastPoint& point,
                                std::span<const SpaceContactPlace> contacts) {
   const SpaceMap& map = task.map;
   const auto n = static_cast<Eigen::Index>(map.contacts());
@@ -238,12 +237,12 @@ HeldSpaceGrasp hold(std::span<const SpaceFinger> fingers,
             "finger '" + fingers[i].name +
                 "': its contact is in the middle of all contacts, where no direction is inward to "
                 "squeeze");
-  const Task task(map, contacts, load, options);
+  const SpaceTask task(map, contacts, load, options);
   refuse_unborne(task);
   const ConeAnswer inner = inner_answer(task, contacts);
   const LeastPoint point(task.least, inner.x, inner.s);
-  if (!(point.violation() <= believed && point.residual() <= believed &&
-        point.optimality() <= believed))
+  if (!(point.violation() <= believed_minimum && point.residual() <= believed_minimum &&
+        point.optimality() <= believed_minimum))
     throw CannotHoldInSpace(NoHold::not_found, std::nullopt, std::nullopt);
   HeldSpaceGrasp grasp = with_deviations(task, point, contacts);
   grasp.iterations = inner.iterations;

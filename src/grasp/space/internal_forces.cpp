@@ -11,11 +11,10 @@
 namespace tactile_net {
 namespace {
 
-constexpr double rounding = 1e-10;  // of the largest singular value
-
 Eigen::Index rank_of(const Eigen::VectorXd& values) {
-  return values.size() == 0 || !(values(0) > 0.0) ? 0
-                                                  : (values.array() > rounding * values(0)).count();
+  return values.size() == 0 || !(values(0) > 0.0)
+             ? 0
+             : (values.array() > rank_rounding * values(0)).count();
 }
 
 /// What G leaves free of the object, by the complement of its columns.

@@ -9,7 +9,7 @@
 namespace tactile_net {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a violation
+constexpr double violation_rounding = 1e-9;  // of a violation
 constexpr int most_mends = 30;
 
 }  // namespace
@@ -59,7 +59,7 @@ LeastPoint::LeastPoint(const LeastInCones& problem, const Eigen::VectorXd& x,
   converge();
   for (int i = 0; i < most_mends; ++i) {
     const Violation wrong = worst();
-    if (wrong.size <= rounding) break;
+    if (wrong.size <= violation_rounding) break;
     met_[wrong.cone] = wrong.rather;
     begin(x);
     converge();

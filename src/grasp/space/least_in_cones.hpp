@@ -2,10 +2,10 @@
 /// The least of some linear forms among forces in equilibrium and inside their cones. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "grasp/space/cone_program.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

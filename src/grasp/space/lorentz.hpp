@@ -2,10 +2,11 @@
 /// One cone of second order, x_0 >= |(x_1, x_2, ...)|: its algebra and its scaling. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net::lorentz {
 

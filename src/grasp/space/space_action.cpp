@@ -1,9 +1,9 @@
 #include "tactile_net/grasp/space/space_action.hpp"
 
-#include <Eigen/Core>
 #include <cmath>
 
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

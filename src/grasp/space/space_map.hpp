@@ -4,16 +4,19 @@
 /// the object on the pad. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <span>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/grasp/space/space_action.hpp"
 #include "tactile_net/grasp/space/space_contact.hpp"
 #include "tactile_net/grasp/space/space_finger.hpp"
 
 namespace tactile_net {
+
+/// Of the largest singular value: below it a direction is not moved at all.
+inline constexpr double rank_rounding = 1e-10;
 
 [[nodiscard]] inline Eigen::Vector3d column_of(Vector3 v) { return {v.x, v.y, v.z}; }
 [[nodiscard]] inline Vector3 vector_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }

@@ -4,17 +4,17 @@
 
 #include "lab/check/judgement.hpp"
 #include "tactile_net/inverse/gain_changes.hpp"
+#include "tactile_net/skin/data_verdict.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
 constexpr std::size_t most_readings = 128;
 constexpr std::size_t most_loads = 48;
-constexpr double at_rest = 2.0;         // rms over the noise
-constexpr double loaded = 10.0;         // the largest reading, over its noise
-constexpr double usual_friction = 1.0;  // of what touches a pad, at most
-constexpr double reach = 3.0;           // depths beyond the ends
-constexpr double spacing = 0.125;       // depths: narrower contacts than taxels can tell
+constexpr double rest_limit = 2.0;           // rms over the noise
+constexpr double load_limit = 10.0;          // the largest reading, over its noise
+constexpr double reach_in_depths = 3.0;      // depths beyond the ends
+constexpr double spacing_in_depths = 0.125;  // depths: narrower contacts than taxels can tell
 
 /// What presses and drags, within the array and beyond its ends. Behind the readings' rows may
 /// stand those of a channel that is not read: two unknowns ask for two.
@@ -28,10 +28,10 @@ InverseProblem contact_problem(const Scene& scene) {
                                                         : Quantity::stress_x);
   }
   const double depth = least_depth(array);
-  ProblemOptions options{
-      .unknowns = 2,
-      .surface = {
-          .basis = SurfaceBasis::hats, .spacing = spacing * depth, .margin = reach * depth}};
+  ProblemOptions options{.unknowns = 2,
+                         .surface = {.basis = SurfaceBasis::hats,
+                                     .spacing = spacing_in_depths * depth,
+                                     .margin = reach_in_depths * depth}};
   options.channel_rms.assign(channels(array).size(), 1.0);
   return make_problem(array, scene.material, options);
 }
@@ -73,11 +73,11 @@ void judge_gains(const Evidence& evidence, const Scene& scene, ReadingsCheck& ch
       most = std::max(most, times);
     }
     if (!std::isfinite(squares)) continue;
-    if (squares < at_rest * at_rest) {
+    if (squares < rest_limit * rest_limit) {
       ++frames.resting;
       for (std::size_t i = 0; i < n; ++i)
         frames.rest[i] += (mean[i] - frames.rest[i]) / static_cast<double>(frames.resting);
-    } else if (most > loaded) {
+    } else if (most > load_limit) {
       frames.loads.push_back(std::move(mean));
     }
   }

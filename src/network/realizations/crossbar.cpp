@@ -7,12 +7,13 @@
 namespace tactile_net {
 namespace {
 
-Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit crossbar_circuit(const NetworkProblem& problem, const RealizationOptions& options) {
   const Matrix& matrix = problem.matrix;
   const std::vector<double>& right_side = problem.right_side;
   const std::size_t n = matrix.rows;
   if (n == 0 || matrix.columns != n || matrix.values.size() != n * n || right_side.size() != n)
-    throw std::invalid_argument("a crossbar needs a square matrix and one current per row");
+    throw std::invalid_argument(
+        "a crossbar crossbar_conditions a square matrix and one current per row");
   if (!all_finite(matrix.values) || !all_finite(right_side))
     throw std::invalid_argument("the matrix and the currents must be finite");
   check(options);
@@ -39,14 +40,14 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {TheoremCondition::definite,
-                                      TheoremCondition::second_pole_beyond_bandwidth,
-                                      TheoremCondition::no_output_resistance};
-constexpr TheoremCondition needs_with_inverters[] = {
+constexpr TheoremCondition crossbar_conditions[] = {TheoremCondition::definite,
+                                                    TheoremCondition::second_pole_beyond_bandwidth,
+                                                    TheoremCondition::no_output_resistance};
+constexpr TheoremCondition crossbar_conditions_with_inverters[] = {
     TheoremCondition::definite, TheoremCondition::no_inverter_input_capacitance,
     TheoremCondition::no_second_pole, TheoremCondition::main_at_most_half_of_inverters,
     TheoremCondition::no_output_resistance};
-constexpr TheoremCondition needs_of_slewing[] = {
+constexpr TheoremCondition crossbar_conditions_of_slewing[] = {
     TheoremCondition::complementary_outputs, TheoremCondition::definite,
     TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole,
     TheoremCondition::no_output_resistance};
@@ -63,17 +64,17 @@ constexpr RealizationTraits crossbar_traits{
          "Complementary outputs: stable if and only if P is positive definite, for any "
          "bandwidths, and either any second poles or any capacitance at the summing nodes; for "
          "both where the second poles are not below the bandwidths.",
-         needs},
+         crossbar_conditions},
     .theorem_with_inverters = {"T3",
                                "Main op-amps of at most half the inverters' bandwidth: stable if P "
                                "is positive definite, for any capacitance at the summing nodes.",
-                               needs_with_inverters},
+                               crossbar_conditions_with_inverters},
     .theorem_of_slewing =
         {"T8",
          "Op-amps of any slew, with complementary outputs: the circuit comes to its answer from "
          "everywhere, however far it slews.",
-         needs_of_slewing},
+         crossbar_conditions_of_slewing},
     .bandwidth_ratio = [](const RealizationOptions&) { return 0.5; },
-    .build = build};
+    .build = crossbar_circuit};
 
 }  // namespace tactile_net

@@ -7,7 +7,7 @@
 namespace tactile_net {
 namespace {
 
-Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit ideal_circuit(const NetworkProblem& problem, const RealizationOptions& options) {
   const ConductanceNetwork network = conductances(problem.matrix);
   Circuit circuit = driven_nodes(network, problem.right_side, options);
   each_conductance(network, circuit, options.scale.siemens,
@@ -17,7 +17,7 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {TheoremCondition::definite};
+constexpr TheoremCondition ideal_conditions[] = {TheoremCondition::definite};
 
 }  // namespace
 
@@ -28,7 +28,7 @@ constexpr RealizationTraits ideal_traits{
     .theorem = {"T0",
                 "With capacitance at its nodes the network settles if and only if P is positive "
                 "definite.",
-                needs},
-    .build = build};
+                ideal_conditions},
+    .build = ideal_circuit};
 
 }  // namespace tactile_net

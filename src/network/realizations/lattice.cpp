@@ -37,7 +37,7 @@ void add_crossed(Circuit& circuit, const std::string& name, const Pair& from, co
   circuit.resistors.push_back({name + 'n', from.minus, end.minus, size});
 }
 
-Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit lattice_circuit(const NetworkProblem& problem, const RealizationOptions& options) {
   check(options);
   const Eigen::MatrixXd k = as_eigen(problem.kernel);
   const double scale = k.colwise().norm().maxCoeff();
@@ -87,12 +87,12 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {
+constexpr TheoremCondition lattice_conditions[] = {
     TheoremCondition::definite, TheoremCondition::no_input_capacitance, TheoremCondition::one_lag,
     TheoremCondition::no_output_resistance};
-constexpr TheoremCondition needs_with_inverters[] = {TheoremCondition::complementary_outputs,
-                                                     TheoremCondition::definite};
-constexpr TheoremCondition needs_of_slewing[] = {
+constexpr TheoremCondition lattice_conditions_with_inverters[] = {
+    TheoremCondition::complementary_outputs, TheoremCondition::definite};
+constexpr TheoremCondition lattice_conditions_of_slewing[] = {
     TheoremCondition::complementary_outputs, TheoremCondition::definite,
     TheoremCondition::no_input_capacitance,  TheoremCondition::no_second_pole,
     TheoremCondition::no_node_capacitance,   TheoremCondition::no_output_resistance};
@@ -110,13 +110,13 @@ constexpr RealizationTraits lattice_traits{
     .drives_nodes = true,
     .takes_readings = true,
     .passive_residuals = true,
-    .theorem = {"T7", statement, needs},
-    .theorem_with_inverters = {"T7", statement, needs_with_inverters},
+    .theorem = {"T7", statement, lattice_conditions},
+    .theorem_with_inverters = {"T7", statement, lattice_conditions_with_inverters},
     .theorem_of_slewing = {"T8",
                            "Op-amps of one slew and one bandwidth, with complementary outputs: the "
                            "circuit comes to its answer from everywhere, however far it slews.",
-                           needs_of_slewing},
+                           lattice_conditions_of_slewing},
     .bandwidth_ratio = [](const RealizationOptions&) { return 0.5; },
-    .build = build};
+    .build = lattice_circuit};
 
 }  // namespace tactile_net

@@ -2,20 +2,20 @@
 /// As `ideal`, at one frequency w: a capacitor g/w for every conductance g > 0, an inductor
 /// 1/(w|g|) for every g < 0, currents of phase 90 degrees. Node voltages are real. Lossless: it
 /// never settles.
-#include <numbers>
 
+#include "network/angular_frequency.hpp"
 #include "network/realizations/nodes.hpp"
 #include "network/realizations/traits.hpp"
 
 namespace tactile_net {
 namespace {
 
-Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit lc_circuit(const NetworkProblem& problem, const RealizationOptions& options) {
   const ConductanceNetwork network = conductances(problem.matrix);
   RealizationOptions at_one_frequency = options;
   at_one_frequency.node_capacitance.reset();  // it would be one more conductance
   Circuit circuit = driven_nodes(network, problem.right_side, at_one_frequency);
-  const double w = 2.0 * std::numbers::pi * options.frequency;
+  const double w = angular_frequency(options.frequency);
   const auto add = [&](const std::string& name, Node from, Node to, double siemens) {
     if (siemens > 0.0)
       circuit.capacitors.push_back({"C" + name, from, to, siemens / w});
@@ -33,6 +33,6 @@ constexpr RealizationTraits lc_traits{
     .name = "lc",
     .parts = RealizationTraits::Parts::lossless,
     .theorem = {"passive", "Passive parts cannot be unstable; lossless ones never settle.", {}},
-    .build = build};
+    .build = lc_circuit};
 
 }  // namespace tactile_net

@@ -95,7 +95,7 @@ class LadderNodes {
   std::vector<LadderNode> nodes_;
 };
 
-Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit least_squares_circuit(const NetworkProblem& problem, const RealizationOptions& options) {
   check(options);
   const Matrix& k = problem.kernel;
   const double scale = as_eigen(k).colwise().norm().maxCoeff();
@@ -155,13 +155,13 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {TheoremCondition::definite,
-                                      TheoremCondition::lag_within_bound,
-                                      TheoremCondition::no_output_resistance};
-constexpr TheoremCondition needs_with_ladder[] = {
+constexpr TheoremCondition least_squares_conditions[] = {TheoremCondition::definite,
+                                                         TheoremCondition::lag_within_bound,
+                                                         TheoremCondition::no_output_resistance};
+constexpr TheoremCondition least_squares_conditions_with_ladder[] = {
     TheoremCondition::definite, TheoremCondition::one_lag, TheoremCondition::lag_within_bound,
     TheoremCondition::no_output_resistance};
-constexpr TheoremCondition needs_with_inverters[] = {
+constexpr TheoremCondition least_squares_conditions_with_inverters[] = {
     TheoremCondition::main_slow_enough, TheoremCondition::definite,
     TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole,
     TheoremCondition::no_output_resistance};
@@ -178,20 +178,20 @@ constexpr RealizationTraits least_squares_traits{
         {"T6",
          "Complementary outputs: stable for every gain rho and any bandwidths, and for a lag of "
          "summing nodes and second poles within its bound.",
-         needs},
+         least_squares_conditions},
     .theorem_with_inverters =
         {"T4",
          "Main op-amps slow enough: stable. How slow is not proven; 0.2/rho of "
          "the others' bandwidth is a rule of thumb.",
-         needs_with_inverters},
+         least_squares_conditions_with_inverters},
     .theorem_with_ladder =
         {"T6L",
          "Complementary outputs, one bandwidth of the main amplifiers and one of the residuals': "
          "stable for every gain rho, and for a lag of summing nodes and second poles, or of the "
          "ladder's nodes, within its bound.",
-         needs_with_ladder},
+         least_squares_conditions_with_ladder},
     .bandwidth_ratio =
         [](const RealizationOptions& options) { return 0.2 / options.residual_gain; },
-    .build = build};
+    .build = least_squares_circuit};
 
 }  // namespace tactile_net

@@ -7,7 +7,7 @@
 namespace tactile_net {
 namespace {
 
-Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit ndr_circuit(const NetworkProblem& problem, const RealizationOptions& options) {
   const ConductanceNetwork network = conductances(problem.matrix);
   Circuit circuit = driven_nodes(network, problem.right_side, options);
   const auto add = [&](const std::string& name, Node from, Node to, double siemens) {
@@ -21,7 +21,7 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {TheoremCondition::definite};
+constexpr TheoremCondition ndr_conditions[] = {TheoremCondition::definite};
 
 }  // namespace
 
@@ -32,7 +32,7 @@ constexpr RealizationTraits ndr_traits{
     .theorem = {"convex",
                 "A slope that is nowhere below -g leaves the potential strictly convex: one "
                 "operating point, approached from everywhere, if P is positive definite.",
-                needs},
-    .build = build};
+                ndr_conditions},
+    .build = ndr_circuit};
 
 }  // namespace tactile_net

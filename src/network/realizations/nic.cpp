@@ -21,7 +21,7 @@ void add_negative_branch(Circuit& circuit, const Branch& branch, double siemens)
   circuit.resistors.push_back({"Rb" + name, b, out_b, siemens});
 }
 
-Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit nic_circuit(const NetworkProblem& problem, const RealizationOptions& options) {
   const ConductanceNetwork network = conductances(problem.matrix);
   Circuit circuit = driven_nodes(network, problem.right_side, options);
   circuit.amplifiers.push_back({"opamp", options.opamp, Outputs::single});
@@ -38,7 +38,7 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {
+constexpr TheoremCondition nic_conditions[] = {
     TheoremCondition::definite, TheoremCondition::divider_fast_enough,
     TheoremCondition::no_output_resistance, TheoremCondition::no_common_mode_error};
 
@@ -53,7 +53,7 @@ constexpr RealizationTraits nic_traits{
                 "Converters with '+' at the network's nodes: stable for any node capacitance, any "
                 "bandwidths and any second poles if and only if P is positive definite; with one "
                 "pole for any capacitance at inverting inputs up to 1/(2 W r) too.",
-                needs},
-    .build = build};
+                nic_conditions},
+    .build = nic_circuit};
 
 }  // namespace tactile_net

@@ -8,7 +8,7 @@
 namespace tactile_net {
 namespace {
 
-Circuit build(const NetworkProblem& problem, const RealizationOptions& options) {
+Circuit rail_circuit(const NetworkProblem& problem, const RealizationOptions& options) {
   const ConductanceNetwork network = conductances(problem.matrix);
   Circuit circuit = driven_nodes(network, problem.right_side, options);
   circuit.amplifiers.push_back({"opamp", options.opamp, Outputs::single});
@@ -50,7 +50,7 @@ Circuit build(const NetworkProblem& problem, const RealizationOptions& options) 
   return circuit;
 }
 
-constexpr TheoremCondition needs[] = {
+constexpr TheoremCondition rail_conditions[] = {
     TheoremCondition::definite, TheoremCondition::no_input_capacitance,
     TheoremCondition::no_second_pole, TheoremCondition::no_output_resistance,
     TheoremCondition::no_common_mode_error};
@@ -64,7 +64,7 @@ constexpr RealizationTraits rail_traits{
     .theorem = {"T2",
                 "Op-amps of equal bandwidth: stable for any node capacitance if and only if P is "
                 "positive definite.",
-                needs},
-    .build = build};
+                rail_conditions},
+    .build = rail_circuit};
 
 }  // namespace tactile_net

@@ -13,7 +13,7 @@ struct Column {
   Value value;
 };
 
-constexpr Column columns[] = {
+constexpr Column all_columns[] = {
     {"normal_force", "normal", [](const ContactEstimate& e) { return e.normal_force; }},
     {"tangential_force", nullptr, [](const ContactEstimate& e) { return e.tangential_force; }},
     {nullptr, "tangential_y", [](const ContactEstimate& e) { return e.tangential_y; }},
@@ -40,7 +40,7 @@ constexpr Column columns[] = {
 
 std::vector<std::string> estimate_columns(bool skin) {
   std::vector<std::string> names;
-  for (const Column& column : columns)
+  for (const Column& column : all_columns)
     if (const char* name = skin ? column.skin : column.line) names.emplace_back(name);
   names.emplace_back("status");
   return names;
@@ -49,7 +49,7 @@ std::vector<std::string> estimate_columns(bool skin) {
 std::vector<double> estimate_values(const ContactEstimate& estimate, bool skin) {
   const bool answered = !std::isnan(estimate.normal_force);
   std::vector<double> values;
-  for (const Column& column : columns)
+  for (const Column& column : all_columns)
     if ((skin ? column.skin : column.line) != nullptr)
       values.push_back(answered ? column.value(estimate) : ContactEstimate::unknown);
   return values;

@@ -38,7 +38,7 @@ drawing::Files run_files(const lab::Experiment& experiment) {
       files.emplace_back("tractions-" + std::string(name(result.method)) + ".csv",
                          tractions_csv(result.normal.traction, result.tangential.traction));
   if (experiment.circuit)
-    files.emplace_back("network.cir", deck_text(*experiment.circuit, Answer::printed));
+    files.emplace_back("network.cir", deck_text(*experiment.circuit, tactile_net::Answer::printed));
   return files;
 }
 

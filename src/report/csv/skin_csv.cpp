@@ -56,7 +56,8 @@ drawing::Files run_files(const lab::SkinExperiment& experiment) {
   drawing::Files files = {{"readings.csv", readings_csv(experiment)},
                           {"tractions.csv", tractions_csv(experiment)}};
   if (experiment.network && experiment.network->circuit)
-    files.emplace_back("network.cir", deck_text(*experiment.network->circuit, Answer::printed));
+    files.emplace_back("network.cir",
+                       deck_text(*experiment.network->circuit, tactile_net::Answer::printed));
   return files;
 }
 

@@ -32,15 +32,6 @@ Json list_json(const std::vector<double>& values, const std::vector<double>& sds
   return list;
 }
 
-Json matrix_json(const Matrix& matrix) {
-  Json rows = Json::array();
-  for (std::size_t i = 0; i < matrix.rows; ++i) {
-    const auto row = matrix.row(i);
-    rows.push_back(std::vector<double>(row.begin(), row.end()));
-  }
-  return rows;
-}
-
 Json press_json(const FittedPress& press, bool is_skin) {
   Json json = {{"press", press.number},
                {"force", value_json(press.force)},

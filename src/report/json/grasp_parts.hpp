@@ -6,15 +6,8 @@
 
 #include "report/json/values.hpp"
 #include "tactile_net/lab/grasp.hpp"
-#include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net::report {
-
-inline Json matrix_json(const Matrix& matrix) {
-  Json rows = Json::array();
-  for (std::size_t i = 0; i < matrix.rows; ++i) rows.push_back(matrix.row(i));
-  return rows;
-}
 
 inline Json torques_json(const std::vector<Uncertain>& torques, const lab::FingerMargins& margins) {
   Json list = Json::array();

@@ -64,7 +64,7 @@ Json found_json(const UncertainWrench& wrench) {
           {"torsion", uncertain_or_null(wrench.torsion)}};
 }
 
-Json friction_json(const std::optional<SkinFriction>& friction) {
+Json skin_friction_json(const std::optional<SkinFriction>& friction) {
   if (!friction) return nullptr;
   return {{"ratio", uncertain_json(friction->ratio)},
           {"least_limit", uncertain_json(friction->least_limit)},
@@ -105,7 +105,7 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                {"contacts", answer.contacts},
                {"unseen", answer.unseen},
                {"resultant", found_json(answer.wrench)},
-               {"friction", friction_json(answer.friction)},
+               {"friction", skin_friction_json(answer.friction)},
                {"ellipse", ellipse_json(answer.ellipse)},
                {"relative_error",
                 {finite_or_null(experiment.relative[0]), finite_or_null(experiment.relative[1]),

@@ -10,6 +10,7 @@
 
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/frame_runs.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::report {
@@ -32,6 +33,13 @@ inline Json finite_or_null(double number) {
 
 inline Json list_or_null(const std::vector<double>& values) {
   return values.empty() ? Json(nullptr) : Json(values);
+}
+
+/// Row by row.
+inline Json matrix_json(const Matrix& matrix) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < matrix.rows; ++i) rows.push_back(matrix.row(i));
+  return rows;
 }
 
 /// Frames as runs, each with its first and last number.

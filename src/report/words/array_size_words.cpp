@@ -14,7 +14,7 @@ namespace {
 using Size = std::pair<std::size_t, std::size_t>;  // rows, columns
 
 constexpr double loop_seconds = 1e-3;
-constexpr std::array<std::size_t, 2> asked = {16, 32};  // along the longer side
+constexpr std::array<std::size_t, 2> reported_sides = {16, 32};  // along the longer side
 
 /// What was timed of one array.
 struct SizeTimes {
@@ -34,9 +34,8 @@ struct SizeTimes {
 };
 
 std::optional<double>& place_of(SizeTimes& times, const study::WorkCurve& curve) {
-  using Family = study::WorkCurve::Family;
-  if (curve.family == Family::circuit) return times.circuit;
-  if (curve.family == Family::coarse_cells) return times.coarse;
+  if (curve.family == study::WorkCurve::Family::circuit) return times.circuit;
+  if (curve.family == study::WorkCurve::Family::coarse_cells) return times.coarse;
   if (curve.structure == Structure::dense) return times.dense;
   return curve.precision == Precision::float32 ? times.single : times.exact;
 }
@@ -54,7 +53,7 @@ std::vector<std::pair<Size, SizeTimes>> times_of(const study::Study& study) {
   return all;
 }
 
-std::string in_words(const Size& size) {
+std::string size_in_words(const Size& size) {
   return std::to_string(size.first) + " x " + std::to_string(size.second);
 }
 
@@ -97,14 +96,14 @@ std::optional<std::string> crossover(const std::vector<std::pair<Size, SizeTimes
       "a circuit of two arrays with op-amps of 10 MHz settles to 1 % sooner than this machine "
       "has computed the fastest frame ";
   if (first != nullptr)
-    return circuit + "from " + in_words(first->first) + " taxels on (" + both(*first) + ")";
+    return circuit + "from " + size_in_words(first->first) + " taxels on (" + both(*first) + ")";
   for (const auto& one : sizes)
     if (fewer_taxels(last->first, one.first) && one.second.digital() &&
         *one.second.digital() > *last->second.circuit)
-      return circuit + "on none up to " + in_words(last->first) + " (" + both(*last) +
-             "); if it settles no slower there, from " + in_words(one.first) + " on (" +
+      return circuit + "on none up to " + size_in_words(last->first) + " (" + both(*last) +
+             "); if it settles no slower there, from " + size_in_words(one.first) + " on (" +
              duration(*one.second.digital()) + ")";
-  return circuit + "on none up to " + in_words(sizes.back().first) + " taxels";
+  return circuit + "on none up to " + size_in_words(sizes.back().first) + " taxels";
 }
 
 }  // namespace
@@ -117,7 +116,7 @@ std::vector<std::vector<std::string>> size_cells(const study::Study& study) {
     return seconds ? duration(*seconds) : std::string("-");
   };
   for (const auto& [size, times] : times_of(study))
-    rows.push_back({in_words(size), cell(times.dense), cell(times.exact), cell(times.single),
+    rows.push_back({size_in_words(size), cell(times.dense), cell(times.exact), cell(times.single),
                     cell(times.coarse), cell(times.circuit)});
   return rows;
 }
@@ -127,10 +126,10 @@ std::vector<std::string> sizes_in_words(const study::Study& study) {
   std::vector<std::string> text;
   std::string loop;
   for (const auto& [size, times] : sizes)
-    for (const std::size_t side : asked)
+    for (const std::size_t side : reported_sides)
       if (std::max(size.first, size.second) == side && times.digital())
-        loop += (loop.empty() ? "in a loop of 1 kHz a frame of " : "; one of ") + in_words(size) +
-                " such taxels " + takes(times) + ": " + loop_verdict(times);
+        loop += (loop.empty() ? "in a loop of 1 kHz a frame of " : "; one of ") +
+                size_in_words(size) + " such taxels " + takes(times) + ": " + loop_verdict(times);
   if (!loop.empty()) text.push_back(std::move(loop));
   if (auto sentence = crossover(sizes)) text.push_back(std::move(*sentence));
   return text;

@@ -10,8 +10,8 @@
 namespace tactile_net::report {
 namespace {
 
-std::string value_of(const lab::SceneCalibration& found, PressQuantity quantity, double value,
-                     double sd) {
+std::string quantity_in_words(const lab::SceneCalibration& found, PressQuantity quantity,
+                              double value, double sd) {
   switch (quantity) {
     case PressQuantity::force:
       return in_unit(found.units(), found.is_skin() ? Dimension::point_force : Dimension::force,
@@ -27,12 +27,6 @@ std::string value_of(const lab::SceneCalibration& found, PressQuantity quantity,
   return plus_minus(value, sd);
 }
 
-std::string spoken(PressQuantity quantity) {
-  std::string text(name(quantity));
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
-}
-
 const Press& press_of(const lab::SceneCalibration& found, std::size_t number) {
   return *std::find_if(found.log.presses.begin(), found.log.presses.end(),
                        [&](const Press& press) { return press.number == number; });
@@ -46,12 +40,12 @@ std::string put_aside_in_words(const lab::SceneCalibration& found, const FittedP
   const double said = stated[static_cast<std::size_t>(quantity)]->value.value_or(0.0);
   const ValueWithSd& value = press.at(quantity);
   std::string text = "Press " + std::to_string(press.number) + " does not fit its stated " +
-                     spoken(quantity) + ": it was ";
+                     spoken_name(name(quantity)) + ": it was ";
   if (quantity == PressQuantity::force)
     text += plus_minus(value.value / said, value.sd / said) + " of it";
   else
-    text += value_of(found, quantity, value.value, value.sd) + ", and " +
-            value_of(found, quantity, said, 0.0) + " was stated";
+    text += quantity_in_words(found, quantity, value.value, value.sd) + ", and " +
+            quantity_in_words(found, quantity, said, 0.0) + " was stated";
   return text + ". The stated one was put aside.";
 }
 
@@ -61,8 +55,8 @@ void say_contradicted_presses(const lab::SceneCalibration& found, std::vector<st
   for (std::size_t i = 0; i < std::min(most, all.size()); ++i) {
     const ContradictedPress& one = all[i];
     std::string sentence = "Press " + std::to_string(one.press) + ": its readings contradict the " +
-                           spoken(one.quantity) + " that is stated, " +
-                           value_of(found, one.quantity, one.stated, 0.0);
+                           spoken_name(name(one.quantity)) + " that is stated, " +
+                           quantity_in_words(found, one.quantity, one.stated, 0.0);
     sentence += one.deviation != 0.0
                     ? ", by " + brief(std::abs(one.deviation)) + " of its standard deviations"
                     : "; " + std::to_string(one.readings) + " of them are over 5 off";
@@ -85,7 +79,7 @@ void say_doubtful_readings(const lab::SceneCalibration& found, std::vector<std::
 
 /// "forces", "half widths" of presses.
 std::string plural(PressQuantity quantity) {
-  return quantity == PressQuantity::friction ? "frictions" : spoken(quantity) + 's';
+  return quantity == PressQuantity::friction ? "frictions" : spoken_name(name(quantity)) + 's';
 }
 
 std::string understated_in_words(const UnderstatedSd& one) {

@@ -1,6 +1,14 @@
 #include "report/words/calibration_parts.hpp"
 
+#include <algorithm>
+
 namespace tactile_net::report {
+
+std::string spoken_name(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
 
 std::string spoken_parameter(PadParameter parameter, bool is_skin) {
   switch (parameter) {

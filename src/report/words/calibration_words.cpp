@@ -20,8 +20,6 @@ namespace {
 
 constexpr double share_limit = 1e-3;  // of a null direction, to be said
 
-std::string percent(double share) { return brief(100.0 * share) + " %"; }
-
 std::optional<Dimension> dimension(PadParameter parameter) {
   switch (parameter) {
     case PadParameter::depth:
@@ -35,12 +33,6 @@ std::optional<Dimension> dimension(PadParameter parameter) {
     default:
       return std::nullopt;
   }
-}
-
-std::string spoken(ValueVerdict verdict) {
-  std::string text(name(verdict));
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
 }
 
 /// The parameter belongs to this scene: it was free, or nothing can be known of it.
@@ -156,7 +148,7 @@ std::vector<std::vector<std::string>> calibration_cells(const lab::SceneCalibrat
     if (!is_shown(found, parameter)) continue;
     const FittedValue& value = found.fit.at(parameter);
     rows.push_back(
-        {spoken_parameter(parameter, found.is_skin()), spoken(value.verdict),
+        {spoken_parameter(parameter, found.is_skin()), spoken_name(name(value.verdict)),
          number(found, parameter, value.nominal, value.prior_sd),
          value.verdict == ValueVerdict::not_identifiable || value.verdict == ValueVerdict::fixed
              ? "-"
@@ -164,7 +156,7 @@ std::vector<std::vector<std::string>> calibration_cells(const lab::SceneCalibrat
   }
   for (std::size_t c = 0; c < found.fit.mean_gain.size(); ++c) {
     const FittedValue& value = found.fit.mean_gain[c];
-    rows.push_back({"mean gain of " + found.channels[c].name, spoken(value.verdict),
+    rows.push_back({"mean gain of " + found.channels[c].name, spoken_name(name(value.verdict)),
                     plus_minus(1.0, value.prior_sd),
                     value.verdict == ValueVerdict::not_identifiable
                         ? "-"
@@ -266,7 +258,7 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
 std::vector<Answer> answers(const lab::SceneCalibration& found) {
   const PressFit& fit = found.fit;
   std::vector<Answer> boxes;
-  boxes.push_back({fit.verdict == FitVerdict::ok ? "fits" : spoken(ValueVerdict::weak),
+  boxes.push_back({fit.verdict == FitVerdict::ok ? "fits" : spoken_name(name(ValueVerdict::weak)),
                    "residuals " + fixed(fit.rms, 2) + " times the noise",
                    fit.verdict != FitVerdict::ok});
   if (fit.verdict == FitVerdict::poor_fit) boxes.back().value = "poor fit";

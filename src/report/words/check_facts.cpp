@@ -9,7 +9,7 @@
 namespace tactile_net::report {
 namespace {
 
-std::string frames_in_words(const lab::ReadingsCheck& check, std::size_t readings) {
+std::string recording_extent_in_words(const lab::ReadingsCheck& check, std::size_t readings) {
   std::string text = std::to_string(check.frames) + (check.frames == 1 ? " frame" : " frames") +
                      " of " + std::to_string(readings) + " readings";
   const lab::RecordingClock& clock = check.clock;
@@ -53,7 +53,7 @@ Dimension force_of(const Scene&) { return Dimension::force; }
 Dimension force_of(const SkinScene&) { return Dimension::point_force; }
 
 std::vector<std::string> understood(const lab::ReadingsCheck& check, const auto& scene) {
-  std::vector<std::string> facts{frames_in_words(check, reading_count(scene.sensor))};
+  std::vector<std::string> facts{recording_extent_in_words(check, reading_count(scene.sensor))};
   if (check.frames == 0) return facts;
   for (std::size_t c = 0; c < check.channels.size(); ++c)
     facts.push_back(channel_in_words(check, scene, c));

@@ -6,7 +6,7 @@
 namespace tactile_net::report {
 namespace {
 
-constexpr Named<DataDoubt> sentences[] = {
+constexpr Named<DataDoubt> doubt_sentences[] = {
     {DataDoubt::implausible,
      "the readings would strain the pad by more than its own size: are they, or Young's modulus, "
      "in "
@@ -47,7 +47,7 @@ std::string number_of(DataDoubt doubt, const DataVerdict& data) {
 
 }  // namespace
 
-std::string_view in_words(DataDoubt doubt) noexcept { return name_in<sentences>(doubt); }
+std::string_view in_words(DataDoubt doubt) noexcept { return name_in<doubt_sentences>(doubt); }
 
 std::string in_words(const DataVerdict& data) {
   std::string text;

@@ -13,13 +13,13 @@
 namespace tactile_net::report {
 namespace {
 
-std::string say(const lab::SceneRemark& remark) { return in_words(remark); }
-std::string say(const lab::Remark& remark) { return in_words(remark); }
-std::string say(const CutOffNote& note) { return in_words(note); }
-std::string say(const lab::remark::Doubtful& doubtful) {
+std::string fingertip_remark_in_words(const lab::SceneRemark& remark) { return in_words(remark); }
+std::string fingertip_remark_in_words(const lab::Remark& remark) { return in_words(remark); }
+std::string fingertip_remark_in_words(const CutOffNote& note) { return in_words(note); }
+std::string fingertip_remark_in_words(const lab::remark::Doubtful& doubtful) {
   return "the reconstruction's verdict is " + std::string(name(doubtful.verdict));
 }
-std::string say(const lab::remark::TangentialUnseen&) {
+std::string fingertip_remark_in_words(const lab::remark::TangentialUnseen&) {
   return "the tangential force is not measured: it is taken for zero";
 }
 
@@ -119,7 +119,7 @@ std::vector<std::string> hold_in_words(const lab::GraspResult& grasp) {
 }
 
 std::string in_words(const lab::FingertipRemark& remark) {
-  return std::visit([](const auto& one) { return say(one); }, remark);
+  return std::visit([](const auto& one) { return fingertip_remark_in_words(one); }, remark);
 }
 
 std::vector<std::string> warnings_in_words(const lab::GraspResult& grasp) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
@@ -13,16 +14,8 @@ namespace {
 
 namespace reason = lab::hidden_reason;
 
-std::string word(Traction traction) {
-  return traction == Traction::normal ? "normal" : "tangential";
-}
-
-std::string length(double number, const std::optional<Units>& units) {
-  return in_unit(units, Dimension::length, number);
-}
-
 std::string uniform(Traction component) {
-  return "a uniform " + word(component) + " traction (k = 0)";
+  return "a uniform " + std::string(name(component)) + " traction (k = 0)";
 }
 
 std::string say(const reason::OneStrain&, const std::optional<Units>&) {
@@ -32,7 +25,7 @@ std::string say(const reason::Proportional&, const std::optional<Units>&) {
   return "Because the quantities read answer to both tractions in the same proportion.";
 }
 std::string say(const reason::OddKernels& r, const std::optional<Units>&) {
-  return "Because every kernel of a " + word(r.component) +
+  return "Because every kernel of a " + std::string(name(r.component)) +
          " traction read here is odd, what acts left and right of a taxel cancels: for " +
          uniform(r.component) +
          ", which shows only where it stops, and for one that alternates from taxel to taxel "
@@ -61,16 +54,18 @@ std::string say(const reason::DeadTaxels&, const std::optional<Units>&) {
   return "Dead taxels read nothing: what only they would show is lost.";
 }
 std::string say(const reason::Smoothing& r, const std::optional<Units>& units) {
-  return "Because the pad smooths: of a ripple of wavelength " + length(r.wavelength, units) +
+  return "Because the pad smooths: of a ripple of wavelength " +
+         length_in_words(units, r.wavelength) +
          ", about exp(-2 pi depth / wavelength) = " + brief(r.left) + " arrives at depth " +
-         length(r.depth, units) + ".";
+         length_in_words(units, r.depth) + ".";
 }
 
 /// "normal ripples down to wavelength 2, no tangential ripple"
 std::string told(const lab::SensorChoice& choice, const std::optional<Units>& units) {
   const auto down_to = [&](Traction traction, const std::optional<double>& wavelength) {
-    return wavelength ? word(traction) + " ripples down to wavelength " + length(*wavelength, units)
-                      : "no " + word(traction) + " ripple";
+    return wavelength ? std::string(name(traction)) + " ripples down to wavelength " +
+                            length_in_words(units, *wavelength)
+                      : "no " + std::string(name(traction)) + " ripple";
   };
   std::string text = down_to(Traction::normal, choice.normal);
   if (choice.unknowns == 2) text += ", " + down_to(Traction::tangential, choice.tangential);
@@ -83,8 +78,8 @@ std::string unseen(const lab::SensorChoice& choice, double traction,
   const std::string pressing = in_unit(units, Dimension::stress, traction);
   const std::string nothing = " between two taxels changes no reading by more than the noise";
   if (!choice.unseen) return "A contact of " + pressing + nothing + ", however wide it is.";
-  return "A contact of " + pressing + " that is narrower than " + length(*choice.unseen, units) +
-         nothing + ".";
+  return "A contact of " + pressing + " that is narrower than " +
+         length_in_words(units, *choice.unseen) + nothing + ".";
 }
 
 /// The quantities that one choice reads and the other does not.
@@ -128,7 +123,7 @@ std::string in_words(const lab::SensorChoice& choice, const std::optional<Units>
   std::vector<std::string> reads;
   std::vector<std::string> depths;
   for (const Quantity quantity : choice.reads) reads.emplace_back(name(quantity));
-  for (const double depth : choice.depths) depths.push_back(length(depth, units));
+  for (const double depth : choice.depths) depths.push_back(length_in_words(units, depth));
   return join(reads, ", ") + " at " + join(depths, " and ");
 }
 

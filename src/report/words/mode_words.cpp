@@ -2,21 +2,13 @@
 
 #include <cmath>
 
+#include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::report {
 namespace {
 
 constexpr double pure = 0.9;  // share from which a mode is said to have one wavelength
-
-std::string word(Traction component) {
-  return component == Traction::normal ? "normal" : "tangential";
-}
-
-std::string length(double number, const std::optional<Units>& units) {
-  return in_unit(units, Dimension::length, number);
-}
 
 std::string whole_percent(double share) {
   return std::to_string(std::lround(100.0 * share)) + " %";
@@ -25,7 +17,7 @@ std::string whole_percent(double share) {
 }  // namespace
 
 std::string in_words(const TractionMode& mode, const std::optional<Units>& units) {
-  std::string text = mode.unknown ? word(*mode.unknown) + " traction"
+  std::string text = mode.unknown ? std::string(name(*mode.unknown)) + " traction"
                                   : "normal (" + whole_percent(mode.normal_share) +
                                         ") with tangential traction (" +
                                         whole_percent(1.0 - mode.normal_share) + ")";
@@ -37,7 +29,7 @@ std::string in_words(const TractionMode& mode, const std::optional<Units>& units
   else if (mode.alternating)
     text += "alternating from taxel to taxel (Nyquist)";
   else
-    text += "wavelength " + length(*mode.wavelength, units);
+    text += "wavelength " + length_in_words(units, *mode.wavelength);
   if (mode.unknown && mode.parity != Parity::neither)
     text +=
         std::string(", ") + (mode.parity == Parity::even ? "even" : "odd") + " about the centre";
@@ -51,10 +43,10 @@ std::string in_words(const ModeSpace& space, const std::optional<Units>& units) 
   text += "; and " + std::to_string(space.dimension - 1) + " combination" +
           (space.dimension > 2 ? "s" : "") + " more";
   if (std::isinf(space.longest))
-    text += ", from constant ones to wavelength " + length(space.shortest, units);
+    text += ", from constant ones to wavelength " + length_in_words(units, space.shortest);
   else if (space.longest > 0.0)
-    text +=
-        ", of wavelengths " + length(space.longest, units) + " to " + length(space.shortest, units);
+    text += ", of wavelengths " + length_in_words(units, space.longest) + " to " +
+            length_in_words(units, space.shortest);
   return text;
 }
 
@@ -63,20 +55,21 @@ std::string in_short(const ModeSpace& space, const std::optional<Units>& units) 
   if (space.dimension > 1)
     return std::to_string(space.dimension) + " modes" + wavelengths_in_short(space, units);
   const TractionMode& mode = space.modes.front();
-  return word(mode.normal_share >= 0.5 ? Traction::normal : Traction::tangential) + ", " +
+  return std::string(name(mode.normal_share >= 0.5 ? Traction::normal : Traction::tangential)) +
+         ", " +
          (!mode.wavelength   ? "k = 0"
           : mode.alternating ? "alternating"
-                             : "wavelength " + length(*mode.wavelength, units));
+                             : "wavelength " + length_in_words(units, *mode.wavelength));
 }
 
 std::string wavelengths_in_short(const ModeSpace& space, const std::optional<Units>& units) {
   if (space.longest == 0.0) return {};
-  return ", wavelengths " + length(space.shortest, units) + " to " +
-         (std::isinf(space.longest) ? "k = 0" : length(space.longest, units));
+  return ", wavelengths " + length_in_words(units, space.shortest) + " to " +
+         (std::isinf(space.longest) ? "k = 0" : length_in_words(units, space.longest));
 }
 
 std::string in_words(const DftNullMode& mode) {
-  const std::string traction = "the " + word(mode.unknown) + " traction";
+  const std::string traction = "the " + std::string(name(mode.unknown)) + " traction";
   if (!mode.wavelength) return "the mean of " + traction + " (k = 0)";
   if (mode.alternating) return traction + " that alternates from taxel to taxel (Nyquist)";
   return "a ripple of " + traction + " with wavelength " + brief(*mode.wavelength);

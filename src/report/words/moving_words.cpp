@@ -12,7 +12,7 @@
 namespace tactile_net::report {
 namespace {
 
-const study::MovingContacts* moving_of(const study::Study& study) {
+const study::MovingContacts* moving_contacts_of(const study::Study& study) {
   for (const study::StudySection& section : study.sections)
     if (section.moving) return &*section.moving;
   return nullptr;
@@ -34,7 +34,7 @@ std::vector<study::Follower> loops_of(const study::MovingContacts& moving) {
   return loops;
 }
 
-std::string in_words(const std::optional<double>& speed, const study::Study& study) {
+std::string speed_or_dash(const std::optional<double>& speed, const study::Study& study) {
   return speed ? speed_in_words(*speed, study.input.units()) : "-";
 }
 
@@ -47,24 +47,24 @@ std::string in_words(const study::Follower& follower) {
 
 std::vector<std::vector<std::string>> moving_cells(const study::Study& study) {
   std::vector<std::vector<std::string>> rows = {{"follower", "behind", "1 % of the answer at"}};
-  const study::MovingContacts* const moving = moving_of(study);
+  const study::MovingContacts* const moving = moving_contacts_of(study);
   if (moving == nullptr) return rows;
   const std::vector<study::Follower> loops = loops_of(*moving);
   for (const study::Follower& loop : loops)
     rows[0].push_back("nearer than " + in_words(loop) + " from");
   for (const study::Follower& one : moving->followers) {
     rows.push_back({in_words(one), duration(one.delay),
-                    in_words(speed_at_error(*moving, one, study::one_percent), study)});
+                    speed_or_dash(speed_at_error(*moving, one, study::one_percent), study)});
     const auto parts = one.realization ? parts_error(study, *one.realization) : std::nullopt;
     for (const study::Follower& loop : loops)
-      rows.back().push_back(parts ? in_words(crossover_speed(*moving, one, *parts, loop), study)
-                                  : "-");
+      rows.back().push_back(
+          parts ? speed_or_dash(crossover_speed(*moving, one, *parts, loop), study) : "-");
   }
   return rows;
 }
 
 std::string moving_in_words(const study::Study& study) {
-  const study::MovingContacts* const moving = moving_of(study);
+  const study::MovingContacts* const moving = moving_contacts_of(study);
   if (moving == nullptr) return {};
   const study::Follower* best = nullptr;
   double least = HUGE_VAL;
@@ -78,14 +78,14 @@ std::string moving_in_words(const study::Study& study) {
   if (best == nullptr) return {};
   std::string text = "contacts that move: " + in_words(*best) + " with op-amps of 10 MHz is " +
                      duration(best->delay) + " behind, 1 % of the answer at " +
-                     in_words(speed_at_error(*moving, *best, study::one_percent), study);
+                     speed_or_dash(speed_at_error(*moving, *best, study::one_percent), study);
   for (const study::Follower& loop : loops_of(*moving)) {
     text += "; " + in_words(loop) + " errs as much at " +
-            in_words(speed_at_error(*moving, loop, study::one_percent), study);
+            speed_or_dash(speed_at_error(*moving, loop, study::one_percent), study);
     if (!std::isfinite(least)) continue;
     if (const auto speed = crossover_speed(*moving, *best, least, loop))
       text += ", and more than the circuit of 1 % parts (" + percent(least) + ") from " +
-              in_words(speed, study) + " on";
+              speed_or_dash(speed, study) + " on";
   }
   return text;
 }

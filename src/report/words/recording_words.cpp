@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/words/number_words.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/check_words.hpp"
@@ -18,38 +19,34 @@ using lab::FrameGroup;
 using lab::RecordingOverview;
 using lab::Verdict;
 
-std::string force_of(const Scene& scene, double force) {
+std::string force_in_words(const Scene& scene, double force) {
   return in_unit(scene, Dimension::force, force);
 }
 
-std::string force_of(const Scene& scene, const Uncertain& force) {
-  return in_unit(scene, Dimension::force, force.value, force.deviation);
+std::string force_in_words(const Scene& scene, const Uncertain& force) {
+  return in_unit(scene.units, Dimension::force, force);
 }
 
-std::string length_of(const Scene& scene, double length) {
-  return in_unit(scene, Dimension::length, length);
+std::string normal_in_words(const Scene& scene, const FrameGroup& group) {
+  return group.bands ? force_in_words(scene, group.bands->resultant.normal)
+                     : force_in_words(scene, group.resultant.normal);
 }
 
-std::string normal_of(const Scene& scene, const FrameGroup& group) {
-  return group.bands ? force_of(scene, group.bands->resultant.normal)
-                     : force_of(scene, group.resultant.normal);
-}
-
-std::string tangential_of(const Scene& scene, const FrameGroup& group) {
+std::string tangential_in_words(const Scene& scene, const FrameGroup& group) {
   if (group.bands && group.bands->resultant.tangential)
-    return force_of(scene, *group.bands->resultant.tangential);
-  return force_of(scene, group.resultant.tangential);
+    return force_in_words(scene, *group.bands->resultant.tangential);
+  return force_in_words(scene, group.resultant.tangential);
 }
 
 /// Empty where nothing presses.
-std::string centre_of(const Scene& scene, const FrameGroup& group) {
+std::string centre_in_words(const Scene& scene, const FrameGroup& group) {
   if (group.bands)
     return group.bands->resultant.centre
                ? in_unit(scene, Dimension::length, group.bands->resultant.centre->value,
                          group.bands->resultant.centre->deviation)
                : std::string{};
   const auto centre = group.resultant.centre();
-  return centre ? length_of(scene, *centre) : std::string{};
+  return centre ? length_in_words(scene.units, *centre) : std::string{};
 }
 
 std::string place(const FrameGroup& group) {
@@ -81,8 +78,8 @@ Answer path(const RecordingOverview& overview, const FrameGroup& peak) {
                                ? peak.bands->resultant.centre->deviation
                                : 0.1 * surface(overview.scene).spacing;
   if (high - low < 4.0 * deviation)
-    return {centre_of(overview.scene, peak), "centre of pressure, at " + place(peak)};
-  const auto at = [&](double y) { return length_of(overview.scene, y); };
+    return {centre_in_words(overview.scene, peak), "centre of pressure, at " + place(peak)};
+  const auto at = [&](double y) { return length_in_words(overview.scene.units, y); };
   return {at(*first->resultant.centre()) + " → " + at(*last->resultant.centre()),
           "way of the centre of pressure while it presses; from " + at(low) + " to " + at(high) +
               " in all"};
@@ -137,7 +134,7 @@ std::vector<Answer> answers(const RecordingOverview& overview) {
   const FrameGroup& peak = overview.peak();
   const bool pressed = overview.loaded(peak);
   std::vector<Answer> all;
-  all.push_back({normal_of(overview.scene, peak), what_presses(overview, peak),
+  all.push_back({normal_in_words(overview.scene, peak), what_presses(overview, peak),
                  !pressed || peak.verdict != Verdict::ok});
   if (overview.tangential() && pressed) {
     double used = 0.0;
@@ -191,9 +188,9 @@ std::string group_clock(const FrameGroup& group) {
 }
 
 std::string group_answer(const RecordingOverview& overview, const FrameGroup& group) {
-  std::string text = "normal force " + normal_of(overview.scene, group);
-  if (overview.tangential()) text += ", tangential " + tangential_of(overview.scene, group);
-  if (const std::string centre = centre_of(overview.scene, group); !centre.empty())
+  std::string text = "normal force " + normal_in_words(overview.scene, group);
+  if (overview.tangential()) text += ", tangential " + tangential_in_words(overview.scene, group);
+  if (const std::string centre = centre_in_words(overview.scene, group); !centre.empty())
     text += ", centre " + centre;
   if (group.alpha) text += "; alpha " + brief(group.alpha->value);
   if (group.bands)

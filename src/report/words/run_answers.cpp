@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/words/number_words.hpp"
 #include "tactile_net/lab/agreement.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -15,10 +16,6 @@ using lab::Experiment;
 using lab::MethodResult;
 using lab::Verdict;
 
-std::string in_unit(const Scene& scene, Dimension dimension, const Uncertain& number) {
-  return report::in_unit(scene, dimension, number.value, number.deviation);
-}
-
 Answer force(const Experiment& experiment, const MethodResult& lead) {
   const Scene& scene = experiment.scene;
   const double exact = experiment.frame.force;
@@ -26,16 +23,16 @@ Answer force(const Experiment& experiment, const MethodResult& lead) {
   answer.meaning = "normal force";
   if (lead.resultant) {
     const Uncertain& found = lead.resultant->normal;
-    answer.value = in_unit(scene, Dimension::force, found);
+    answer.value = in_unit(scene.units, Dimension::force, found);
     if (const auto& drag = lead.resultant->tangential)
-      answer.meaning += ", tangential " + in_unit(scene, Dimension::force, *drag);
+      answer.meaning += ", tangential " + in_unit(scene.units, Dimension::force, *drag);
     // Readings summed over the taxels hold what their places have of the contacts.
     const double shown = scene.forward == ForwardModel::sampled ? experiment.sampled_force : exact;
     answer.doubtful = std::abs(found.value - shown) > 4.0 * found.deviation + 0.02 * exact;
   } else {
-    answer.value = report::in_unit(scene, Dimension::force, lead.force);
+    answer.value = in_unit(scene, Dimension::force, lead.force);
   }
-  answer.meaning += "; the contacts press with " + report::in_unit(scene, Dimension::force, exact);
+  answer.meaning += "; the contacts press with " + in_unit(scene, Dimension::force, exact);
   if (lead.verdict != Verdict::ok) {
     answer.meaning +=
         ". " + std::string(name(lead.verdict)) + ": " + std::string(in_words(lead.verdict));
@@ -101,7 +98,7 @@ std::vector<Answer> answers(const Experiment& experiment) {
   else
     all.push_back(force(experiment, *lead));
   if (pressed && lead->resultant && lead->resultant->centre)
-    all.push_back({in_unit(experiment.scene, Dimension::length, *lead->resultant->centre),
+    all.push_back({in_unit(experiment.scene.units, Dimension::length, *lead->resultant->centre),
                    "centre of pressure, along y from the array's middle"});
   if (std::isfinite(lead->normal.relative_l2))
     all.push_back(

@@ -22,7 +22,7 @@ std::string_view shape_name(Shape shape) {
   return "";
 }
 
-std::string in_words(const RigidContact& contact, const Scene& scene) {
+std::string contact_in_words(const RigidContact& contact, const Scene& scene) {
   const auto length = [&](double number) { return in_unit(scene, Dimension::length, number); };
   std::string text(shape_name(contact.shape));
   text += " at " + length(contact.center) + ", half width " + length(contact.half_width) +
@@ -32,7 +32,7 @@ std::string in_words(const RigidContact& contact, const Scene& scene) {
   return text;
 }
 
-std::string in_words(const SampledTractions& contact, const Scene&) {
+std::string contact_in_words(const SampledTractions& contact, const Scene&) {
   return "sampled tractions at the " + std::to_string(contact.normal.size()) + " taxels" +
          (contact.tangential.empty() ? "" : ", normal and tangential");
 }
@@ -118,7 +118,8 @@ std::string material_in_words(const Scene& scene) {
 std::vector<std::string> contacts_in_words(const Scene& scene) {
   std::vector<std::string> texts;
   for (const Contact& contact : scene.contacts)
-    texts.push_back(std::visit([&](const auto& shape) { return in_words(shape, scene); }, contact));
+    texts.push_back(
+        std::visit([&](const auto& shape) { return contact_in_words(shape, scene); }, contact));
   return texts;
 }
 

@@ -5,6 +5,7 @@
 #include <ostream>
 #include <utility>
 
+#include "report/words/number_words.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -18,11 +19,7 @@ namespace {
 
 using Choice = lab::SkinSensorChoice;
 
-std::string length(const SkinScene& scene, double value) {
-  return in_unit(scene.units, Dimension::length, value);
-}
-
-std::string names_of(const std::vector<SkinQuantity>& reads) {
+std::string quantity_names(const std::vector<SkinQuantity>& reads) {
   std::vector<std::string> names;
   for (const SkinQuantity quantity : reads) names.emplace_back(name(quantity));
   return join(names, ", ");
@@ -50,7 +47,7 @@ std::string waves(WaveDirection direction) {
 }
 
 /// What waves hide, in a column of a table: "curl", "curl along y", "mean of q".
-std::string in_short(const HiddenWaves& hidden) {
+std::string waves_in_short(const HiddenWaves& hidden) {
   if (hidden.direction == WaveDirection::mean) {
     std::vector<std::string> means;
     if (hidden.normal) means.emplace_back("p");
@@ -94,7 +91,7 @@ std::vector<HiddenWaves> hidden_of(const Choice& choice) {
 std::string hidden_in_short(const Choice& choice) {
   std::vector<std::pair<std::string, std::string>> all;  // what, and along which axes
   for (const HiddenWaves& one : hidden_of(choice)) {
-    const std::string what = in_short(one);
+    const std::string what = waves_in_short(one);
     std::string along;
     if (one.direction == WaveDirection::along_y) along = "y";
     if (one.direction == WaveDirection::along_z) along = "z";
@@ -133,13 +130,13 @@ std::string told(const SkinScene& scene, const Choice& choice) {
     const auto& [y, z, any] = choice.wavelengths[static_cast<std::size_t>(ripple)];
     std::vector<std::string> along;
     if (y && z && std::abs(*y - *z) <= 1e-9 * *y) {
-      along.push_back("from " + length(scene, *y) + " on along y and z");
+      along.push_back("from " + length_in_words(scene.units, *y) + " on along y and z");
     } else {
-      if (y) along.push_back("from " + length(scene, *y) + " on along y");
-      if (z) along.push_back("from " + length(scene, *z) + " on along z");
+      if (y) along.push_back("from " + length_in_words(scene.units, *y) + " on along y");
+      if (z) along.push_back("from " + length_in_words(scene.units, *z) + " on along z");
     }
     if (any && *any > std::max(y.value_or(0.0), z.value_or(0.0)) * (1.0 + 1e-9))
-      along.push_back("from " + length(scene, *any) + " on in every direction");
+      along.push_back("from " + length_in_words(scene.units, *any) + " on in every direction");
     if (!any && !along.empty()) along.emplace_back("not of every wave between");
     const std::string what = in_words(ripple);
     parts.push_back(along.empty() ? "no " + what : what + " " + join(along, ", "));
@@ -154,7 +151,7 @@ std::string unseen(const SkinScene& scene, const Choice& choice, double traction
       "the noise";
   if (!choice.unseen) return "A round contact of " + pressing + nothing + ", however wide it is.";
   return "A round contact of " + pressing + " that is narrower than " +
-         length(scene, *choice.unseen) + nothing + ".";
+         length_in_words(scene.units, *choice.unseen) + nothing + ".";
 }
 
 void add_finite(std::vector<std::string>& text, const SkinScene& scene,
@@ -215,7 +212,7 @@ std::string in_words(const Choice& choice, const std::optional<Units>& units) {
   const std::string at = depths.size() <= 4 ? join(depths, " and ")
                                             : in_unit(units, Dimension::length, *least) + " to " +
                                                   in_unit(units, Dimension::length, *most);
-  return names_of(choice.reads) + " at " + at;
+  return quantity_names(choice.reads) + " at " + at;
 }
 
 std::string in_words(SkinRipple ripple) {
@@ -283,7 +280,8 @@ std::vector<std::vector<std::string>> share_cells(const SkinScene& scene,
   for (const SkinRipple ripple : lab::ripples_of(survey.own.components))
     rows.front().push_back(in_words(ripple));
   for (const lab::WaveShare& share : survey.shares) {
-    rows.push_back({std::string(name(share.quantity)) + " at " + length(scene, share.depth)});
+    rows.push_back(
+        {std::string(name(share.quantity)) + " at " + length_in_words(scene.units, share.depth)});
     for (const SkinRipple ripple : lab::ripples_of(survey.own.components)) {
       const double signal = share.signal[static_cast<std::size_t>(ripple)];
       rows.back().push_back(signal > 0.0 ? brief(signal) : "nothing");
@@ -294,7 +292,7 @@ std::vector<std::vector<std::string>> share_cells(const SkinScene& scene,
 
 std::string shares_in_words(const SkinScene& scene, const lab::SkinSurvey& survey) {
   return "How many times its noise each taxel reads of an oblique wave (30 deg from y) " +
-         length(scene, survey.wave) + " long, with an amplitude of " +
+         length_in_words(scene.units, survey.wave) + " long, with an amplitude of " +
          in_unit(scene.units, Dimension::stress, survey.traction) +
          " of each part: what determines it.";
 }
@@ -310,7 +308,7 @@ std::vector<std::vector<std::string>> survey_cells(const SkinScene& scene,
     const auto from = [&](SkinRipple ripple) {
       if (ripple != SkinRipple::pressure && choice.components == 1) return std::string("-");
       const auto wavelength = choice.resolvable(ripple);
-      return wavelength ? length(scene, *wavelength) : std::string("none");
+      return wavelength ? length_in_words(scene.units, *wavelength) : std::string("none");
     };
     const bool singular = finite ? finite->hidden > 0 : !std::isfinite(choice.wave_condition);
     rows.push_back(
@@ -320,7 +318,7 @@ std::vector<std::vector<std::string>> survey_cells(const SkinScene& scene,
          finite ? std::to_string(finite->boundary_only) : "-",
          finite && !singular ? in_unit(scene.units, Dimension::stress, finite->noise_gain) : "-",
          from(SkinRipple::pressure), from(SkinRipple::drag_along), from(SkinRipple::drag_across),
-         choice.unseen ? length(scene, *choice.unseen) : "any width"});
+         choice.unseen ? length_in_words(scene.units, *choice.unseen) : "any width"});
   };
   add(survey.own, " (the scene's)");
   for (const Choice& choice : survey.alternatives) add(choice, "");
@@ -341,7 +339,7 @@ std::string cells_in_words(const SkinScene& scene, const lab::SkinSurvey& survey
       in_words(survey.noise) + ".";
   if (!survey.own.told.finite)
     text += " Of uneven taxels the condition is that of an oblique wave " +
-            length(scene, survey.wave) + " long.";
+            length_in_words(scene.units, survey.wave) + " long.";
   else if (survey.rows < scene.sensor.rows || survey.columns < scene.sensor.columns)
     text += " Condition, hidden combinations and noise gain are of " + std::to_string(survey.rows) +
             " x " + std::to_string(survey.columns) + " of the taxels.";
@@ -356,8 +354,8 @@ std::vector<Answer> answers(const SkinScene& scene, const lab::SkinSurvey& surve
     const auto wavelength = own.resolvable(ripple);
     const std::string what = "ripples of " + ripples + " of " + in_words(ripple);
     if (wavelength)
-      all.push_back(
-          {"from " + length(scene, *wavelength), what + " are told, by their wavelength"});
+      all.push_back({"from " + length_in_words(scene.units, *wavelength),
+                     what + " are told, by their wavelength"});
     else
       all.push_back({"none", "of " + what + " stands out of the noise", true});
   }

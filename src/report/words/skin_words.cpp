@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "report/words/number_words.hpp"
 #include "report/words/skin_remark_words.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -22,33 +23,30 @@
 namespace tactile_net::report {
 namespace {
 
-std::string length(const SkinScene& scene, double value) {
-  return in_unit(scene.units, Dimension::length, value);
-}
-
-std::string force(const SkinScene& scene, double value) {
+std::string force_in_words(const SkinScene& scene, double value) {
   return in_unit(scene.units, Dimension::point_force, value);
 }
 
 std::string degrees(double radians) { return brief(radians * 180.0 / std::numbers::pi) + " deg"; }
 
-std::string place(const SkinScene& scene, double y, double z) {
-  return "(" + length(scene, y) + ", " + length(scene, z) + ")";
+std::string point_in_words(const SkinScene& scene, double y, double z) {
+  return "(" + length_in_words(scene.units, y) + ", " + length_in_words(scene.units, z) + ")";
 }
 
 /// One number where both are the same.
 std::string sides(const SkinScene& scene, double y, double z) {
-  return y == z ? length(scene, y) : length(scene, y) + " x " + length(scene, z);
+  return y == z ? length_in_words(scene.units, y)
+                : length_in_words(scene.units, y) + " x " + length_in_words(scene.units, z);
 }
 
-std::string in_words(const SkinContact& contact, const SkinScene& scene) {
+std::string contact_in_words(const SkinContact& contact, const SkinScene& scene) {
   std::string text(name(contact.shape));
-  text += " at " + place(scene, contact.y, contact.z);
+  text += " at " + point_in_words(scene, contact.y, contact.z);
   text += contact.second_radius > 0.0
               ? ", radii " + sides(scene, contact.radius, contact.second_radius) + ", turned by " +
                     degrees(contact.angle)
-              : ", radius " + length(scene, contact.radius);
-  text += ", force " + force(scene, contact.force);
+              : ", radius " + length_in_words(scene.units, contact.radius);
+  text += ", force " + force_in_words(scene, contact.force);
   if (contact.friction != 0.0)
     text += ", friction " + brief(contact.friction) + " towards " + degrees(contact.direction);
   if (contact.stick > 0.0) text += ", sticking within " + brief(contact.stick) + " of its size";
@@ -57,25 +55,22 @@ std::string in_words(const SkinContact& contact, const SkinScene& scene) {
   return text;
 }
 
-std::string in_words(const SampledPatch& patch, const SkinScene& scene) {
+std::string contact_in_words(const SampledPatch& patch, const SkinScene& scene) {
   return "tractions of " + std::to_string(patch.rows) + " x " + std::to_string(patch.columns) +
          " cells of " + sides(scene, patch.spacing_y, patch.spacing_z) + ", given";
 }
 
-std::string depths_in_words(const SkinScene& scene) {
+std::string taxel_depths_in_words(const SkinScene& scene) {
   const auto& depths = scene.sensor.depths;
   if (!is_even(scene.sensor)) {
     const auto [least, most] = std::minmax_element(depths.begin(), depths.end());
-    return *least == *most ? length(scene, *least)
-                           : length(scene, *least) + " to " + length(scene, *most);
+    return *least == *most ? length_in_words(scene.units, *least)
+                           : length_in_words(scene.units, *least) + " to " +
+                                 length_in_words(scene.units, *most);
   }
   std::vector<std::string> all;
-  for (const double depth : depths) all.push_back(length(scene, depth));
+  for (const double depth : depths) all.push_back(length_in_words(scene.units, depth));
   return join(all, " and ");
-}
-
-std::string uncertain(const SkinScene& scene, Dimension dimension, const Uncertain& value) {
-  return in_unit(scene.units, dimension, value.value, value.deviation);
 }
 
 /// Further from the truth than four deviations and two per cent of the force.
@@ -87,8 +82,8 @@ Answer pressed(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
   const lab::SkinAnswer& found = *experiment.answer;
   const double exact = experiment.frame.wrench.force[0];
-  Answer answer{uncertain(scene, Dimension::point_force, found.wrench.normal),
-                "normal force; the contacts press with " + force(scene, exact) +
+  Answer answer{in_unit(scene.units, Dimension::point_force, found.wrench.normal),
+                "normal force; the contacts press with " + force_in_words(scene, exact) +
                     ", and the map of the pressure is " + percent(experiment.relative[0]) +
                     " off theirs",
                 is_off(found.wrench.normal, exact, exact)};
@@ -122,13 +117,13 @@ std::optional<Answer> dragged(const lab::SkinExperiment& experiment) {
   const Uncertain found = drag_of(wrench);
   const auto& exact = experiment.frame.wrench.force;
   const double size = std::hypot(exact[1], exact[2]);
-  Answer answer{uncertain(scene, Dimension::point_force, found), "drag",
+  Answer answer{in_unit(scene.units, Dimension::point_force, found), "drag",
                 is_off(found, size, exact[0])};
   if (found.value > 3.0 * found.deviation)
     answer.meaning +=
         " towards " + degrees(direction(wrench.tangential_y->value, wrench.tangential_z->value));
   answer.meaning += size > 1e-9 * std::abs(exact[0])
-                        ? "; the contacts drag with " + force(scene, size) + " towards " +
+                        ? "; the contacts drag with " + force_in_words(scene, size) + " towards " +
                               degrees(direction(exact[1], exact[2]))
                         : "; the contacts do not drag";
   return answer;
@@ -141,10 +136,11 @@ std::optional<Answer> placed(const lab::SkinExperiment& experiment) {
   if (!wrench.centre_y || !wrench.centre_z || !exact) return std::nullopt;
   const double off =
       std::hypot(wrench.centre_y->value - exact->y, wrench.centre_z->value - exact->z);
-  return Answer{uncertain(scene, Dimension::length, *wrench.centre_y) + ", " +
-                    uncertain(scene, Dimension::length, *wrench.centre_z),
-                "centre of pressure (y, z), " + length(scene, off) + " off the true one",
-                off > 0.5 * least_depth(scene.sensor)};
+  return Answer{
+      in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +
+          in_unit(scene.units, Dimension::length, *wrench.centre_z),
+      "centre of pressure (y, z), " + length_in_words(scene.units, off) + " off the true one",
+      off > 0.5 * least_depth(scene.sensor)};
 }
 
 /// How near to slipping.
@@ -167,7 +163,7 @@ std::optional<Answer> twisted(const lab::SkinExperiment& experiment) {
   if (!found || !exact) return std::nullopt;
   const bool turns = std::abs(*exact) > 3.0 * found->deviation;
   if (!turns && std::abs(found->value) < 3.0 * found->deviation) return std::nullopt;
-  return Answer{uncertain(scene, Dimension::moment, *found),
+  return Answer{in_unit(scene.units, Dimension::moment, *found),
                 "torsion about the centre; the contacts twist with " +
                     (turns ? in_unit(scene.units, Dimension::moment, *exact) : "none to speak of"),
                 std::abs(found->value - *exact) > 4.0 * found->deviation};
@@ -198,7 +194,7 @@ std::string narrowed(const SkinScene& scene, const SkinGrid& grid) {
   const auto asked = scene.reconstruct.grid.spacing;
   const double widest = std::max(grid.spacing_y, grid.spacing_z);
   if (!asked || widest > 0.999 * *asked) return {};
-  return "; spacing = " + length(scene, *asked) +
+  return "; spacing = " + length_in_words(scene.units, *asked) +
          " was asked, and a whole number of cells lies between taxels";
 }
 
@@ -213,14 +209,14 @@ std::string sensor_in_words(const SkinScene& scene) {
       : is_even(sensor) ? std::to_string(sensor.rows) + " x " + std::to_string(sensor.columns) +
                               " taxels, pitch " + sides(scene, sensor.pitch_y, sensor.pitch_z)
                         : std::to_string(taxel_count(sensor)) + " taxels about " +
-                              length(scene, sensor.pitch_y) + " apart";
-  return taxels + ", reading " + join(reads, ", ") + " at depth " + depths_in_words(scene);
+                              length_in_words(scene.units, sensor.pitch_y) + " apart";
+  return taxels + ", reading " + join(reads, ", ") + " at depth " + taxel_depths_in_words(scene);
 }
 
 std::string material_in_words(const SkinScene& scene) {
   std::string body = "half space";
   if (const auto& layer = scene.material.layer)
-    body = "layer " + length(scene, layer->thickness) + " thick on a " +
+    body = "layer " + length_in_words(scene.units, layer->thickness) + " thick on a " +
            std::string(name(layer->base)) + " base";
   return body + ", E = " + in_unit(scene.units, Dimension::stress, scene.material.youngs_modulus) +
          ", nu = " + shortest(scene.material.poisson_ratio);
@@ -229,7 +225,8 @@ std::string material_in_words(const SkinScene& scene) {
 std::vector<std::string> contacts_in_words(const SkinScene& scene) {
   std::vector<std::string> texts;
   for (const SkinLoad& load : scene.contacts)
-    texts.push_back(std::visit([&](const auto& one) { return in_words(one, scene); }, load));
+    texts.push_back(
+        std::visit([&](const auto& one) { return contact_in_words(one, scene); }, load));
   return texts;
 }
 
@@ -277,18 +274,18 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
              true}};
   const SkinScene& scene = recording.scene;
   const UncertainWrench& wrench = recording.answer->wrench;
-  std::vector<Answer> all = {{uncertain(scene, Dimension::point_force, wrench.normal),
+  std::vector<Answer> all = {{in_unit(scene.units, Dimension::point_force, wrench.normal),
                               "the hardest press, in frame " + std::to_string(recording.hardest)}};
   if (wrench.tangential_y && wrench.tangential_z) {
     const Uncertain drag = drag_of(wrench);
-    all.push_back({uncertain(scene, Dimension::point_force, drag), "its drag"});
+    all.push_back({in_unit(scene.units, Dimension::point_force, drag), "its drag"});
     if (drag.value > 3.0 * drag.deviation)
       all.back().meaning +=
           " towards " + degrees(direction(wrench.tangential_y->value, wrench.tangential_z->value));
   }
   if (wrench.centre_y && wrench.centre_z)
-    all.push_back({uncertain(scene, Dimension::length, *wrench.centre_y) + ", " +
-                       uncertain(scene, Dimension::length, *wrench.centre_z),
+    all.push_back({in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +
+                       in_unit(scene.units, Dimension::length, *wrench.centre_z),
                    "its centre of pressure (y, z)"});
   const auto good = static_cast<std::size_t>(
       std::count_if(recording.frames.begin(), recording.frames.end(),
@@ -318,7 +315,7 @@ std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& exp
                        std::optional<double> true_value, double scale) {
     if (true_value && std::abs(*true_value) < 1e-9 * std::abs(scale)) true_value = 0.0;
     if (!found) return;
-    rows.push_back({what, uncertain(scene, dimension, *found)});
+    rows.push_back({what, in_unit(scene.units, dimension, *found)});
     if (compared)
       rows.back().push_back(true_value ? in_unit(scene.units, dimension, *true_value) : "-");
   };

@@ -2,10 +2,9 @@
 
 #include <array>
 #include <ostream>
-#include <string_view>
-#include <utility>
 #include <vector>
 
+#include "numeric/named.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/table.hpp"
@@ -13,48 +12,39 @@
 namespace tactile_net::report {
 namespace {
 
-using Reason = lab::SkinWorkload::Reason;
-using Cost = lab::SkinWorkload::Cost;
-
-using enum lab::SkinWorkload::Reason;
-/// One row for each reason, in their order.
-constexpr std::array<std::pair<Reason, std::string_view>, static_cast<std::size_t>(no_report) + 1>
-    sentences = {{
-        {exact_model, "forward model exact: integrals over the contacts"},
-        {sampled_model, "forward model sampled: the sum over the cells"},
-        {no_time, "no [time]: one frame"},
-        {first_frame, "the first frame is reconstructed"},
-        {frames_before, "frames before it, for what effects remember and draw"},
-        {three_tractions, "all three tractions are to be found"},
-        {one_channel, "one quantity at one depth tells the normal traction alone"},
-        {tangential_excluded, "tangential = false"},
-        {no_drag, "no contact drags: the normal traction alone"},
-        {weight_unknown,
-         "tangential_weight = \"evidence\": each frame says how small its drags are"},
-        {weight_given, "tangential_weight is a number, 1 if it is left out"},
-        {one_traction, "the normal traction alone"},
-        {matrix_held, "up to 8192 tractions all of their matrix is held"},
-        {matrix_too_large, "more than 8192 tractions: by products, without a matrix"},
-        {rule_chooses, "alpha is chosen by the rule "},
-        {prior_by_rule, "alpha is given; what sizes the bands is chosen by the rule "},
-        {limits_stated, "friction_limit or nonnegative asks for it"},
-        {no_limits, "neither friction_limit nor nonnegative"},
-        {forces_have_deviations, "tractions and forces have deviations"},
-        {noise_stated, "whether any contact explains the readings must be said"},
-        {no_noise, "without a stated noise only the readings' size is judged"},
-        {report_requested, "--out asks for files"},
-        {no_report, "no --out"},
-    }};
-static_assert([] {
-  for (std::size_t i = 0; i < sentences.size(); ++i)
-    if (static_cast<std::size_t>(sentences[i].first) != i) return false;
-  return true;
-}());
+constexpr auto skin_reason_sentences = [] {
+  using enum lab::SkinWorkload::Reason;
+  return std::to_array<Named<lab::SkinWorkload::Reason>>({
+      {exact_model, "forward model exact: integrals over the contacts"},
+      {sampled_model, "forward model sampled: the sum over the cells"},
+      {no_time, "no [time]: one frame"},
+      {first_frame, "the first frame is reconstructed"},
+      {frames_before, "frames before it, for what effects remember and draw"},
+      {three_tractions, "all three tractions are to be found"},
+      {one_channel, "one quantity at one depth tells the normal traction alone"},
+      {tangential_excluded, "tangential = false"},
+      {no_drag, "no contact drags: the normal traction alone"},
+      {weight_unknown, "tangential_weight = \"evidence\": each frame says how small its drags are"},
+      {weight_given, "tangential_weight is a number, 1 if it is left out"},
+      {one_traction, "the normal traction alone"},
+      {matrix_held, "up to 8192 tractions all of their matrix is held"},
+      {matrix_too_large, "more than 8192 tractions: by products, without a matrix"},
+      {rule_chooses, "alpha is chosen by the rule "},
+      {prior_by_rule, "alpha is given; what sizes the bands is chosen by the rule "},
+      {limits_stated, "friction_limit or nonnegative asks for it"},
+      {no_limits, "neither friction_limit nor nonnegative"},
+      {forces_have_deviations, "tractions and forces have deviations"},
+      {noise_stated, "whether any contact explains the readings must be said"},
+      {no_noise, "without a stated noise only the readings' size is judged"},
+      {report_requested, "--out asks for files"},
+      {no_report, "no --out"},
+  });
+}();
 
 }  // namespace
 
 std::string why_in_words(const lab::SkinWorkload::Task& task) {
-  std::string text(sentences[static_cast<std::size_t>(task.why)].second);
+  std::string text(name_in<skin_reason_sentences>(task.why));
   if (task.rule) text += name(*task.rule);
   return text;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "report/words/number_words.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -9,14 +10,12 @@
 namespace tactile_net::report {
 namespace {
 
-std::string number(const std::optional<double>& value) { return value ? brief(*value) : "-"; }
-
 void add_cells(std::vector<std::string>& row, const sweep::Group& group) {
   for (const std::size_t count : {group.rows, group.trusted, group.failed})
     row.push_back(std::to_string(count));
-  row.push_back(number(group.median_error));
-  row.push_back(number(group.largest_error));
-  row.push_back(number(group.median_alpha));
+  row.push_back(brief_or_dash(group.median_error));
+  row.push_back(brief_or_dash(group.largest_error));
+  row.push_back(brief_or_dash(group.median_alpha));
 }
 
 std::vector<std::string> headings(std::string first) {

@@ -6,6 +6,7 @@
 
 #include "numeric/named.hpp"
 #include "report/words/check_parts.hpp"
+#include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
@@ -17,7 +18,7 @@
 namespace tactile_net::report {
 namespace {
 
-using Matrix = lab::Condition::Matrix;
+using ConditionMatrix = lab::Condition::Matrix;
 
 std::string with_units(const lab::remark::OffsetsFound& offsets, const Scene& scene) {
   std::vector<std::string> each;
@@ -26,15 +27,15 @@ std::string with_units(const lab::remark::OffsetsFound& offsets, const Scene& sc
   return offsets_found(each);
 }
 
-constexpr Named<Matrix> matrices[] = {
-    {Matrix::stacked, "W K above sqrt(alpha) L"},
-    {Matrix::eliminated, "its own system of slopes"},
-    {Matrix::circular, "the array as a ring"},
-    {Matrix::kernel, "noise gain of the array as a ring"},
-    {Matrix::normal, "P"},
+constexpr Named<ConditionMatrix> matrices[] = {
+    {ConditionMatrix::stacked, "W K above sqrt(alpha) L"},
+    {ConditionMatrix::eliminated, "its own system of slopes"},
+    {ConditionMatrix::circular, "the array as a ring"},
+    {ConditionMatrix::kernel, "noise gain of the array as a ring"},
+    {ConditionMatrix::normal, "P"},
 };
 
-std::string in_words(const lab::Condition& condition) {
+std::string condition_number_in_words(const lab::Condition& condition) {
   return (condition.kind == lab::Condition::Kind::bound ? "<= " : "") + brief(condition.value);
 }
 
@@ -68,9 +69,6 @@ std::vector<std::vector<std::string>> comparison_cells(const lab::Experiment& ex
   for (const char* title : {"force", "condition", "rounding <=", "set-up", "per frame", "verdict"})
     rows.front().emplace_back(title);
 
-  const auto brief_or_dash = [](const std::optional<double>& number) {
-    return number ? brief(*number) : "-";
-  };
   for (const lab::MethodResult& result : experiment.results) {
     std::vector<std::string> row = {std::string(name(result.method))};
     if (!result.has_answer()) {
@@ -86,7 +84,7 @@ std::vector<std::vector<std::string>> comparison_cells(const lab::Experiment& ex
                                                          : brief(result.tangential.relative_l2));
       row.push_back(in_unit(experiment.scene, Dimension::force, result.force));
       row.push_back(result.condition && result.condition->matrix == lab::Condition::Matrix::stacked
-                        ? in_words(*result.condition)
+                        ? condition_number_in_words(*result.condition)
                         : "-");
       row.push_back(brief_or_dash(result.error_bound));
       row.push_back(duration(result.setup_seconds));
@@ -138,7 +136,7 @@ std::string other_conditions_in_words(const lab::Experiment& experiment) {
   for (const lab::MethodResult& result : experiment.results)
     if (result.condition && result.condition->matrix != lab::Condition::Matrix::stacked)
       text += (text.empty() ? "" : ", ") + std::string(name(result.method)) + " " +
-              in_words(*result.condition) + " (" +
+              condition_number_in_words(*result.condition) + " (" +
               std::string(name_in<matrices>(result.condition->matrix)) + ")";
   return text;
 }

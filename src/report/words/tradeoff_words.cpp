@@ -13,8 +13,6 @@
 namespace tactile_net::report {
 namespace {
 
-constexpr study::ErrorOf to_solution = &study::WorkPoint::error_to_solution;
-
 /// "310 kHz", "2.1 GHz".
 std::string frequency(double hertz) {
   if (hertz >= 1e9) return brief(hertz / 1e9) + " GHz";
@@ -40,7 +38,7 @@ std::string demand_in_words(const study::Requirement& requirement) {
 }
 
 /// A factor, without an exponent up to a million: "4000", "9.12", "2.1e+07".
-std::string times(double factor) {
+std::string factor_in_words(double factor) {
   if (factor < 1e3 || factor >= 1e6) return brief(factor);
   const double step = factor < 1e4 ? 100.0 : factor < 1e5 ? 1e3 : 1e4;
   return shortest(step * std::round(factor / step));
@@ -117,17 +115,17 @@ void add_circuits(std::vector<std::string>& text, const study::Study& study,
 std::string answer(const study::Study& study, const study::Requirement& requirement) {
   const std::vector<study::WorkPoint> points = study.points();
   const study::Choice choice =
-      study::choose(points, to_solution, study::TimeOf::frame, requirement);
+      study::choose(points, study::to_solution, study::TimeOf::frame, requirement);
   std::string text = demand_in_words(requirement) + ": ";
   if (choice.point) {
     const study::WorkPoint& point = points[*choice.point];
     text += timed(point);
     std::vector<std::string> margins;
     if (requirement.deadline)
-      margins.push_back(times(*requirement.deadline / point.seconds) +
+      margins.push_back(factor_in_words(*requirement.deadline / point.seconds) +
                         " times inside the deadline");
     if (requirement.accuracy)
-      margins.push_back(times(*requirement.accuracy / *point.error_to_solution) +
+      margins.push_back(factor_in_words(*requirement.accuracy / *point.error_to_solution) +
                         " times inside the error");
     return margins.empty() ? text : text + " (" + join(margins, ", ") + ")";
   }

@@ -7,7 +7,7 @@ namespace {
 
 using lab::Verdict;
 
-constexpr Named<Verdict> sentences[] = {
+constexpr Named<Verdict> verdict_sentences[] = {
     {Verdict::ok, "nothing speaks against it"},
     {Verdict::failed, "there is no answer"},
     {Verdict::border,
@@ -50,6 +50,6 @@ constexpr Named<Verdict> sentences[] = {
 
 }  // namespace
 
-std::string_view in_words(Verdict verdict) noexcept { return name_in<sentences>(verdict); }
+std::string_view in_words(Verdict verdict) noexcept { return name_in<verdict_sentences>(verdict); }
 
 }  // namespace tactile_net::report

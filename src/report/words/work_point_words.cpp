@@ -114,7 +114,7 @@ std::string product_in_words(Structure structure, Precision precision) {
 }
 
 /// "nic, 10 MHz", "ideal, 10 pF a node", "rail"
-std::string circuit_in_words(const study::WorkCurve& curve) {
+std::string circuit_curve_in_words(const study::WorkCurve& curve) {
   std::string text(name(*curve.realization));
   if (curve.tractions)
     text += std::string(of_nodes) + std::to_string(*curve.tractions) + std::string(nodes_unit);
@@ -188,7 +188,7 @@ std::optional<study::WorkCurve> counted_circuit_named(std::string_view text) {
       std::string(text.substr(0, first)) + std::string(text.substr(last + nodes_unit.size()));
   if (!count) return std::nullopt;
   for (study::WorkCurve& curve : circuits())
-    if (circuit_in_words(curve) == rest) {
+    if (circuit_curve_in_words(curve) == rest) {
       curve.tractions = count;
       return curve;
     }
@@ -229,7 +229,7 @@ std::string in_words(const study::WorkCurve& curve) {
     case Family::product:
       return product_in_words(*curve.structure, *curve.precision);
     case Family::circuit:
-      return circuit_in_words(curve);
+      return circuit_curve_in_words(curve);
     case Family::job:
       return in_words(*curve.job);
     default:
@@ -247,7 +247,7 @@ std::optional<study::WorkCurve> curve_named(std::string_view text) {
             .family = Family::product, .structure = structure, .precision = precision};
   if (const auto family = key_of(family_words, text)) return study::WorkCurve{.family = *family};
   for (const study::WorkCurve& curve : circuits())
-    if (circuit_in_words(curve) == text) return curve;
+    if (circuit_curve_in_words(curve) == text) return curve;
   if (const auto curve = capacitive_circuit_named(text)) return curve;
   if (const auto curve = counted_circuit_named(text)) return curve;
   if (const auto job = job_named(text)) return study::WorkCurve{.family = Family::job, .job = job};

@@ -2,9 +2,8 @@
 
 #include <array>
 #include <ostream>
-#include <string_view>
-#include <utility>
 
+#include "numeric/named.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -15,7 +14,6 @@ namespace tactile_net::report {
 namespace {
 
 using lab::Workload;
-using Reason = Workload::Reason;
 
 /// "81 x 81".
 std::string size_of(const Workload::Cost& cost) {
@@ -24,58 +22,53 @@ std::string size_of(const Workload::Cost& cost) {
 
 std::string about(double operations) { return "about " + brief(operations) + " operations"; }
 
-using enum Workload::Reason;
-/// One row for each reason, in their order.
-constexpr std::array<std::pair<Reason, std::string_view>, static_cast<std::size_t>(no_report) + 1>
-    sentences = {{
-        {exact_model, "forward model exact: the continuous integral"},
-        {sampled_model, "forward model sampled: the sum over the taxels"},
-        {effects_remember, "effects remember what came before frame "},
-        {only_draws_matter, "no effect remembers: of earlier frames only their random draws"},
-        {no_time, "no [time]: one frame"},
-        {first_frame, "the first frame is reconstructed"},
-        {two_tractions, "both tractions are to be found"},
-        {one_channel, "one quantity at one depth tells the normal traction alone"},
-        {tangential_excluded, "tangential = false"},
-        {no_friction, "no friction: the normal traction alone"},
-        {layer, "[material] has a layer"},
-        {half_plane, "no layer: half plane, closed formulas"},
-        {method_named, "reconstruct.methods names it"},
-        {method_not_named, "reconstruct.methods does not name it"},
-        {rule_chooses, "alpha is chosen by the rule "},
-        {comparison_requested, "--compare-rules asks for it"},
-        {alpha_given, "alpha is given"},
-        {no_method_takes_alpha, "no method takes alpha from it"},
-        {forces_have_deviations, "the forces that are printed have deviations"},
-        {hidden_must_be_said, "what no reading shows must be said"},
-        {no_matrix_method, "neither tikhonov nor closed_form is asked for"},
-        {array_too_large, "no matrix is formed for an array as large as this"},
-        {parts_not_ideal, "parts are not ideal, or settling or tolerances are asked for"},
-        {parts_ideal, "ideal parts"},
-        {settling_requested, "network.settling asks for it"},
-        {settling_not_requested, "nobody asks for settling"},
-        {tolerance_requested, "network.tolerance asks for it"},
-        {tolerance_unsupported, "tolerances are studied for networks of resistors and op-amps"},
-        {nominal_parts, "every component has its value"},
-        {no_circuit, "no circuit"},
-        {resultant_drawn, "the report draws the resultant over the scene's time"},
-        {one_frame, "one frame"},
-        {report_requested, "--out asks for files"},
-        {no_report, "no --out"},
-    }};
-static_assert([] {
-  for (std::size_t i = 0; i < sentences.size(); ++i)
-    if (static_cast<std::size_t>(sentences[i].first) != i) return false;
-  return true;
-}());
+constexpr auto reason_sentences = [] {
+  using enum Workload::Reason;
+  return std::to_array<Named<Workload::Reason>>({
+      {exact_model, "forward model exact: the continuous integral"},
+      {sampled_model, "forward model sampled: the sum over the taxels"},
+      {effects_remember, "effects remember what came before frame "},
+      {only_draws_matter, "no effect remembers: of earlier frames only their random draws"},
+      {no_time, "no [time]: one frame"},
+      {first_frame, "the first frame is reconstructed"},
+      {two_tractions, "both tractions are to be found"},
+      {one_channel, "one quantity at one depth tells the normal traction alone"},
+      {tangential_excluded, "tangential = false"},
+      {no_friction, "no friction: the normal traction alone"},
+      {layer, "[material] has a layer"},
+      {half_plane, "no layer: half plane, closed formulas"},
+      {method_named, "reconstruct.methods names it"},
+      {method_not_named, "reconstruct.methods does not name it"},
+      {rule_chooses, "alpha is chosen by the rule "},
+      {comparison_requested, "--compare-rules asks for it"},
+      {alpha_given, "alpha is given"},
+      {no_method_takes_alpha, "no method takes alpha from it"},
+      {forces_have_deviations, "the forces that are printed have deviations"},
+      {hidden_must_be_said, "what no reading shows must be said"},
+      {no_matrix_method, "neither tikhonov nor closed_form is asked for"},
+      {array_too_large, "no matrix is formed for an array as large as this"},
+      {parts_not_ideal, "parts are not ideal, or settling or tolerances are asked for"},
+      {parts_ideal, "ideal parts"},
+      {settling_requested, "network.settling asks for it"},
+      {settling_not_requested, "nobody asks for settling"},
+      {tolerance_requested, "network.tolerance asks for it"},
+      {tolerance_unsupported, "tolerances are studied for networks of resistors and op-amps"},
+      {nominal_parts, "every component has its value"},
+      {no_circuit, "no circuit"},
+      {resultant_drawn, "the report draws the resultant over the scene's time"},
+      {one_frame, "one frame"},
+      {report_requested, "--out asks for files"},
+      {no_report, "no --out"},
+  });
+}();
 
 }  // namespace
 
 std::string why_in_words(const Workload::Task& task) {
   const Workload::Why& why = task.why;
-  std::string text(sentences[static_cast<std::size_t>(why.reason)].second);
-  if (why.reason == Reason::effects_remember) text += std::to_string(why.frame);
-  if (why.reason == Reason::rule_chooses)
+  std::string text(name_in<reason_sentences>(why.reason));
+  if (why.reason == Workload::Reason::effects_remember) text += std::to_string(why.frame);
+  if (why.reason == Workload::Reason::rule_chooses)
     text += std::string(why.rule ? name(*why.rule) : "that suits taxels and noise") +
             ", whose verdict hears the others";
   return text;

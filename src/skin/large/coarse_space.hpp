@@ -2,7 +2,6 @@
 /// A small space of tractions in which P is inverted exactly. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "numeric/cholesky.hpp"
+#include "numeric/eigen.hpp"
 #include "skin/large/low_waves.hpp"
 
 namespace tactile_net {

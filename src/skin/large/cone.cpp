@@ -15,11 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::size_t steps_between_checks = 10;
-
-std::span<double> numbers(Eigen::VectorXd& all) noexcept {
-  return {all.data(), static_cast<std::size_t>(all.size())};
-}
+constexpr std::size_t steps_between_looks = 10;
 
 Constraints in_equal_weights(Constraints constraints, const SkinProblem& problem) {
   if (constraints.friction_limit) *constraints.friction_limit *= problem.tangential_weight;
@@ -46,11 +42,11 @@ struct LargeSkinCone::Parts {
   void apply(const Eigen::VectorXd& x, Eigen::VectorXd& y) {
     scaled = x;
     if (drags()) scaled.tail(2 * cells) /= drag;
-    system->apply(alpha, numbers(scaled), numbers(y));
+    system->apply(alpha, as_span(scaled), as_span(y));
   }
   /// Its transposed times y.
   void apply_transposed(Eigen::VectorXd& y, Eigen::VectorXd& x) {
-    system->apply_transposed(alpha, numbers(y), numbers(x));
+    system->apply_transposed(alpha, as_span(y), as_span(x));
     if (drags()) x.tail(2 * cells) /= drag;
   }
 
@@ -153,7 +149,7 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
     image_ahead = next_image + momentum * (next_image - image);
     std::swap(f, next);
     std::swap(image, next_image);
-    const bool look = solution.iterations % steps_between_checks == 0;
+    const bool look = solution.iterations % steps_between_looks == 0;
     if (is_explained() || (look && residual() <= enough)) {
       solution.verdict = ConstrainedVerdict::ok;
       break;

@@ -18,13 +18,6 @@ using Eigen::Index;
 constexpr double enough = 1e-6;  // of a residual; a variance is off by about its square
 constexpr int most_steps = 3000;
 
-std::span<double> numbers(Eigen::VectorXd& all) noexcept {
-  return {all.data(), static_cast<std::size_t>(all.size())};
-}
-std::span<const double> numbers(const Eigen::VectorXd& all) noexcept {
-  return {all.data(), static_cast<std::size_t>(all.size())};
-}
-
 }  // namespace
 
 /// In coordinates of the face in which the stabiliser is simple, f = T c, P is A'A + alpha with
@@ -34,13 +27,13 @@ struct LargeSkinFaceCovariance::Parts {
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& c) const {
     const Eigen::VectorXd tractions = coordinates.tractions(c);
     Eigen::VectorXd read(static_cast<Index>(system->readings()));
-    system->weighted_readings(numbers(tractions), numbers(read));
+    system->weighted_readings(as_span(tractions), as_span(read));
     return read;
   }
   /// A' u.
   [[nodiscard]] Eigen::VectorXd sums(const Eigen::VectorXd& u) const {
     Eigen::VectorXd of_tractions(static_cast<Index>(system->tractions()));
-    system->weighted_sums(numbers(u), numbers(of_tractions));
+    system->weighted_sums(as_span(u), as_span(of_tractions));
     return coordinates.sums(of_tractions);
   }
 

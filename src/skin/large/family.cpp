@@ -8,6 +8,7 @@
 #include "inverse/checks.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 #include "skin/coordinates.hpp"
 #include "skin/large/system.hpp"
 
@@ -16,15 +17,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index most_steps = 300;
+constexpr Index most_lanczos_steps = 300;
 constexpr Index look_every = 20;  // steps, at whether the nodes will do
-
-std::span<double> numbers(Eigen::VectorXd& all) noexcept {
-  return {all.data(), static_cast<std::size_t>(all.size())};
-}
-std::span<const double> numbers(const Eigen::VectorXd& all) noexcept {
-  return {all.data(), static_cast<std::size_t>(all.size())};
-}
 
 /// The spectrum of A A' as a vector of length 1 sees it.
 struct Nodes {
@@ -88,14 +82,14 @@ struct LargeSkinFamily::Parts {
   /// A' u.
   [[nodiscard]] Eigen::VectorXd sums(const Eigen::VectorXd& u) const {
     Eigen::VectorXd of_tractions(static_cast<Index>(system->tractions()));
-    system->weighted_sums(numbers(u), numbers(of_tractions));
+    system->weighted_sums(as_span(u), as_span(of_tractions));
     return coordinates->sums(of_tractions);
   }
   /// A v.
   [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& v) const {
     const Eigen::VectorXd tractions = coordinates->tractions(v);
     Eigen::VectorXd read(static_cast<Index>(system->readings()));
-    system->weighted_readings(numbers(tractions), numbers(read));
+    system->weighted_readings(as_span(tractions), as_span(read));
     return read;
   }
 
@@ -110,7 +104,7 @@ struct LargeSkinFamily::Parts {
     double largest = diagonal.front();
     Eigen::VectorXd before;
     const double nothing = 1e-13 * diagonal.front();
-    for (Index step = 1; step < most_steps; ++step) {
+    for (Index step = 1; step < most_lanczos_steps; ++step) {
       u = readings(v) - diagonal.back() * u;
       const double next = u.norm();
       if (!(next > nothing)) break;

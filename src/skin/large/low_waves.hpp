@@ -2,11 +2,11 @@
 /// The long waves of a large skin's tractions and what they cost, whatever alpha is. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "skin/large/system.hpp"
 
 namespace tactile_net {

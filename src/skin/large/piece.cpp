@@ -118,15 +118,15 @@ std::vector<double> SkinPiece::window_deviations(const SkinProblem& whole, doubl
           .cwiseSqrt() /
       std::sqrt(prior_alpha);
   const std::vector<bool> dead = dead_taxels(whole);
-  std::vector<double> touched(grid.count());
-  for (std::size_t cell = 0; cell < touched.size(); ++cell)
-    touched[cell] = dead[nearest_taxel(grid, skin_, cell)] ? 1.0 : 0.0;
-  window_sums(grid, window, touched);
+  std::vector<double> near_dead(grid.count());
+  for (std::size_t cell = 0; cell < near_dead.size(); ++cell)
+    near_dead[cell] = dead[nearest_taxel(grid, skin_, cell)] ? 1.0 : 0.0;
+  window_sums(grid, window, near_dead);
   std::vector<double> all(grid.count());
   for (std::size_t cell = 0; cell < all.size(); ++cell) {
     const std::size_t from = like_cell(grid, cell);
-    all[cell] = touched[cell] > 0.0 ? std::max(own[from], prior(static_cast<Eigen::Index>(from)))
-                                    : own[from];
+    all[cell] = near_dead[cell] > 0.0 ? std::max(own[from], prior(static_cast<Eigen::Index>(from)))
+                                      : own[from];
   }
   return all;
 }

@@ -3,12 +3,12 @@
 /// few depths counts: the deviations of single tractions. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/skin/array.hpp"
 #include "tactile_net/skin/cell_window.hpp"

@@ -77,10 +77,6 @@ Eigen::MatrixXd rigid_motions(const SkinGrid& grid) {
   return all.colwise().normalized();
 }
 
-std::span<double> numbers(Eigen::VectorXd& all) noexcept {
-  return {all.data(), static_cast<std::size_t>(all.size())};
-}
-
 }  // namespace
 
 SkinPreconditioner::SkinPreconditioner(LargeSkinSystem& system, double alpha,
@@ -131,30 +127,30 @@ Eigen::MatrixXd SkinPreconditioner::slow_parts(const Eigen::MatrixXd& tractions,
   Eigen::VectorXd z(size);
   Eigen::VectorXd image(size);
   const auto keep = [&](Eigen::VectorXd part) {
-    multiply(numbers(part), numbers(image));
+    multiply(as_span(part), as_span(image));
     const double energy = part.dot(image);
     if (energy > 0.0) parts.col(count++) = part / std::sqrt(energy);
   };
   for (Index column = 0; column < tractions.cols(); ++column) {
     // P x = 0 from x = the traction on, beginning with the best that the coarse space has.
     Eigen::VectorXd x = tractions.col(column);
-    multiply(numbers(x), numbers(image));
+    multiply(as_span(x), as_span(image));
     Eigen::VectorXd residual = -image;
-    coarse_->add_correction(numbers(residual), numbers(x));
-    multiply(numbers(x), numbers(image));
+    coarse_->add_correction(as_span(residual), as_span(x));
+    multiply(as_span(x), as_span(image));
     residual = -image;
-    apply(numbers(residual), numbers(z));
+    apply(as_span(residual), as_span(z));
     Eigen::VectorXd direction = z;
     double power = residual.dot(z);
     std::size_t step = 0;
     for (std::size_t until = 2; until <= steps; until *= 2) {
       const Eigen::VectorXd before = x;
       for (; step < until && power > 0.0; ++step) {
-        multiply(numbers(direction), numbers(image));
+        multiply(as_span(direction), as_span(image));
         const double length = power / direction.dot(image);
         x += length * direction;
         residual -= length * image;
-        apply(numbers(residual), numbers(z));
+        apply(as_span(residual), as_span(z));
         const double next = residual.dot(z);
         direction = z + (next / power) * direction;
         power = next;

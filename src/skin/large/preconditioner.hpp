@@ -3,13 +3,13 @@
 /// Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "skin/large/coarse_space.hpp"
 #include "skin/large/even_readings.hpp"
 #include "skin/large/low_waves.hpp"

@@ -2,10 +2,11 @@
 /// Solutions for sums over tractions, of which few are new. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <list>
 #include <utility>
+
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

@@ -2,11 +2,11 @@
 /// A tile's block of P, factored in the classes into which its reflections split it. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <vector>
 
 #include "numeric/cholesky.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

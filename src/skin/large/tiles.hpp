@@ -2,13 +2,13 @@
 /// An approximate inverse of P = K' W^2 K + alpha L'L by overlapping tiles of the grid. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "numeric/cholesky.hpp"
+#include "numeric/eigen.hpp"
 #include "skin/large/system.hpp"
 #include "skin/large/tile_block.hpp"
 

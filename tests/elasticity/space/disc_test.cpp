@@ -14,7 +14,7 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr Material skin{.youngs_modulus = 1.0, .poisson_ratio = 0.3};
+constexpr Material disc_material{.youngs_modulus = 1.0, .poisson_ratio = 0.3};
 
 /// The disc's point loads summed, with r = a sin(angle), which takes the profiles' edge away.
 double summed(SkinQuantity q, SkinTraction load, const Disc& disc, double x, double y, double z) {
@@ -26,7 +26,8 @@ double summed(SkinQuantity q, SkinTraction load, const Disc& disc, double x, dou
     double sum = 0.0;
     for (int i = 0; i < directions; ++i) {
       const double angle = 2.0 * pi * (i + 0.5) / directions;
-      sum += half_space_kernel(q, load, skin, x, y - r * std::cos(angle), z - r * std::sin(angle));
+      sum += half_space_kernel(q, load, disc_material, x, y - r * std::cos(angle),
+                               z - r * std::sin(angle));
     }
     return sum * 2.0 * pi / directions * r;
   };
@@ -75,11 +76,11 @@ TEST_CASE("a disc's field is the sum of its point loads, pushed and dragged", "[
       double largest[3] = {};
       for (const SkinQuantity q : skin_quantities) {
         double& l = largest[static_cast<int>(traits(q).kind)];
-        l = std::max(l, std::abs(disc_reading(q, load, skin, disc, p.x, p.y, p.z)));
+        l = std::max(l, std::abs(disc_reading(q, load, disc_material, disc, p.x, p.y, p.z)));
       }
       for (const SkinQuantity q : skin_quantities) {
         CAPTURE(static_cast<int>(profile), p.x, p.y, p.z, name(load), name(q));
-        CHECK_THAT(disc_reading(q, load, skin, disc, p.x, p.y, p.z),
+        CHECK_THAT(disc_reading(q, load, disc_material, disc, p.x, p.y, p.z),
                    WithinAbs(summed(q, load, disc, p.x, p.y, p.z),
                              2e-13 * largest[static_cast<int>(traits(q).kind)] + 1e-18));
       }
@@ -91,18 +92,20 @@ TEST_CASE("under a sphere the stresses on the axis are Huber's", "[disc]") {
   const double a = 0.4;
   const double force = 5.0;
   const double peak = 1.5 * force / (pi * a * a);
-  const double nu = skin.poisson_ratio;
+  const double nu = disc_material.poisson_ratio;
   const Disc disc{DiscProfile::sphere, a, force};
   for (const double x : {0.0004, 0.004, 0.04, 0.3, 1.0, 50.0}) {
     const double s = x / a;
     const double tiny = 4e-15 * std::max(1.0, 1.0 / (s * s));
     const double down = 1.0 / (1.0 + s * s);
     CAPTURE(x);
-    CHECK_THAT(disc_reading(SkinQuantity::stress_x, SkinTraction::normal, skin, disc, x, 0.0, 0.0),
+    CHECK_THAT(disc_reading(SkinQuantity::stress_x, SkinTraction::normal, disc_material, disc, x,
+                            0.0, 0.0),
                WithinAbs(peak * down, tiny * peak));
     // 1 - s atan(1 / s) cancels far below.
     CHECK_THAT(
-        disc_reading(SkinQuantity::stress_z, SkinTraction::normal, skin, disc, x, 0.0, 0.0),
+        disc_reading(SkinQuantity::stress_z, SkinTraction::normal, disc_material, disc, x, 0.0,
+                     0.0),
         WithinAbs(peak * ((1.0 + nu) * (1.0 - s * std::atan(1.0 / s)) - 0.5 * down), tiny * peak));
   }
 }
@@ -114,7 +117,9 @@ TEST_CASE("just below the surface a disc's stresses are its traction", "[disc]")
       const SkinQuantity own = load == SkinTraction::normal         ? SkinQuantity::stress_x
                                : load == SkinTraction::tangential_y ? SkinQuantity::shear_xy
                                                                     : SkinQuantity::shear_xz;
-      const auto at = [&](double x) { return disc_reading(own, load, skin, disc, x, r, 0.0); };
+      const auto at = [&](double x) {
+        return disc_reading(own, load, disc_material, disc, x, r, 0.0);
+      };
       CAPTURE(r, name(load));
       // A drag's stress changes with the depth at once: extrapolated to the surface.
       CHECK_THAT(2.0 * at(0.0005) - at(0.001), WithinAbs(traction(disc, r), 2e-5));
@@ -125,8 +130,8 @@ TEST_CASE("far below a disc is a point load", "[disc][property]") {
   for (const DiscProfile profile : {DiscProfile::sphere, DiscProfile::punch, DiscProfile::cone})
     for (const SkinTraction load : skin_tractions)
       for (const SkinQuantity q : skin_quantities) {
-        const double point = half_space_kernel(q, load, skin, 1e6, 3e5, -4e5);
-        CHECK_THAT(disc_reading(q, load, skin, {profile}, 1e6, 3e5, -4e5),
+        const double point = half_space_kernel(q, load, disc_material, 1e6, 3e5, -4e5);
+        CHECK_THAT(disc_reading(q, load, disc_material, {profile}, 1e6, 3e5, -4e5),
                    WithinAbs(point, 1e-10 * std::abs(point)));
       }
 }
@@ -138,8 +143,10 @@ TEST_CASE("units of length scale a disc and nothing else", "[disc][property]") {
   for (const SkinTraction load : skin_tractions)
     for (const SkinQuantity q : skin_quantities) {
       const double area = unit * (traits(q).kind == QuantityKind::displacement ? 1.0 : unit);
-      CHECK_THAT(disc_reading(q, load, skin, scaled, 0.5 * unit, 0.25 * unit, -0.75 * unit) * area,
-                 WithinRel(disc_reading(q, load, skin, disc, 0.5, 0.25, -0.75), 1e-12));
+      CHECK_THAT(
+          disc_reading(q, load, disc_material, scaled, 0.5 * unit, 0.25 * unit, -0.75 * unit) *
+              area,
+          WithinRel(disc_reading(q, load, disc_material, disc, 0.5, 0.25, -0.75), 1e-12));
     }
 }
 

@@ -1,6 +1,5 @@
 #include "tactile_net/elasticity/space/half_space.hpp"
 
-#include <algorithm>
 #include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tests/catch.hpp"
+#include "tests/elasticity/space/place.hpp"
 #include "tests/elasticity/space/reference.hpp"
 
 using namespace tactile_net;
@@ -17,15 +17,11 @@ using std::numbers::pi;
 
 namespace {
 
-using Rule = boost::math::quadrature::gauss_kronrod<double, 61>;
+using SurfaceRule = boost::math::quadrature::gauss_kronrod<double, 61>;
 
-constexpr Material skin{.youngs_modulus = 1.0, .poisson_ratio = 0.3125};
+constexpr Material half_space_material{.youngs_modulus = 1.0, .poisson_ratio = 0.3125};
 
 Material of(double nu) { return {.youngs_modulus = 1.0, .poisson_ratio = nu}; }
-
-struct Place {
-  double x, y, z;
-};
 
 /// On the axis, near the surface, deep, far along each axis and across.
 constexpr std::array<Place, 9> places = {{{1.0, 0.0, 0.0},
@@ -37,18 +33,6 @@ constexpr std::array<Place, 9> places = {{{1.0, 0.0, 0.0},
                                           {1.0, 40.0, 0.0},
                                           {1.0, 25.0, -60.0},
                                           {1e-6, 3.0, 4.0}}};
-
-/// The largest reading of a kind; `load` is nothing for a point load, or a rectangle.
-template <class... Load>
-double largest_of(const Material& material, SkinTraction component, const Place& p,
-                  QuantityKind kind, const Load&... load) {
-  double largest = 0.0;
-  for (const SkinQuantity q : skin_quantities)
-    if (traits(q).kind == kind)
-      largest = std::max(
-          largest, std::abs(half_space_kernel(q, component, material, load..., p.x, p.y, p.z)));
-  return largest;
-}
 
 }  // namespace
 
@@ -120,12 +104,13 @@ TEST_CASE("every plane below carries the whole load, and no other", "[half_space
   for (const SkinTraction load : skin_tractions)
     for (const SkinQuantity q : across_plane) {
       // r = depth tan t; eight directions integrate the orders 0 to 2 in the angle exactly.
-      const double sum = Rule::integrate(
+      const double sum = SurfaceRule::integrate(
           [&](double t) {
             const double r = depth * std::tan(t);
             double ring = 0.0;
             for (int i = 0; i < 8; ++i)
-              ring += half_space_kernel(q, load, skin, depth, r * std::cos(pi * (i + 0.5) / 4.0),
+              ring += half_space_kernel(q, load, half_space_material, depth,
+                                        r * std::cos(pi * (i + 0.5) / 4.0),
                                         r * std::sin(pi * (i + 0.5) / 4.0));
             return ring * pi / 4.0 * r * depth / (std::cos(t) * std::cos(t));
           },
@@ -144,12 +129,14 @@ TEST_CASE("a skin's kernels are even or odd, to the bit", "[half_space][property
         CAPTURE(name(q), name(load), p.x, p.y, p.z);
         const double y_sign = is_odd(q, load, Axis::y) ? -1.0 : 1.0;
         const double z_sign = is_odd(q, load, Axis::z) ? -1.0 : 1.0;
-        const double point = half_space_kernel(q, load, skin, p.x, p.y, p.z);
-        CHECK(half_space_kernel(q, load, skin, p.x, -p.y, p.z) == y_sign * point);
-        CHECK(half_space_kernel(q, load, skin, p.x, p.y, -p.z) == z_sign * point);
-        const double patch = half_space_kernel(q, load, skin, cell, p.x, p.y, p.z);
-        CHECK(half_space_kernel(q, load, skin, cell, p.x, -p.y, p.z) == y_sign * patch);
-        CHECK(half_space_kernel(q, load, skin, cell, p.x, p.y, -p.z) == z_sign * patch);
+        const double point = half_space_kernel(q, load, half_space_material, p.x, p.y, p.z);
+        CHECK(half_space_kernel(q, load, half_space_material, p.x, -p.y, p.z) == y_sign * point);
+        CHECK(half_space_kernel(q, load, half_space_material, p.x, p.y, -p.z) == z_sign * point);
+        const double patch = half_space_kernel(q, load, half_space_material, cell, p.x, p.y, p.z);
+        CHECK(half_space_kernel(q, load, half_space_material, cell, p.x, -p.y, p.z) ==
+              y_sign * patch);
+        CHECK(half_space_kernel(q, load, half_space_material, cell, p.x, p.y, -p.z) ==
+              z_sign * patch);
       }
 }
 
@@ -186,19 +173,20 @@ TEST_CASE("many places at once are as one by one", "[half_space]") {
   const Rectangle cell{0.8, 0.5};
   for (const SkinQuantity q : skin_quantities)
     for (const SkinTraction load : skin_tractions) {
-      half_space_kernel(q, load, skin, 0.9, y, z, readings);
+      half_space_kernel(q, load, half_space_material, 0.9, y, z, readings);
       for (std::size_t i = 0; i < y.size(); ++i)
-        CHECK(readings[i] == half_space_kernel(q, load, skin, 0.9, y[i], z[i]));
-      half_space_kernel(q, load, skin, cell, 0.9, y, z, readings);
+        CHECK(readings[i] == half_space_kernel(q, load, half_space_material, 0.9, y[i], z[i]));
+      half_space_kernel(q, load, half_space_material, cell, 0.9, y, z, readings);
       for (std::size_t i = 0; i < y.size(); ++i)
-        CHECK(readings[i] == half_space_kernel(q, load, skin, cell, 0.9, y[i], z[i]));
+        CHECK(readings[i] ==
+              half_space_kernel(q, load, half_space_material, cell, 0.9, y[i], z[i]));
     }
 }
 
 TEST_CASE("units of length and modulus scale a skin's kernels and nothing else",
           "[half_space][property]") {
   const double unit = GENERATE(1e-150, 1e-3, 1e150);
-  const Material soft{.youngs_modulus = 2e-5, .poisson_ratio = skin.poisson_ratio};
+  const Material soft{.youngs_modulus = 2e-5, .poisson_ratio = half_space_material.poisson_ratio};
   const Rectangle cell{0.8, 0.5};
   const Rectangle scaled{0.8 * unit, 0.5 * unit};
   for (const SkinQuantity q : skin_quantities)
@@ -207,20 +195,20 @@ TEST_CASE("units of length and modulus scale a skin's kernels and nothing else",
         const QuantityKind kind = traits(q).kind;
         const double e = kind == QuantityKind::stress ? 1.0 : 2e-5;
         const double length = kind == QuantityKind::displacement ? 1.0 / unit : 1.0;
-        const double tiny = 1e-13 * largest_of(skin, load, p, kind);
+        const double tiny = 1e-13 * largest_of(half_space_material, load, p, kind);
         CAPTURE(unit, name(q), name(load), p.x, p.y, p.z);
         CHECK_THAT(half_space_kernel(q, load, soft, p.x * unit, p.y * unit, p.z * unit) * unit *
                        unit * e * length,
-                   WithinAbs(half_space_kernel(q, load, skin, p.x, p.y, p.z), tiny));
+                   WithinAbs(half_space_kernel(q, load, half_space_material, p.x, p.y, p.z), tiny));
         CHECK_THAT(half_space_kernel(q, load, soft, scaled, p.x * unit, p.y * unit, p.z * unit) *
                        e * length,
-                   WithinAbs(half_space_kernel(q, load, skin, cell, p.x, p.y, p.z),
-                             1e-13 * largest_of(skin, load, p, kind, cell)));
+                   WithinAbs(half_space_kernel(q, load, half_space_material, cell, p.x, p.y, p.z),
+                             1e-13 * largest_of(half_space_material, load, p, kind, cell)));
       }
 }
 
 TEST_CASE("at a distance of 1e160 depths nothing is left, and no NaN", "[half_space]") {
   for (const SkinQuantity q : skin_quantities)
     for (const SkinTraction load : skin_tractions)
-      CHECK(half_space_kernel(q, load, skin, 1.0, 1e160, -1e160) == 0.0);
+      CHECK(half_space_kernel(q, load, half_space_material, 1.0, 1e160, -1e160) == 0.0);
 }

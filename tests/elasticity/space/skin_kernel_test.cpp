@@ -12,16 +12,13 @@
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/elasticity/space/skin_transform.hpp"
 #include "tests/catch.hpp"
+#include "tests/elasticity/layer.hpp"
 
 using namespace tactile_net;
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
 namespace {
-
-Material skin(double nu, double thickness, Base base) {
-  return {.youngs_modulus = 2.0, .poisson_ratio = nu, .layer = Layer{thickness, base}};
-}
 
 bool is_defined(SkinQuantity quantity, SkinTraction component, const Material& material) {
   return traits(quantity).kind != QuantityKind::displacement || traits(quantity).first == Axis::x ||
@@ -72,7 +69,7 @@ TEST_CASE("a skin's kernel is the inverse transform of its symbol, within its bo
   const double nu = GENERATE(0.0, 0.5);
   const double h = 1.6;
   const double depth = h * GENERATE(0.3, 1.0);
-  const Material material = skin(nu, h, base);
+  const Material material = layer(nu, h, base);
   const SkinKernel kernel(material, depth);
   const std::array distances{0.0, 0.3, 1.5, 7.1};
   const double angle = 0.7;
@@ -91,7 +88,7 @@ TEST_CASE("a skin's kernel is the inverse transform of its symbol, within its bo
 
 TEST_CASE("a drag along z is one along y, in exchanged axes", "[skin_kernel][property]") {
   const auto base = GENERATE(Base::bonded, Base::frictionless);
-  const Material material = skin(0.3, 1.0, base);
+  const Material material = layer(0.3, 1.0, base);
   const SkinKernel kernel(material, 0.5);
   const auto exchanged = [](SkinQuantity q) {
     const auto turn = [](Axis a) { return a == Axis::x ? a : across(a); };
@@ -116,7 +113,7 @@ TEST_CASE("a layer's point loads in a row are the line load of a line array",
           "[skin_kernel][property]") {
   // Bonded: on a frictionless base a drag falls as 1 / r, and a row of them without end has no sum.
   const double depth = GENERATE(0.4, 1.0);
-  const Material material = skin(0.4, 1.0, Base::bonded);
+  const Material material = layer(0.4, 1.0, Base::bonded);
   const SkinKernel kernel(material, depth);
   using Rule = boost::math::quadrature::gauss<double, 30>;
   for (const Traction load : traction_components) {
@@ -138,7 +135,7 @@ TEST_CASE("a layer's point loads in a row are the line load of a line array",
 }
 
 TEST_CASE("every plane of a bonded layer carries the whole load", "[skin_kernel][property]") {
-  const Material material = skin(GENERATE(0.0, 0.3, 0.5), 1.0, Base::bonded);
+  const Material material = layer(GENERATE(0.0, 0.3, 0.5), 1.0, Base::bonded);
   const SkinKernel kernel(material, GENERATE(0.3, 1.0));
   using Rule = boost::math::quadrature::gauss<double, 30>;
   for (const SkinTraction load : skin_tractions)
@@ -163,7 +160,7 @@ TEST_CASE("every plane of a bonded layer carries the whole load", "[skin_kernel]
 
 TEST_CASE("a thick layer reads like a half space", "[skin_kernel]") {
   const auto base = GENERATE(Base::bonded, Base::frictionless);
-  const Material material = skin(0.4, 1e4, base);
+  const Material material = layer(0.4, 1e4, base);
   Material half = material;
   half.layer.reset();
   const SkinKernel kernel(material, 1.0);
@@ -182,7 +179,7 @@ TEST_CASE("far away a skin's kernel meets its closed form without a step", "[ski
   const double nu = GENERATE(0.0, 0.3, 0.5);
   const double h = 0.5;
   const double depth = h * GENERATE(0.2, 1.0);
-  const Material material = skin(nu, h, base);
+  const Material material = layer(nu, h, base);
   const SkinKernel kernel(material, depth);
   const double out = 48.0 * h;
   for (const SkinTraction load : skin_tractions)
@@ -204,13 +201,13 @@ TEST_CASE("far away a skin's kernel meets its closed form without a step", "[ski
 
 TEST_CASE("a layer's kernels are even or odd, and scale, to the bit", "[skin_kernel][property]") {
   const auto base = GENERATE(Base::bonded, Base::frictionless);
-  const SkinKernel kernel(skin(0.3, 1.0, base), 0.75);
+  const SkinKernel kernel(layer(0.3, 1.0, base), 0.75);
   const double unit = GENERATE(std::exp2(-498.0), std::exp2(498.0));
-  const SkinKernel scaled(skin(0.3, unit, base), 0.75 * unit);
+  const SkinKernel scaled(layer(0.3, unit, base), 0.75 * unit);
   const Rectangle cell{0.3, 0.2};
   for (const SkinTraction load : skin_tractions)
     for (const SkinQuantity q : skin_quantities) {
-      if (!is_defined(q, load, skin(0.3, 1.0, base))) continue;
+      if (!is_defined(q, load, layer(0.3, 1.0, base))) continue;
       const double y_sign = is_odd(q, load, Axis::y) ? -1.0 : 1.0;
       const double z_sign = is_odd(q, load, Axis::z) ? -1.0 : 1.0;
       const double area = unit * (traits(q).kind == QuantityKind::displacement ? 1.0 : unit);
@@ -230,7 +227,7 @@ TEST_CASE("a layer's kernels are even or odd, and scale, to the bit", "[skin_ker
 
 TEST_CASE("a rectangle on a layer is the sum of its point loads", "[skin_kernel][property]") {
   const auto base = GENERATE(Base::bonded, Base::frictionless);
-  const Material material = skin(0.45, 1.0, base);
+  const Material material = layer(0.45, 1.0, base);
   const SkinKernel kernel(material, 1.0);
   using Rule = boost::math::quadrature::gauss<double, 30>;
   for (const double width : {0.05, 0.2, 0.5, 0.9, 2.7}) {
@@ -259,7 +256,7 @@ TEST_CASE("a rectangle on a layer is the sum of its point loads", "[skin_kernel]
 }
 
 TEST_CASE("many places at once are as one by one in a layer too", "[skin_kernel]") {
-  const SkinKernel kernel(skin(0.4, 1.0, Base::bonded), 0.5);
+  const SkinKernel kernel(layer(0.4, 1.0, Base::bonded), 0.5);
   const std::vector<double> y{0.0, 1.3, -2.0, 70.0};
   const std::vector<double> z{0.2, 0.0, 5.0, 1.0};
   std::vector<double> readings(y.size());
@@ -280,7 +277,7 @@ TEST_CASE("what the base adds is the layer's reading less the half space's", "[s
   std::vector<double> readings(y.size());
   for (const SkinTraction load : skin_tractions)
     for (const SkinQuantity q : skin_quantities) {
-      const Material material = skin(0.4, 1.0, Base::bonded);
+      const Material material = layer(0.4, 1.0, Base::bonded);
       const SkinKernel layer(material, 0.5);
       layer.base_part(q, load, y, z, readings);
       for (std::size_t i = 0; i < y.size(); ++i)
@@ -294,7 +291,7 @@ TEST_CASE("what the base adds is the layer's reading less the half space's", "[s
 }
 
 TEST_CASE("a slide without end is refused, with a remedy", "[skin_kernel]") {
-  const Material material = skin(0.4, 1.0, Base::frictionless);
+  const Material material = layer(0.4, 1.0, Base::frictionless);
   CHECK_THROWS_WITH(
       check_quantity(SkinQuantity::displacement_z, SkinTraction::tangential_y, material),
       "displacement_z under a tangential_y load is not defined in a layer on a frictionless base, "
@@ -302,7 +299,7 @@ TEST_CASE("a slide without end is refused, with a remedy", "[skin_kernel]") {
   CHECK_NOTHROW(check_quantity(SkinQuantity::displacement_x, SkinTraction::tangential_y, material));
   CHECK_NOTHROW(check_quantity(SkinQuantity::displacement_y, SkinTraction::normal, material));
   CHECK_NOTHROW(check_quantity(SkinQuantity::displacement_y, SkinTraction::tangential_y,
-                               skin(0.4, 1.0, Base::bonded)));
+                               layer(0.4, 1.0, Base::bonded)));
   const SkinKernel kernel(material, 0.5);
   CHECK(std::isnan(kernel(SkinQuantity::displacement_y, SkinTraction::tangential_y, 0.1, 0.2)));
   CHECK(std::isnan(kernel(SkinQuantity::displacement_y, SkinTraction::tangential_y, 99.0, 0.2)));

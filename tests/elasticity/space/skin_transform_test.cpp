@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tests/catch.hpp"
+#include "tests/elasticity/layer.hpp"
+#include "tests/elasticity/not_finite.hpp"
 #include "tests/elasticity/space/reference.hpp"
 
 using namespace tactile_net;
@@ -16,12 +17,6 @@ using tactile_net::test::Real;
 using Complex = std::complex<double>;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Material skin(double nu, double thickness, Base base) {
-  return {.youngs_modulus = 2.0, .poisson_ratio = nu, .layer = Layer{thickness, base}};
-}
 
 /// A square matrix of Reals, as small as these are.
 template <std::size_t size>
@@ -153,8 +148,8 @@ TEST_CASE("a layer's amplitudes are those of its state equations' matrix exponen
 
 TEST_CASE("a wave along y is a line array's", "[skin_transform]") {
   const Material material =
-      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, skin(0.3, 1.5, Base::bonded),
-               skin(0.5, 1.5, Base::frictionless));
+      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, layer(0.3, 1.5, Base::bonded),
+               layer(0.5, 1.5, Base::frictionless));
   for (const Quantity q : quantities)
     for (const Traction load : traction_components)
       for (const double k : {-3.0, 0.2, 1.0}) {
@@ -171,8 +166,8 @@ TEST_CASE("a wave along y is a line array's", "[skin_transform]") {
 TEST_CASE("turning wave, traction and tensor together changes nothing",
           "[skin_transform][property]") {
   const Material material =
-      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, skin(0.3, 1.5, Base::bonded),
-               skin(0.5, 1.5, Base::frictionless));
+      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, layer(0.3, 1.5, Base::bonded),
+               layer(0.5, 1.5, Base::frictionless));
   const double k = 1.3;
   using Tensor = std::array<std::array<Complex, 3>, 3>;
   const std::array components = {
@@ -221,7 +216,7 @@ TEST_CASE("a thick layer is a half space, at any k h", "[skin_transform]") {
   const auto base = GENERATE(Base::bonded, Base::frictionless);
   const double nu = GENERATE(0.0, 0.45, 0.5);
   const double kh = GENERATE(60.0, 300.0, 2000.0, 1e6, 1e300);
-  const Material material = skin(nu, 1.0, base);
+  const Material material = layer(nu, 1.0, base);
   Material half = material;
   half.layer.reset();
   for (const double a : {1e-3, 0.5, 3.0, 15.0})
@@ -237,8 +232,8 @@ TEST_CASE("a thick layer is a half space, at any k h", "[skin_transform]") {
 
 TEST_CASE("nothing in a skin overflows or is lost", "[skin_transform]") {
   const Material material =
-      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.5}, skin(0.5, 2.0, Base::bonded),
-               skin(0.0, 2.0, Base::frictionless));
+      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.5}, layer(0.5, 2.0, Base::bonded),
+               layer(0.0, 2.0, Base::frictionless));
   for (const double k : {1e-150, 1e-9, 1e3, 1e9, 1e300, infinity})
     for (const double depth : {1e-9, 1.0, 2.0})
       for (const SkinTraction load : skin_tractions)
@@ -255,8 +250,8 @@ TEST_CASE("nothing in a skin overflows or is lost", "[skin_transform]") {
 
 TEST_CASE("k = 0 is the mean over directions of small k", "[skin_transform]") {
   const Material material =
-      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, skin(0.3, 1.5, Base::bonded),
-               skin(0.5, 1.5, Base::bonded), skin(0.3, 1.5, Base::frictionless));
+      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, layer(0.3, 1.5, Base::bonded),
+               layer(0.5, 1.5, Base::bonded), layer(0.3, 1.5, Base::frictionless));
   for (const SkinTraction load : skin_tractions)
     for (const SkinQuantity q : skin_quantities) {
       Complex mean = 0.0;

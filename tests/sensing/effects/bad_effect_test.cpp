@@ -22,16 +22,11 @@
 
 using namespace tactile_net;
 
-namespace {
-
-const SensorArray array{2, 1.0, {1.0}, {Quantity::strain_x}};
-constexpr Quantity strain = Quantity::strain_x;
-constexpr Quantity stress = Quantity::stress_x;
-
-}  // namespace
-
 TEST_CASE("an effect out of its range is refused with the rule in words", "[effects]") {
-  const auto refused = [](const auto& effect, const std::string& rule) {
+  const SensorArray array{2, 1.0, {1.0}, {Quantity::strain_x}};
+  constexpr Quantity strain = Quantity::strain_x;
+  constexpr Quantity stress = Quantity::stress_x;
+  const auto refused = [&](const auto& effect, const std::string& rule) {
     CAPTURE(rule);
     CHECK_THROWS_AS(make_effect(effect, array), std::invalid_argument);
     CHECK_THROWS_WITH(make_effect(effect, array), ContainsSubstring(rule));

@@ -9,10 +9,10 @@ using namespace tactile_net;
 
 namespace {
 
-const SensorArray array{5, 1.0, {1.0, 2.0}, {Quantity::stress_x}};
+const SensorArray five_taxels_at_two_depths{5, 1.0, {1.0, 2.0}, {Quantity::stress_x}};
 
 std::vector<double> leaked(double fraction, std::vector<double> readings) {
-  make_effect(Crosstalk{fraction}, array)->apply({}, readings);
+  make_effect(Crosstalk{fraction}, five_taxels_at_two_depths)->apply({}, readings);
   return readings;
 }
 

@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "tests/catch.hpp"
+#include "tests/sensing/effects/two_taxels.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const SensorArray array{2, 1.0, {1.0}, {Quantity::stress_x}};
 const Hysteresis three{.thresholds = {{Quantity::stress_x, {0.25, 0.5, 1.0}}},
                        .weights = {0.25, 0.125, 0.5}};
 
 /// A new sensor's answer to values of the input, one after another.
 std::vector<double> answer(const Hysteresis& hysteresis, const std::vector<double>& inputs) {
-  const auto stage = make_effect(hysteresis, array);
+  const auto stage = make_effect(hysteresis, two_taxels);
   std::vector<double> out;
   for (const double in : inputs) {
     std::vector<double> readings{in, 0.0};

@@ -6,16 +6,15 @@
 
 #include "tactile_net/sensing/effects/first_order_lag.hpp"
 #include "tests/catch.hpp"
+#include "tests/sensing/effects/two_taxels.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-const SensorArray array{2, 1.0, {1.0}, {Quantity::stress_x}};
-
 /// What comes out at each time of a signal that is `in(t)` at those times, at rest before.
 std::vector<double> response(double tau, const std::vector<double>& times, auto in) {
-  const auto stage = make_effect(LowPass{tau}, array);
+  const auto stage = make_effect(LowPass{tau}, two_taxels);
   std::vector<double> rest(2);
   stage->rest(rest);
   std::vector<double> out;
@@ -82,7 +81,7 @@ TEST_CASE("at the cutoff frequency half of the power is left", "[effects]") {
 }
 
 TEST_CASE("a sensor at rest stays at rest", "[effects]") {
-  const auto stage = make_effect(LowPass{0.1}, array);
+  const auto stage = make_effect(LowPass{0.1}, two_taxels);
   std::vector<double> rest{0.25, -0.5};  // offsets
   stage->rest(rest);
   CHECK(rest == std::vector{0.25, -0.5});

@@ -3,12 +3,11 @@
 #include <vector>
 
 #include "tests/catch.hpp"
+#include "tests/sensing/effects/two_taxels.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-const SensorArray array{2, 1.0, {1.0}, {Quantity::stress_x}};
 
 struct Point {
   double time;
@@ -18,7 +17,7 @@ struct Point {
 };
 
 std::vector<double> frames(double aperture, const std::vector<Point>& points) {
-  const auto stage = make_effect(Sampling{aperture}, array);
+  const auto stage = make_effect(Sampling{aperture}, two_taxels);
   std::vector<double> rest(2);
   stage->rest(rest);
   std::vector<double> out;

@@ -10,13 +10,13 @@ using namespace tactile_net;
 
 namespace {
 
-const SensorArray array{3, 1.0, {1.0}, {Quantity::stress_x}};
+const SensorArray three_taxels{3, 1.0, {1.0}, {Quantity::stress_x}};
 
 }  // namespace
 
 TEST_CASE("every taxel has the noise of its own rms", "[effects][property]") {
-  const auto stage =
-      make_effect(TaxelNoise{.rms = {{Quantity::stress_x, {0.0, 1.0, 5.0}}}, .seed = 3}, array);
+  const auto stage = make_effect(
+      TaxelNoise{.rms = {{Quantity::stress_x, {0.0, 1.0, 5.0}}}, .seed = 3}, three_taxels);
   constexpr int frames = 20000;
   std::vector<double> squares(3);
   double product = 0.0;
@@ -34,11 +34,12 @@ TEST_CASE("every taxel has the noise of its own rms", "[effects][property]") {
 }
 
 TEST_CASE("noise of taxels is not the noise of all over again", "[effects]") {
-  const auto own =
-      make_effect(TaxelNoise{.rms = {{Quantity::stress_x, {1.0, 1.0, 1.0}}}, .seed = 3}, array);
+  const auto own = make_effect(
+      TaxelNoise{.rms = {{Quantity::stress_x, {1.0, 1.0, 1.0}}}, .seed = 3}, three_taxels);
   double correlation = 0.0;
   constexpr int frames = 3000;
-  const auto all = make_effect(NoiseModel{.rms = {{Quantity::stress_x, 1.0}}, .seed = 3}, array);
+  const auto all =
+      make_effect(NoiseModel{.rms = {{Quantity::stress_x, 1.0}}, .seed = 3}, three_taxels);
   for (int frame = 0; frame < frames; ++frame) {
     std::vector<double> a(3);
     std::vector<double> b(3);

@@ -16,7 +16,7 @@ namespace tactile_net::tool {
 namespace {
 
 /// Words, JSON and the page of either kind of grasp; a grasp that fails is a check that failed.
-void write(const auto& grasp, Results& results, Progress& progress, const Streams& streams) {
+void write_grasp(const auto& grasp, Results& results, Progress& progress, const Streams& streams) {
   results.write(
       {.print = [&](std::ostream& out) { report::print_grasp(out, grasp); },
        .json = [&] { return report::grasp_json(grasp); },
@@ -41,11 +41,12 @@ void run(const GraspOptions& options, const Streams& streams) {
     return frames::readings_of_frame(file, scene, number, {.columns = options.columns});
   };
   if (const auto* hand = std::get_if<SpaceHand>(&any))
-    write(lab::hold(*hand, readings, progress), results, progress, streams);
+    write_grasp(lab::hold(*hand, readings, progress), results, progress, streams);
   else
-    write(lab::hold(std::get<Hand>(any),
-                    {.readings = readings, .tractions = frames::tractions_of_frame}, progress),
-          results, progress, streams);
+    write_grasp(
+        lab::hold(std::get<Hand>(any),
+                  {.readings = readings, .tractions = frames::tractions_of_frame}, progress),
+        results, progress, streams);
 }
 
 }  // namespace tactile_net::tool

@@ -51,7 +51,7 @@ class Questions {
   std::vector<std::string> open_;
 };
 
-std::optional<double> number(std::string_view text) {
+std::optional<double> number_in(std::string_view text) {
   double value = 0.0;
   return read_number(text, value) ? std::optional(value) : std::nullopt;
 }
@@ -62,7 +62,7 @@ std::vector<double> numbers(std::string_view text) {
   for (std::string_view item : split(text, ',')) {
     while (item.starts_with(' ')) item.remove_prefix(1);
     while (item.ends_with(' ')) item.remove_suffix(1);
-    const auto value = number(item);
+    const auto value = number_in(item);
     if (!value) return {};
     all.push_back(*value);
   }
@@ -111,7 +111,7 @@ std::string understood(const frames::RecordingLayout& layout, std::size_t taxels
 }
 
 /// The command that reads the recording, as people type it.
-std::string command_line(const InitOptions& options, const std::string& scene) {
+std::string check_command(const InitOptions& options, const std::string& scene) {
   return "tactile-net check " + shell_word(scene) + " --readings " + shell_word(options.recording);
 }
 
@@ -198,7 +198,7 @@ class Sketching {
     const std::string unit = unit_in(sketch_.length_unit);
     const auto positive = [](double& into) {
       return [&into](std::string_view answer) {
-        const auto value = number(answer);
+        const auto value = number_in(answer);
         into = value.value_or(0.0);
         return into > 0.0;
       };
@@ -234,13 +234,13 @@ class Sketching {
     else
       questions_.ask("--modulus", "Young's modulus of the pad" + unit_in(sketch_.modulus_unit),
                      [&](std::string_view answer) {
-                       sketch_.youngs_modulus = number(answer).value_or(0.0);
+                       sketch_.youngs_modulus = number_in(answer).value_or(0.0);
                        return sketch_.youngs_modulus > 0.0;
                      });
     sketch_.poisson_ratio = options_.poisson;
     if (!sketch_.poisson_ratio)
       questions_.offer("Poisson's ratio, 0 to 0.5 (empty: 0.45)", [&](std::string_view answer) {
-        sketch_.poisson_ratio = number(answer);
+        sketch_.poisson_ratio = number_in(answer);
         return sketch_.poisson_ratio.has_value();
       });
   }
@@ -275,7 +275,8 @@ void run(const InitOptions& options, const Streams& streams) {
   const frames::RecordingLayout& layout = sketching.layout();
   const std::string columns =
       layout.places.empty() ? "" : " --columns " + shell_word(layout.places);
-  const std::string next = command_line(options, to_file ? options.output : "SCENE.toml") + columns;
+  const std::string next =
+      check_command(options, to_file ? options.output : "SCENE.toml") + columns;
   sketch.remarks = {
       "What tactile-net knows of a pad and its sensors; every key: docs/scene.md.",
       "Made from " + options.recording + ": " + understood(layout, sketch.count) + ".",

@@ -36,10 +36,10 @@ void refuse_for_skins(const SolveOptions& options, const SkinScene& scene) {
 }
 
 /// How far what each frame amounts to may be off, one frame a row.
-class UncertaintyFile {
+class SkinUncertaintyFile {
  public:
-  UncertaintyFile(const std::string& path, const SkinScene& scene, bool with_time,
-                  const Streams& streams)
+  SkinUncertaintyFile(const std::string& path, const SkinScene& scene, bool with_time,
+                      const Streams& streams)
       : scene_(scene),
         columns_(report::uncertainty_columns(scene)),
         output_(path, &streams.out),
@@ -70,10 +70,10 @@ class UncertaintyFile {
 };
 
 /// Where the answers go.
-class Outputs {
+class SkinOutputs {
  public:
-  Outputs(const SolveOptions& options, const lab::SkinSceneProblem& problem, bool with_time,
-          Results* results, const Streams& streams)
+  SkinOutputs(const SolveOptions& options, const lab::SkinSceneProblem& problem, bool with_time,
+              Results* results, const Streams& streams)
       : in_folder_(options.output.empty() && !options.results.folder.empty()),
         tractions_(in_folder_ ? results->place("tractions-of-frames.csv") : options.output,
                    report::traction_columns(problem.grid(), problem.layout().components), with_time,
@@ -112,7 +112,7 @@ class Outputs {
   bool in_folder_;
   FramesFile tractions_;
   std::vector<double> unknown_;
-  std::optional<UncertaintyFile> wrenches_{};
+  std::optional<SkinUncertaintyFile> wrenches_{};
 };
 
 /// Of a frame that was read and is being solved, what the source no longer says when it is.
@@ -123,7 +123,7 @@ struct FrameRead {
 };
 
 lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::ReadingsFile& file,
-                                   Outputs& outputs, const Streams& streams) {
+                                   SkinOutputs& outputs, const Streams& streams) {
   const lab::SkinSceneProblem& whole = solver.problem();
   lab::SkinRecordingAnswer recording{.scene = whole.scene(), .grid = whole.grid()};
   Progress progress(streams);
@@ -177,8 +177,8 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
   std::optional<Results> results;
   if (!options.results.folder.empty() || !options.results.json.empty())
     results.emplace(options.results, streams);
-  Outputs outputs(options, solver.problem(), source.has_time(), results ? &*results : nullptr,
-                  streams);
+  SkinOutputs outputs(options, solver.problem(), source.has_time(), results ? &*results : nullptr,
+                      streams);
   lab::SkinRecordingAnswer recording;
   try {
     recording = solve_all(solver, file, outputs, streams);

@@ -27,9 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Watcher final : public sweep::Observer {
+class SweepWatcher final : public sweep::Observer {
  public:
-  explicit Watcher(const Streams& streams) : line_(streams) {}
+  explicit SweepWatcher(const Streams& streams) : line_(streams) {}
   void progress(const sweep::Progress& progress) override { line_.say(report::in_words(progress)); }
   [[nodiscard]] bool stop() const override { return InterruptionAsWish::came(); }
   [[nodiscard]] Progress& line() noexcept { return line_; }
@@ -117,7 +117,7 @@ void run(const SweepOptions& options, const Streams& streams) {
   if (options.jobs && *options.jobs == 0) throw WrongUsage("--jobs", "must be at least 1");
   const fs::path folder = options.folder;
   const Ending ending(folder, options.force, options.json, streams);
-  Watcher watcher(streams);
+  SweepWatcher watcher(streams);
   const sweep::Progress progress = sweep::sweep(
       study, folder,
       {.jobs = options.jobs.value_or(0), .shard = shard, .simulator = options.simulator}, watcher);

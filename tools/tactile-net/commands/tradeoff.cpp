@@ -86,10 +86,10 @@ std::vector<study::StudySection> earlier(const TradeoffOptions& options,
 }
 
 /// Says how far the study is, ends it at Ctrl-C, and writes the folder anew after each job.
-class Watcher final : public study::StudyObserver {
+class StudyWatcher final : public study::StudyObserver {
  public:
-  Watcher(std::filesystem::path folder, frames::Existing existing, const std::string& scene_text,
-          const Streams& streams)
+  StudyWatcher(std::filesystem::path folder, frames::Existing existing,
+               const std::string& scene_text, const Streams& streams)
       : line_(streams),
         folder_(std::move(folder)),
         existing_(existing),
@@ -120,7 +120,7 @@ class Watcher final : public study::StudyObserver {
 };
 
 study::Study study_of(const AnyScene& scene, const study::TradeoffOptions& options,
-                      Watcher& watcher) {
+                      StudyWatcher& watcher) {
   try {
     return study::tradeoff(scene, options, watcher);
   } catch (const SimulatorError& error) {
@@ -187,7 +187,7 @@ void run(const TradeoffOptions& options, const Streams& streams) {
     make_folder(folder);
   }
 
-  Watcher watcher(folder, existing, scene_text, streams);
+  StudyWatcher watcher(folder, existing, scene_text, streams);
   const study::Study study = study_of(scene, study_options, watcher);
   watcher.line().clear();
   say_missing(streams.err, watcher.written().missing);

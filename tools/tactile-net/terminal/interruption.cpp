@@ -7,13 +7,13 @@ namespace {
 
 constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGHUP};
 
-volatile std::sig_atomic_t wish = 0;   // the next signal is only one
-volatile std::sig_atomic_t asked = 0;  // it came
+volatile std::sig_atomic_t wish = 0;         // the next signal is only one
+volatile std::sig_atomic_t interrupted = 0;  // it came
 
 void on_signal(int number) {
   if (wish != 0) {
     wish = 0;
-    asked = 1;
+    interrupted = 1;
     return;
   }
   remove_leftovers();
@@ -39,12 +39,12 @@ Interruption::~Interruption() {
 }
 
 InterruptionAsWish::InterruptionAsWish() noexcept {
-  asked = 0;
+  interrupted = 0;
   wish = 1;
 }
 
 InterruptionAsWish::~InterruptionAsWish() { wish = 0; }
 
-bool InterruptionAsWish::came() noexcept { return asked != 0; }
+bool InterruptionAsWish::came() noexcept { return interrupted != 0; }
 
 }  // namespace tactile_net::tool

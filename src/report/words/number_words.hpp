@@ -1,0 +1,27 @@
+/// @file
+/// Numbers as several texts write them. Private.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
+
+namespace tactile_net::report {
+
+[[nodiscard]] inline std::string brief_or_dash(const std::optional<double>& number) {
+  return number ? brief(*number) : "-";
+}
+
+[[nodiscard]] inline std::string length_in_words(const std::optional<Units>& units, double length) {
+  return in_unit(units, Dimension::length, length);
+}
+
+[[nodiscard]] inline std::string in_unit(const std::optional<Units>& units, Dimension dimension,
+                                         const Uncertain& number) {
+  return in_unit(units, dimension, number.value, number.deviation);
+}
+
+}  // namespace tactile_net::report

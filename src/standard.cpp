@@ -1,1 +1,0 @@
-#include "standard.hpp"  // what is precompiled needs a file to belong to

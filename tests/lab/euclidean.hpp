@@ -1,0 +1,23 @@
+/// @file
+/// Euclidean lengths that neither overflow nor underflow.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace tactile_net {
+
+inline double norm(const std::vector<double>& values) {
+  double size = 0.0;
+  for (const double value : values) size = std::hypot(size, value);
+  return size;
+}
+
+inline double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double size = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) size = std::hypot(size, a[i] - b[i]);
+  return size;
+}
+
+}  // namespace tactile_net
