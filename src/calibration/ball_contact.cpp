@@ -16,7 +16,7 @@ namespace {
 
 /// phi at Gauss' points and, last, at the edge.
 LayerFactor ball_layer_factor(Base base, double nu, double ratio) {
-  const GaussRule rule = gauss_rule(20);
+  const GaussRule rule = gauss_rule<20>();
   constexpr int panels = 5;
   constexpr Eigen::Index size = 21;
   constexpr Eigen::Index edge = size - 1;

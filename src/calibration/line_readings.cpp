@@ -27,7 +27,7 @@ constexpr std::size_t most_line_panels = 4000;
 /// fastest wave.
 struct LineNodes {
   LineNodes(double depth, double farthest) {
-    const GaussRule rule = gauss_rule(20);
+    const GaussRule rule = gauss_rule<20>();
     const double end = largest_decay / depth;
     const double needed = std::ceil(end * farthest / 26.0);
     const auto panels =

@@ -50,7 +50,7 @@ std::vector<double> bessel(std::size_t last, double z) {
 
 /// b_0 and its derivatives by a/h and by nu.
 LayerFactor rod_layer_factor(Base base, double nu, double ratio) {
-  const GaussRule rule = gauss_rule(20);
+  const GaussRule rule = gauss_rule<20>();
   constexpr int panels = 5;
   constexpr auto size = static_cast<Eigen::Index>(series_terms);
   std::array<double, series_terms> t{};

@@ -25,7 +25,7 @@ constexpr std::size_t orders = most_skin_wave_order + 2;
 /// SkinNodes in k, those near 0 as dense as a layer asks for: its poles are 0.7 / h away.
 struct SkinNodes {
   SkinNodes(double depth, double farthest, const Material& material) {
-    const GaussRule rule = gauss_rule(points);
+    const GaussRule rule = gauss_rule<points>();
     const double end = largest_decay / depth;
     const double count = std::clamp(std::ceil(end * farthest / 26.0), 5.0, double{most_panels});
     const double wide = end / count;

@@ -46,7 +46,7 @@ double integral(double u, double half_width, const auto& line) {
     const double s = t * half_width;
     return (1.0 - t) * (line(u - s) + line(u + s));
   };
-  const GaussRule rule = gauss_rule(10);
+  const GaussRule rule = gauss_rule<10>();
   double sum = 0.0;
   for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
     sum += (at(0.5 + 0.5 * rule.abscissa[i]) + at(0.5 - 0.5 * rule.abscissa[i])) * rule.weights[i];

@@ -77,7 +77,7 @@ LayerCorrection::LayerCorrection(Quantity quantity, Traction component, const Ma
       values_(panels_ * points) {
   // 20 points resolve 20 radians of exp(i k y) at the largest y, and every pole's distance; a hat's
   // transform turns by k w beside it.
-  const GaussRule rule = gauss_rule(20);
+  const GaussRule rule = gauss_rule<20>();
   const double width = 20.0 / (reach() + half_width);
   const double end = largest_decay / (2.0 * material.layer->thickness - depth);
   const auto count = static_cast<std::size_t>(std::ceil(end / width));

@@ -69,7 +69,7 @@ Transforms linear_nearby(const LoadPatch& patch, const Complex& z) noexcept {
 ///
 /// @param pole  distance from the surface to where the reading has its nearest pole [m]
 void for_each_line_load(const LoadPatch& patch, double pole, const auto& use) {
-  const GaussRule rule = gauss_rule(10);
+  const GaussRule rule = gauss_rule<10>();
   const double a = patch.half_width;
   if (patch.form == LoadPatch::Form::hertz) {  // Gauss and Chebyshev, of the second kind
     const double count = std::ceil(-0.5 * std::log(correction) / std::asinh(pole / a));

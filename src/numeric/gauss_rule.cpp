@@ -1,31 +1,24 @@
 #include "numeric/gauss_rule.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
-#include <cassert>
 
 namespace tactile_net {
-namespace {
 
-template <unsigned points>
-GaussRule of_boost() noexcept {
+template <std::size_t points>
+GaussRule gauss_rule() noexcept {
   using Rule = boost::math::quadrature::gauss<double, points>;
   return {Rule::abscissa(), Rule::weights()};
 }
 
-}  // namespace
-
-GaussRule gauss_rule(std::size_t points) noexcept {
-  switch (points) {
-    case 4: return of_boost<4>();
-    case 5: return of_boost<5>();
-    case 7: return of_boost<7>();
-    case 9: return of_boost<9>();
-    case 10: return of_boost<10>();
-    case 12: return of_boost<12>();
-    case 16: return of_boost<16>();
-  }
-  assert(points == 20);
-  return of_boost<20>();
-}
+template GaussRule gauss_rule<4>() noexcept;
+template GaussRule gauss_rule<5>() noexcept;
+template GaussRule gauss_rule<6>() noexcept;
+template GaussRule gauss_rule<7>() noexcept;
+template GaussRule gauss_rule<8>() noexcept;
+template GaussRule gauss_rule<9>() noexcept;
+template GaussRule gauss_rule<10>() noexcept;
+template GaussRule gauss_rule<12>() noexcept;
+template GaussRule gauss_rule<16>() noexcept;
+template GaussRule gauss_rule<20>() noexcept;
 
 }  // namespace tactile_net

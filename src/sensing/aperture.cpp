@@ -16,7 +16,7 @@ Aperture::Aperture(double width, double depth) {
   width_ = width;
   if (width == 0.0) return;
 
-  const GaussRule rule = gauss_rule(10);
+  const GaussRule rule = gauss_rule<10>();
   const double panels = std::ceil(2.0 * width / depth);
   const double half = 0.5 * width / panels;
   nodes_.clear();

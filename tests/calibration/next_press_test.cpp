@@ -60,7 +60,7 @@ TEST_CASE("five presses chosen on a skin leave at most three quarters of what ra
   CHECK(chosen < trial_errors<Trial>(PressChoice::none).readings);
 }
 
-TEST_CASE("what planned presses on a skin promise is what a fit with them has") {
+TEST_CASE("what planned presses on a skin promise is what a fit with them has", "[long]") {
   const auto target =
       GENERATE(std::optional<PadParameter>{}, std::optional<PadParameter>{PadParameter::depth});
   double ratio = 0.0;

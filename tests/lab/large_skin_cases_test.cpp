@@ -81,7 +81,7 @@ std::string dead(std::size_t first_row, std::size_t rows, std::size_t first_colu
 }  // namespace
 
 TEST_CASE("a large skin with a row, a corner or half of it dead is answered as the dense one",
-          "[lab][skin][large][hard]") {
+          "[lab][skin][large][hard][long]") {
   const std::string mask =
       GENERATE(dead(5, 1, 0, 11), dead(0, 4, 0, 4), dead(6, 6, 0, 11), dead(0, 12, 0, 5));
   CAPTURE(mask);
@@ -89,7 +89,7 @@ TEST_CASE("a large skin with a row, a corner or half of it dead is answered as t
 }
 
 TEST_CASE("of any Poisson ratio a large skin's answer is the dense one",
-          "[lab][skin][large][hard]") {
+          "[lab][skin][large][hard][long]") {
   const double ratio = GENERATE(1e-9, 0.5);
   const bool layer = GENERATE(false, true);
   CAPTURE(ratio, layer);
@@ -159,7 +159,7 @@ TEST_CASE("one reading that is no number is refused by a large skin as by the de
                     ContainsSubstring("not finite"));
 }
 
-TEST_CASE("a frame of a large skin may have any size", "[lab][skin][large][hard]") {
+TEST_CASE("a frame of a large skin may have any size", "[lab][skin][large][hard][long]") {
   const auto& [scale, constrained] =
       GENERATE(table<double, bool>({{1e-12, true}, {1e12, false}, {1e150, true}}));
   CAPTURE(scale, constrained);
@@ -182,7 +182,7 @@ TEST_CASE("a frame of a large skin may have any size", "[lab][skin][large][hard]
 }
 
 TEST_CASE("a large skin in mm and MPa has the tractions of the same skin in m and Pa",
-          "[lab][skin][large][hard]") {
+          "[lab][skin][large][hard][long]") {
   const std::string how = GENERATE(given + "1e-4\n", limited + "1e-4\n", given + "\"evidence\"\n");
   CAPTURE(how);
   const SkinScene scene = millimetre_skin(how);
@@ -213,7 +213,8 @@ TEST_CASE("a large skin in mm and MPa has the tractions of the same skin in m an
   CHECK_THAT(1e-3 * other.wrench.centre_y->value, WithinRel(si.wrench.centre_y->value, 1e-6));
 }
 
-TEST_CASE("a large skin turned round finds the same turned round", "[lab][skin][large][hard]") {
+TEST_CASE("a large skin turned round finds the same turned round",
+          "[lab][skin][large][hard][long]") {
   const std::string how = GENERATE(given + "1e-4\n", limited + "1e-4\n");
   CAPTURE(how);
   // By half a turn taxel i is taxel 131 - i, and so are its cells; drags have the other sign.

@@ -119,7 +119,7 @@ TEST_CASE("where nothing may pull a large skin's bands are the dense ones", "[la
   }
 }
 
-TEST_CASE("contacts far apart on a large skin have the bands of each", "[lab][skin][large]") {
+TEST_CASE("contacts far apart on a large skin have the bands of each", "[lab][skin][large][long]") {
   // As far apart as no reading of the one tells of the other.
   const std::string taxels = "rows = 12\ncolumns = 34";
   const std::string second =

@@ -53,7 +53,7 @@ TEST_CASE("bands of a large skin are those of its decomposition", "[skin][large]
   }
 }
 
-TEST_CASE("bands of single cells are off by what is said of them", "[skin][large]") {
+TEST_CASE("bands of single cells are off by what is said of them", "[skin][large][long]") {
   const SkinArray skin = square_skin(20, 2e-3);
   for (const auto& dead : {std::vector<std::size_t>{}, std::vector<std::size_t>{41, 128, 189, 192},
                            std::vector<std::size_t>{205, 206, 225, 310, 311}}) {

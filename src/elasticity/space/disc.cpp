@@ -55,7 +55,7 @@ double traction(const Disc& disc, double r) noexcept {
 
 double disc_reading(SkinQuantity quantity, SkinTraction component, const Material& material,
                     const Disc& disc, double depth, double y, double z) noexcept {
-  const GaussRule rule = gauss_rule(20);
+  const GaussRule rule = gauss_rule<20>();
   using Field = HalfSpaceField<std::complex<double>, ImaginarySource>;
   // In units of the radius: (x + i t)^2 + r^2 vanishes at t = r + i x, towards which panels shrink.
   const double a = disc.radius;

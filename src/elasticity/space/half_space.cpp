@@ -58,12 +58,12 @@ class RectangleLoad {
     // In half diagonals. What corners leave cancels with the square of the distance; the numbers of
     // points leave less than rounding even where the rectangle is a needle, seen along it.
     const double result = distance < 2.0     ? corners(p)
-                          : distance < 3.0   ? quadrature(p, 16)
-                          : distance < 5.0   ? quadrature(p, 12)
-                          : distance < 10.0  ? quadrature(p, 9)
-                          : distance < 30.0  ? quadrature(p, 7)
-                          : distance < 100.0 ? quadrature(p, 5)
-                                             : quadrature(p, 4);
+                          : distance < 3.0   ? quadrature(p, gauss_rule<16>())
+                          : distance < 5.0   ? quadrature(p, gauss_rule<12>())
+                          : distance < 10.0  ? quadrature(p, gauss_rule<9>())
+                          : distance < 30.0  ? quadrature(p, gauss_rule<7>())
+                          : distance < 100.0 ? quadrature(p, gauss_rule<5>())
+                                             : quadrature(p, gauss_rule<4>());
     return traits(quantity).kind == QuantityKind::displacement ? result * unit : result;
   }
 
@@ -81,8 +81,7 @@ class RectangleLoad {
            (corner(p.y + p.a, p.z - p.b) + corner(p.y - p.a, p.z + p.b));
   }
 
-  [[nodiscard]] double quadrature(const Place& p, std::size_t count) const noexcept {
-    const GaussRule rule = gauss_rule(count);
+  [[nodiscard]] double quadrature(const Place& p, const GaussRule& rule) const noexcept {
     const auto point = [&](double y, double z) {
       return reading<quantity, component>(PointSource<double>(p.x, y, z), material_);
     };

@@ -56,7 +56,7 @@ struct Node {
 /// As wide as `width`, one panel after the other, up to k = end: those of one end are the first of
 /// those of another.
 std::vector<Node> nodes(double end, double width) {
-  const GaussRule rule = gauss_rule(20);
+  const GaussRule rule = gauss_rule<20>();
   const auto count = static_cast<std::size_t>(std::ceil(end / width));
   std::vector<Node> all;
   all.reserve(count * 20);

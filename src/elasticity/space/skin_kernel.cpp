@@ -84,7 +84,7 @@ class HalfRule {
   HalfRule(double width, double thickness) noexcept
       : pieces_(static_cast<std::size_t>(std::max(1.0, std::ceil(width / thickness)))),
         half_piece_(0.5 * width / static_cast<double>(pieces_)),
-        rule_(gauss_rule(points)) {}
+        rule_(gauss_rule<points>()) {}
 
   [[nodiscard]] std::size_t size() const noexcept { return pieces_ * points / 2; }
 
