@@ -25,7 +25,7 @@ struct Batch {
 
 }  // namespace
 
-TEST_CASE("a batch on several threads is the batch on one, to the bit", "[batch]") {
+TEST_CASE("a batch on several threads is the batch on one, to the bit", "[batch][threads]") {
   const EstimatorPlan plan = made_skin_plan({.rows = 4, .columns = 4, .exchanged = true});
   ContactEstimator estimator(plan);
   const std::size_t n = plan.readings();
@@ -57,7 +57,7 @@ TEST_CASE("a batch on several threads is the batch on one, to the bit", "[batch]
   CHECK(bad.estimates[901].tractions[0] == one.estimates[901].tractions[0]);
 }
 
-TEST_CASE("a batch of a wrong size is refused whole, whatever the threads", "[batch]") {
+TEST_CASE("a batch of a wrong size is refused whole, whatever the threads", "[batch][threads]") {
   const EstimatorPlan plan = made_skin_plan({});
   ContactEstimator estimator(plan);
   std::vector<double> readings(200 * plan.readings());

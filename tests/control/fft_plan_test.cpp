@@ -334,7 +334,7 @@ TEST_CASE("a convolution much larger than its correction cannot overflow unnotic
   CHECK(answered < 21);
 }
 
-TEST_CASE("convolutions may be made in several threads", "[fft]") {
+TEST_CASE("convolutions may be made in several threads", "[fft][threads]") {
   const auto work = [] {
     for (std::size_t size = 8; size <= 4000; size = transform_size(size + 1)) {
       ProductPlan plan = small_convolution();
@@ -348,7 +348,8 @@ TEST_CASE("convolutions may be made in several threads", "[fft]") {
   for (std::thread& thread : threads) thread.join();
 }
 
-TEST_CASE("copies work in threads of their own, made there, and give the same bits", "[fft]") {
+TEST_CASE("copies work in threads of their own, made there, and give the same bits",
+          "[fft][threads]") {
   const EstimatorPlan plan = fft_plan(long_array(128), 1e-7, true).plan;
   const FftEffort effort = GENERATE(FftEffort::estimate, FftEffort::measure);
   const ContactEstimator original(plan, fft_convolutions(effort));

@@ -60,7 +60,7 @@ std::vector<Answer> replayed(ContactEstimator& estimator, const std::vector<doub
 
 }  // namespace
 
-TEST_CASE("a replayed recording is what the controller answered, to the bit", "[replay]") {
+TEST_CASE("a replayed recording is what the controller answered, to the bit", "[replay][threads]") {
   ContactEstimator estimator(made_skin_plan({.rows = 4, .columns = 4, .exchanged = true}));
   const std::size_t n = estimator.readings();
   const std::vector<double> all = recording(n);

@@ -73,7 +73,7 @@ Solved solved_recording(const SkinScene& scene, const std::vector<std::vector<do
 }  // namespace
 
 TEST_CASE("a recording's answers are the same bits by any number of threads",
-          "[lab][skin][stream]") {
+          "[lab][skin][stream][threads]") {
   const std::string more = GENERATE("", "[reconstruct]\nfriction_limit = 0.8\n",
                                     "[reconstruct]\nfriction_limit = 0.8\nalpha = 1e-3\n",
                                     "[saturation]\nrange = [-1.0, 0.02]\n");
@@ -109,7 +109,8 @@ TEST_CASE("frames that share an alpha are solved one after the other", "[lab][sk
         solved_recording(scene, frames, 1, options).answers);
 }
 
-TEST_CASE("a frame that fails does so after all before it were used", "[lab][skin][stream]") {
+TEST_CASE("a frame that fails does so after all before it were used",
+          "[lab][skin][stream][threads]") {
   const SkinScene scene = sliding("");
   std::vector<std::vector<double>> frames = frames_of(scene);
   frames[6][0] = std::numeric_limits<double>::quiet_NaN();
@@ -128,7 +129,8 @@ TEST_CASE("a frame that fails does so after all before it were used", "[lab][ski
   CHECK(solver.solved().frames == 6);
 }
 
-TEST_CASE("jobs come back in their order from the threads that did them", "[lab][stream]") {
+TEST_CASE("jobs come back in their order from the threads that did them",
+          "[lab][stream][threads]") {
   struct Job {
     int number = 0;
     int square = 0;

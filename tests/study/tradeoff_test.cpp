@@ -107,7 +107,7 @@ std::vector<Failure> failures(const Study& study, const WorkCurve& curve) {
 }  // namespace
 
 TEST_CASE("a study keeps the jobs' order and is saved after each; what is timed runs alone",
-          "[tradeoff]") {
+          "[tradeoff][threads]") {
   Jobs jobs;
   add_all(jobs);
   Study study;
@@ -127,7 +127,8 @@ TEST_CASE("a study keeps the jobs' order and is saved after each; what is timed 
   CHECK(jobs.runs == static_cast<int>(jobs.list.size()));
 }
 
-TEST_CASE("a study goes on from an earlier one, and does again what had failed", "[tradeoff]") {
+TEST_CASE("a study goes on from an earlier one, and does again what had failed",
+          "[tradeoff][threads]") {
   Jobs jobs;
   add_all(jobs);
   Study study;
@@ -150,7 +151,7 @@ TEST_CASE("a study goes on from an earlier one, and does again what had failed",
 }
 
 TEST_CASE("a study that is stopped keeps what was done before, and says that it is a part",
-          "[tradeoff]") {
+          "[tradeoff][threads]") {
   for (const std::size_t after : {1U, 2U, 4U}) {
     CAPTURE(after);
     Jobs jobs;
