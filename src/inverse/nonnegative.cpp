@@ -50,7 +50,7 @@ class FreeColumns {
     Eigen::VectorXd along = Eigen::VectorXd::Zero(count);
     for (int pass = 0; pass < 2; ++pass) {
       const Eigen::VectorXd part = q.transpose() * rest;
-      rest -= q * part;
+      rest.noalias() -= q.operator*(part);  // in place: the innermost loop
       along += part;
     }
     const double left = rest.norm();

@@ -22,7 +22,7 @@ void check(const std::optional<double>& value, const char* name) {
 
 /// A farad value that sets a pole at `hertz` with a conductance.
 std::string farad(double siemens, double hertz) {
-  return shortest(siemens / (angular_frequency(hertz)));
+  return shortest(siemens / angular_frequency(hertz));
 }
 
 /// What is left of an output's slope while it gives all it has: of the slope, and at most so much
