@@ -46,9 +46,10 @@ function(tactile_net_command target)
   tactile_net_light(${target})
 endfunction()
 
-# tactile_net_caller(target): for code that calls the numerics. With sanitizers it is not optimised, which takes longer than
-# its tests.
+# tactile_net_caller(target): for code that calls the numerics. The standard library checks its indices and empty values. With
+# sanitizers it is not optimised, which takes longer than its tests.
 function(tactile_net_caller target)
+  target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)
   if(TACTILE_NET_SANITIZE)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Debug>:-O0>)
@@ -114,4 +115,12 @@ function(tactile_net_unity target)
       math(EXPR number "${number} + 1")
     endforeach()
   endforeach()
+endfunction()
+
+# tactile_net_link_without_gpl(target): links it without GPL code, whatever FFT and simulator the tree's libraries were built with.
+function(tactile_net_link_without_gpl target)
+  target_sources(${target} PRIVATE $<TARGET_OBJECTS:tactile_net_without_gpl>)
+  if(NOT APPLE)
+    target_link_options(${target} PRIVATE -Wl,--as-needed)  # nothing of the shared libraries is needed
+  endif()
 endfunction()

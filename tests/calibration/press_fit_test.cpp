@@ -43,7 +43,7 @@ TEST_CASE("a log without noise is explained and tells the truth") {
     CHECK_THAT(fit.gains[j], WithinRel(made.gains[j], 1e-5));
 }
 
-TEST_CASE("over many logs the truth lies where the standard deviations say") {
+TEST_CASE("over many logs the truth lies where the standard deviations say", "[long]") {
   const auto [knows_width, most] = GENERATE(table<bool, double>({{true, 0.0175}, {false, 0.048}}));
   constexpr unsigned logs = 40;
   double depth2 = 0.0, within = 0.0, rms = 0.0, pulls2 = 0.0;

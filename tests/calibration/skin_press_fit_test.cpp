@@ -29,19 +29,26 @@ bool is_hidden(const PressFit& fit, PadParameter parameter) {
 TEST_CASE("a skin's log without noise tells depth, thickness, nu, E and gains") {
   using enum SkinQuantity;
   SimulatedSkinLog made = simulated_skin_log(
-      3, {.noise = 1e-9, .presses = 16, .reads = {stress_x, strain_y}, .layer = true});
+      3, {.side = 4, .noise = 1e-9, .presses = 12, .reads = {stress_x, strain_y}, .layer = true});
+  const auto force = made.log.presses[0].force.value;
   for (Press& press : made.log.presses) press.force = press.position = press.position_z = {};
   CalibrationOptions options;
   options.depth_sd = options.thickness_sd = options.poisson_ratio_sd = unknown_sd;
   options.youngs_modulus_sd = unknown_sd;
   options.half_width_sd = 0.0;
-  // One force tells the common gain; the balls' radii then tell E.
-  made.log.presses[0].force.value = 0.5;
+  options.starts = {1.0};
+  // One force, which is stated within 1 %, tells the common gain; the balls' radii then tell E.
+  made.log.presses[0].force.value = force;
   const PressFit fit = fit_presses(made.model(), made.log, options);
   CAPTURE(fit.rms, fit.chi_squared, fit.dof);
   CHECK_THAT(fit.at(PadParameter::depth).value, WithinRel(1.8e-3, 1e-4));
   CHECK_THAT(fit.at(PadParameter::thickness).value, WithinRel(4e-3, 1e-3));
   CHECK_THAT(fit.at(PadParameter::poisson_ratio).value, WithinAbs(0.46, 1e-3));
+  // E and the stresses' gains are as far off as that force is stated, together.
+  const double scale = fit.at(PadParameter::youngs_modulus).value / 2.2e5;
+  CHECK_THAT(scale, WithinAbs(1.0, 0.03));
+  for (std::size_t j = 0; j < made.gains.size(); ++j)
+    CHECK_THAT(fit.gains[j], WithinRel(made.gains[j] / (j < 16 ? scale : 1.0), 1e-3));
 }
 
 TEST_CASE("over many logs of skins the truth lies where the standard deviations say") {

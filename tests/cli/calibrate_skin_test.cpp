@@ -226,12 +226,9 @@ TEST_CASE("a log of a skin that is wrong is refused with its line and the rule",
 
 TEST_CASE("a skin's next presses buy more with every one, in words and JSON", "[cli][calibrate]") {
   const Folder folder;
-  const auto planned = [&](const std::string& json) {
-    return run_tool({"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"),
-                     "--next", "3", "--target", "depth", "--json", folder / json, "--out",
-                     folder / "page"});
-  };
-  const ProcessResult result = planned("found.json");
+  const ProcessResult result = run_tool(
+      {"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"), "--next", "3",
+       "--target", "depth", "--json", folder / "found.json", "--out", folder / "page"});
   REQUIRE(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("contact radius") &&
                                 ContainsSubstring("of the depth is unknown") &&
@@ -249,12 +246,10 @@ TEST_CASE("a skin's next presses buy more with every one, in words and JSON", "[
     CHECK(std::abs(press["position_z"].get<double>()) < 4.5e-3);
     CHECK(press["radius"].is_null() == (press["shape"] != "sphere"));
   }
-  REQUIRE(planned("again.json").code == 0);
-  CHECK(read_text(folder / "again.json") == read_text(folder / "found.json"));
 }
 
 TEST_CASE("a skin that lies elsewhere on its stage is found there, or said to be hidden",
-          "[cli][calibrate]") {
+          "[cli][calibrate][long]") {
   const Folder folder;
   const std::string scene_text =
       read_text(nominal_of("skin-balls")) + "\n[calibrate]\nshift_sd = 1.0\n";
@@ -289,7 +284,7 @@ TEST_CASE("a skin that lies elsewhere on its stage is found there, or said to be
 }
 
 TEST_CASE("a drag that the log states is fitted with it, one that it hides is named",
-          "[cli][calibrate]") {
+          "[cli][calibrate][long]") {
   const Folder folder;
   const Json truth = truth_of("skin-balls");
   // One more press of the true sensor, dragged towards z, as simulate has it.

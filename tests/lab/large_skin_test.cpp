@@ -238,7 +238,7 @@ TEST_CASE("a recording of a large skin is solved frame by frame, gaps included",
 }
 
 TEST_CASE("frames of a large skin share an alpha as those of a dense one do",
-          "[lab][skin][large]") {
+          "[lab][skin][large][long]") {
   SkinScene scene = millimetre_skin("[reconstruct]\ntangential_weight = 1.0\n");
   std::vector<std::vector<double>> frames;
   for (unsigned seed = 1; seed <= 4; ++seed) {

@@ -118,7 +118,6 @@ TEST_CASE("conjugate gradients on two levels reach the minimiser of the dense pr
 
 TEST_CASE("steps hold where no shear is read and where cells lie between taxels",
           "[skin][large][coarse]") {
-  check_steps(in_plane_skin(32), silicone);
-  check_steps(in_plane_skin(32), silicone, with_dead({0, 33, 700}));
+  check_steps(in_plane_skin(24), silicone, with_dead({0, 33, 500}));
   check_steps(square_skin(20, 2e-3), silicone, with_dead({}, {.spacing = 0.5e-3}));
 }
