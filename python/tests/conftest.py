@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import socket
 import subprocess
 import sys
@@ -27,6 +28,16 @@ SKINS = sorted((PROJECT / "scenes/skins").glob("*.toml")) + sorted((PROJECT / "s
 
 settings.register_profile("suite", deadline=None, derandomize=True, max_examples=60)
 settings.load_profile("suite")
+
+
+# Scenes and a recording that take the longest; their smaller likes go the same way.
+LONG = re.compile(r"\b(board|ladder|large|everything)\.toml|skin-pad-uneven")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if LONG.search(item.nodeid):
+            item.add_marker(pytest.mark.long)
 
 
 def pytest_configure() -> None:

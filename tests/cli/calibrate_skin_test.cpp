@@ -92,7 +92,8 @@ TEST_CASE("a skin's layer is found from contacts of known width", "[cli][calibra
   CHECK(written.calibration);
 }
 
-TEST_CASE("a calibrated skin finds contacts that were not in the log better", "[cli][calibrate]") {
+TEST_CASE("a calibrated skin finds contacts that were not in the log better",
+          "[cli][calibrate][long]") {
   const Folder folder;
   const Json truth = truth_of("skin-balls");
   static_cast<void>(calibrated_skin(folder, log_of("skin-balls"), nominal_of("skin-balls")));

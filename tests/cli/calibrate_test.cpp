@@ -290,7 +290,7 @@ TEST_CASE("a bad log is refused with its line and its rule", "[cli][calibrate]")
   CHECK_FALSE(std::filesystem::exists(folder / "c.toml"));
 }
 
-TEST_CASE("a dead taxel costs a calibration its own reading alone", "[cli][calibrate]") {
+TEST_CASE("a dead taxel costs a calibration its own reading alone", "[cli][calibrate][long]") {
   const Json whole = calibrated_with("rod-layer", nothing_stated);
   const std::string index = GENERATE("0", "20", "40");
   CAPTURE(index);

@@ -103,7 +103,8 @@ TEST_CASE("a large skin under a friction limit obeys it, as the dense one", "[la
   check_like_under_constraints(large, dense);
 }
 
-TEST_CASE("where nothing may pull a large skin's bands are the dense ones", "[lab][skin][large]") {
+TEST_CASE("where nothing may pull a large skin's bands are the dense ones",
+          "[lab][skin][large][long]") {
   for (const char* unknown : {"", "tangential = false\n"}) {
     SkinScene scene = millimetre_skin(
         "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n"

@@ -75,7 +75,7 @@ TEST_CASE("a drag along the skin is seen everywhere by shear, by stresses in the
 TEST_CASE("two levels are symmetric and positive where conjugate gradients go",
           "[skin][large][coarse]") {
   for (const TiledSkin& skin : skins())
-    for (const double share : {1e-2, 1e-6, 1e-8}) {
+    for (const double share : {1e-2, 1e-8}) {
       const auto system = make_large_skin_system(skin.array, silicone, skin.options);
       const EvenReadings even = even_readings(*system);
       const double alpha = share * std::pow(even.pressure, 2);

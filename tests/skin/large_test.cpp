@@ -131,7 +131,7 @@ TEST_CASE("the sum over tiles is symmetric and positive, and mirrors what the sk
 }
 
 TEST_CASE("steps of conjugate gradients hold at every alpha", "[skin][large][tiles]") {
-  for (const Material& material : {silicone, thin}) check_steps(square_skin(40, 2e-3), material);
+  for (const Material& material : {silicone, thin}) check_steps(square_skin(32, 2e-3), material);
 }
 
 TEST_CASE("conjugate gradients reach the minimiser of the dense problem", "[skin][large]") {
