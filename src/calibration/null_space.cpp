@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "calibration/fit_system.hpp"
@@ -62,6 +63,25 @@ void separate(std::vector<NullDirection>& directions) {
       add(directions[k], -dot(directions[k], directions[gains]), directions[gains]);
     normalise(directions[k]);
   }
+}
+
+/// The first of the values that is at least half as large as the largest, or 0.
+double leading(std::span<const double> values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return *std::find_if(values.begin(), values.end(),
+                       [&](double value) { return std::abs(value) >= 0.5 * largest; });
+}
+
+/// What is rounding becomes zero, and the leading change of the pad's parameters, or of the gains
+/// where no parameter changes, is positive: without this every machine would have signs of its own.
+void tidy(NullDirection& a) {
+  for (double& value : a.pad)
+    if (std::abs(value) < nothing) value = 0.0;
+  for (double& value : a.gains)
+    if (std::abs(value) < nothing) value = 0.0;
+  const double of_pad = leading(a.pad);
+  if ((of_pad != 0.0 ? of_pad : leading(a.gains)) < 0.0) add(a, -2.0, NullDirection(a));
 }
 
 /// A change of the common unknowns, columns scaled to unit length.
@@ -176,6 +196,7 @@ std::vector<NullDirection> null_directions(const FitProblem& problem, const FitS
           : presses_first(problem, fit_system(problem, state, readings, columns, parts),
                           columns.seen);
   separate(directions);
+  for (NullDirection& direction : directions) tidy(direction);
   return directions;
 }
 

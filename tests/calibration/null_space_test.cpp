@@ -1,5 +1,6 @@
 /// @file
 /// What cannot be told apart, experiment by experiment: exact null directions and no others.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -144,6 +145,13 @@ TEST_CASE("null directions are those of theory, no more and no less") {
     const PressFit fit = fit_presses(made.model(), made.log, options);
     CAPTURE(e.what);
     CHECK(fit.null_directions.size() == e.dimension);
+    for (const NullDirection& direction : fit.null_directions) {
+      double largest = 0.0;
+      for (const double value : direction.pad) largest = std::max(largest, std::abs(value));
+      CHECK(*std::find_if(direction.pad.begin(), direction.pad.end(),
+                          [&](double value) { return std::abs(value) >= 0.5 * largest; }) >= 0.0);
+      for (const double gain : direction.gains) CHECK((gain == 0.0 || std::abs(gain) > 1e-12));
+    }
     for (std::size_t i = 0; i < pad_parameter_count; ++i) {
       double part = 0.0;
       for (const NullDirection& direction : fit.null_directions)

@@ -76,7 +76,8 @@ struct FittedPress {
   [[nodiscard]] const ValueWithSd& at(PressQuantity quantity) const noexcept;
 };
 
-/// A change of the parameters that changes no reading, columns scaled to unit length.
+/// A change of the parameters that changes no reading, columns scaled to unit length. The first pad
+/// parameter that changes by at least half of what any does, or gain where none does, grows.
 struct NullDirection {
   std::array<double, pad_parameter_count> pad{};
   std::vector<double> gains{};  ///< of each reading
