@@ -227,9 +227,12 @@ TEST_CASE("a log of a skin that is wrong is refused with its line and the rule",
 
 TEST_CASE("a skin's next presses buy more with every one, in words and JSON", "[cli][calibrate]") {
   const Folder folder;
-  const ProcessResult result = run_tool(
-      {"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"), "--next", "3",
-       "--target", "depth", "--json", folder / "found.json", "--out", folder / "page"});
+  const auto planned = [&](const std::string& json) {
+    return run_tool({"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"),
+                     "--next", "3", "--target", "depth", "--json", folder / json, "--out",
+                     folder / "page"});
+  };
+  const ProcessResult result = planned("found.json");
   REQUIRE(result.code == 0);
   CHECK_THAT(result.output, ContainsSubstring("contact radius") &&
                                 ContainsSubstring("of the depth is unknown") &&
@@ -247,6 +250,8 @@ TEST_CASE("a skin's next presses buy more with every one, in words and JSON", "[
     CHECK(std::abs(press["position_z"].get<double>()) < 4.5e-3);
     CHECK(press["radius"].is_null() == (press["shape"] != "sphere"));
   }
+  REQUIRE(planned("again.json").code == 0);
+  CHECK(read_text(folder / "again.json") == read_text(folder / "found.json"));
 }
 
 TEST_CASE("a skin that lies elsewhere on its stage is found there, or said to be hidden",

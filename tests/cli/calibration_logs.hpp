@@ -36,9 +36,4 @@ inline double gains_left(const nlohmann::json& found, const nlohmann::json& true
   return std::sqrt(squares);
 }
 
-inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  REQUIRE(text.find(what) != std::string::npos);
-  return text.replace(text.find(what), what.size(), with);
-}
-
 }  // namespace tactile_net

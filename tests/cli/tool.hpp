@@ -8,10 +8,10 @@
 #include <iterator>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tactile_net/simulator/child_process.hpp"
+#include "tests/catch.hpp"
 #include "tests/cli/in_process.hpp"
 
 namespace tactile_net {
@@ -72,15 +72,17 @@ inline std::string scene(const std::string& name) {
   return path += name;
 }
 
+inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  REQUIRE(text.find(what) != std::string::npos);
+  return text.replace(text.find(what), what.size(), with);
+}
+
 /// scenes/skins/circuit.toml with 3 x 3 taxels in place of 4 x 4: its circuit takes a fifth of the
 /// time.
 inline std::string small_skin_circuit(const Folder& folder) {
   std::string text = read_text(scene("skins/circuit.toml"));
-  for (const auto& [was, is] :
-       {std::pair<std::string, std::string>{"\"A skin of 4 x 4", "\"A skin of 3 x 3"},
-        {"rows = 4", "rows = 3"},
-        {"columns = 4", "columns = 3"}})
-    text.replace(text.find(was), was.size(), is);
+  text = replaced(text, "\"A skin of 4 x 4", "\"A skin of 3 x 3");
+  text = replaced(replaced(text, "rows = 4", "rows = 3"), "columns = 4", "columns = 3");
   return folder.write("circuit.toml", text);
 }
 
