@@ -120,13 +120,8 @@ TEST_CASE("sound logs are not doubted", "[long]") {
   CHECK(trends <= 2);  // 0.2 are expected
 }
 
-TEST_CASE("a press whose force or position is stated wrongly is named with it") {
-  // Every two of the three meet in every way.
-  const auto [robust, quantity, exact] =
-      GENERATE(table<bool, PressQuantity, bool>({{false, PressQuantity::force, false},
-                                                 {false, PressQuantity::position, true},
-                                                 {true, PressQuantity::force, true},
-                                                 {true, PressQuantity::position, false}}));
+namespace {
+void check_wrong_press(bool robust, PressQuantity quantity, bool exact) {
   SimulatedLog made = with_stated_sds(37);
   if (exact)
     for (Press& press : made.log.presses) press.force.sd = press.position.sd = 0.0;
@@ -151,6 +146,24 @@ TEST_CASE("a press whose force or position is stated wrongly is named with it") 
     CHECK(fit.contradicted_presses.front().press == 9);
     CHECK(fit.contradicted_presses.front().quantity == quantity);
   }
+}
+}  // namespace
+
+TEST_CASE("a press whose force or position is stated wrongly is named with it") {
+  // Every two of the three meet in every way.
+  const auto [robust, quantity, exact] =
+      GENERATE(table<bool, PressQuantity, bool>({{false, PressQuantity::force, false},
+                                                 {false, PressQuantity::position, true},
+                                                 {true, PressQuantity::force, true},
+                                                 {true, PressQuantity::position, false}}));
+  check_wrong_press(robust, quantity, exact);
+}
+
+TEST_CASE("a press that is stated wrongly is named in the other ways of options, too", "[long]") {
+  check_wrong_press(false, PressQuantity::force, true);
+  check_wrong_press(false, PressQuantity::position, false);
+  check_wrong_press(true, PressQuantity::force, false);
+  check_wrong_press(true, PressQuantity::position, true);
 }
 
 TEST_CASE(

@@ -305,23 +305,26 @@ TEST_CASE("a skin's plan is made, said and loaded", "[cli][skin]") {
              ContainsSubstring("a skin has reflections"));
 }
 
-TEST_CASE("a skin's circuit is certified, relaxed and written as a deck", "[cli][skin]") {
+namespace {
+void check_circuit(const std::string& path, std::size_t side) {
   const Folder folder;
-  const std::string path = small_skin_circuit(folder);
+  const std::string count = std::to_string(side);
+  const std::string nodes = std::to_string(3 * side * side) + " nodes";
   const ProcessResult certified = run_tool({"certify", path, "--out", folder / "out"});
   CAPTURE(certified.errors, certified.output);
   REQUIRE(certified.code == 0);
   CHECK_THAT(certified.output, ContainsSubstring("least_squares: stable"));
   const std::string html = read_text(folder / "out/report.html");
-  CHECK_THAT(html, ContainsSubstring("A skin of 3 x 3 x 3 as two crossbars"));
+  CHECK_THAT(html,
+             ContainsSubstring("A skin of " + count + " x " + count + " x 3 as two crossbars"));
   CHECK_THAT(html, ContainsSubstring("Map of the tractions"));
 
   const ProcessResult relaxed = run_tool({"relax", path, "--json", "-"});
   CAPTURE(relaxed.errors);
   REQUIRE(relaxed.code == 0);
   const Json network = Json::parse(relaxed.output).at("network");
-  CHECK(network.at("nodes") == 27);
-  CHECK(network.at("names").at(10) == "qy_0_1");
+  CHECK(network.at("nodes") == 3 * side * side);
+  CHECK(network.at("names").at(side * side + 1) == "qy_0_1");
   CHECK(network.at("difference_to_direct").get<double>() <
         network.at("difference_limit").get<double>() +
             1.2 * network.at("difference_predicted").get<double>());
@@ -332,7 +335,17 @@ TEST_CASE("a skin's circuit is certified, relaxed and written as a deck", "[cli]
   const ProcessResult deck = run_tool({"relax", folder / "skin.cir"});
   CAPTURE(deck.errors, deck.output);
   CHECK(deck.code == 0);
-  CHECK_THAT(deck.output, ContainsSubstring("27 nodes"));
+  CHECK_THAT(deck.output, ContainsSubstring(nodes));
+}
+}  // namespace
+
+TEST_CASE("a skin's circuit is certified, relaxed and written as a deck", "[cli][skin]") {
+  const Folder folder;
+  check_circuit(small_skin_circuit(folder), 3);
+}
+
+TEST_CASE("the circuit of the skin that is shipped is, too", "[cli][skin][long]") {
+  check_circuit(scene("skins/circuit.toml"), 4);
 }
 
 TEST_CASE("what no circuit of a skin holds is refused by name", "[cli][skin]") {

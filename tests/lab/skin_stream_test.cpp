@@ -19,14 +19,16 @@ using namespace tactile_net;
 
 namespace {
 
-SkinScene sliding(const std::string& more) {
+SkinScene sliding(const std::string& more, std::size_t side = 4) {
+  const std::string taxels = std::to_string(side);
   return std::get<SkinScene>(parse_any_scene(
-      "[sensor]\nrows = 4\ncolumns = 4\npitch = 1.0\ndepth = 1.5\n"
-      "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
-      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
-      "[time]\nrate = 10.0\nframes = 10\n[[contact]]\nshape = \"sphere\"\nradius = 1.5\n"
-      "friction = 0.4\ntrajectory = [{ t = 0, force = 0.02, place = [-1.0, 0.0] }, "
-      "{ t = 0.9, force = 0.3, place = [1.5, 0.5] }]\n[noise]\nrms = 5e-4\n" +
+      "[sensor]\nrows = " + taxels + "\ncolumns = " + taxels +
+          "\npitch = 1.0\ndepth = 1.5\n"
+          "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+          "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+          "[time]\nrate = 10.0\nframes = 10\n[[contact]]\nshape = \"sphere\"\nradius = 1.5\n"
+          "friction = 0.4\ntrajectory = [{ t = 0, force = 0.02, place = [-1.0, 0.0] }, "
+          "{ t = 0.9, force = 0.3, place = [1.5, 0.5] }]\n[noise]\nrms = 5e-4\n" +
           more,
       "skin.toml"));
 }
@@ -70,14 +72,7 @@ Solved solved_recording(const SkinScene& scene, const std::vector<std::vector<do
   return result;
 }
 
-}  // namespace
-
-TEST_CASE("a recording's answers are the same bits by any number of threads",
-          "[lab][skin][stream][threads]") {
-  const std::string more = GENERATE("", "[reconstruct]\nfriction_limit = 0.8\nalpha = 1e-3\n",
-                                    "[saturation]\nrange = [-1.0, 0.02]\n");
-  CAPTURE(more);
-  const SkinScene scene = sliding(more);
+void check_threads(const SkinScene& scene) {
   std::vector<std::vector<double>> frames = frames_of(scene);
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   frames[3][14] = missing;
@@ -98,6 +93,21 @@ TEST_CASE("a recording's answers are the same bits by any number of threads",
   CHECK(found.summary.estimated.count() == 2);
   CHECK(found.summary.skipped.count() == 1);
   CHECK(found.dead == std::vector<std::size_t>{14});
+}
+
+}  // namespace
+
+TEST_CASE("a recording's answers are the same bits by any number of threads",
+          "[lab][skin][stream][threads]") {
+  const std::string more = GENERATE("", "[reconstruct]\nfriction_limit = 0.8\nalpha = 1e-3\n",
+                                    "[saturation]\nrange = [-1.0, 0.02]\n");
+  CAPTURE(more);
+  check_threads(sliding(more));
+}
+
+TEST_CASE("threads do not change a larger skin's answers, nor those of an alpha under friction",
+          "[lab][skin][stream][long]") {
+  check_threads(sliding("[reconstruct]\nfriction_limit = 0.8\n", 5));
 }
 
 TEST_CASE("frames that share an alpha are solved one after the other", "[lab][skin][stream]") {

@@ -72,10 +72,10 @@ TEST_CASE("a drag along the skin is seen everywhere by shear, by stresses in the
   }
 }
 
-TEST_CASE("two levels are symmetric and positive where conjugate gradients go",
-          "[skin][large][coarse]") {
+namespace {
+void check_two_levels(std::initializer_list<double> shares) {
   for (const TiledSkin& skin : skins())
-    for (const double share : {1e-2, 1e-8}) {
+    for (const double share : shares) {
       const auto system = make_large_skin_system(skin.array, silicone, skin.options);
       const EvenReadings even = even_readings(*system);
       const double alpha = share * std::pow(even.pressure, 2);
@@ -109,6 +109,17 @@ TEST_CASE("two levels are symmetric and positive where conjugate gradients go",
       CHECK(again == of_a);
     }
 }
+}  // namespace
+
+TEST_CASE("two levels are symmetric and positive where conjugate gradients go",
+          "[skin][large][coarse]") {
+  check_two_levels({1e-2, 1e-8});
+}
+
+TEST_CASE("two levels are so between the alphas of a few tiles and of many, too",
+          "[skin][large][coarse][long]") {
+  check_two_levels({1e-6});
+}
 
 TEST_CASE("conjugate gradients on two levels reach the minimiser of the dense problem",
           "[skin][large][coarse]") {
@@ -120,4 +131,10 @@ TEST_CASE("steps hold where no shear is read and where cells lie between taxels"
           "[skin][large][coarse]") {
   check_steps(in_plane_skin(24), silicone, with_dead({0, 33, 500}));
   check_steps(square_skin(20, 2e-3), silicone, with_dead({}, {.spacing = 0.5e-3}));
+}
+
+TEST_CASE("steps of a larger skin hold where no shear is read, with dead taxels and without",
+          "[skin][large][coarse][long]") {
+  check_steps(in_plane_skin(32), silicone);
+  check_steps(in_plane_skin(32), silicone, with_dead({0, 33, 700}));
 }

@@ -61,6 +61,38 @@ struct Solved {
   std::vector<std::size_t> contact{};
 };
 
+void check_bands(std::size_t components, double prior_share) {
+  const Solved s(components);
+  CAPTURE(components, prior_share);
+  const SkinFamily family(s.dense, s.found.face);
+  const double prior = prior_share * s.alpha;
+  const SkinCovariance exact(family, s.alpha, prior);
+  const SkinCovariance free(SkinFamily(s.dense), s.alpha, prior);
+  const LargeSkinPart whole(s.skin, silicone, s.options, s.dense, s.contact, 1.0);
+  REQUIRE(problem_of(*whole.system()).grid.count() == s.dense.grid.count());
+  const LargeSkinFaceCovariance large(whole, whole.face(s.found.face), s.alpha, prior, 1.0, free);
+  const auto sums = sums_over(s.dense, s.contact);
+  const Matrix expected = exact.covariances(sums);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    CHECK_THAT(large.deviation(sums[i]), WithinRel(exact.deviation(sums[i]), 1e-5));
+    CHECK(large.deviation(sums[i]) < free.deviation(sums[i]));
+    for (std::size_t j = 0; j < sums.size(); ++j)
+      CHECK_THAT(large.covariance(sums[i], sums[j]),
+                 WithinAbs(expected(i, j), 1e-5 * std::sqrt(expected(i, i) * expected(j, j))));
+  }
+  CHECK(large.converged());
+  // A part that reaches four depths beyond the contact knows as much.
+  const LargeSkinPart part(s.skin, silicone, s.options, s.dense, cells_within(s.dense.grid, 1e-3),
+                           8e-3);
+  const LargeSkinFaceCovariance local(part, part.face(s.found.face), s.alpha, prior, 1.0, free);
+  for (const auto& sum : sums)
+    CHECK_THAT(local.deviation(sum), WithinRel(exact.deviation(sum), 0.03));
+  // A single cell has what it has without constraints.
+  std::vector<double> cell(sums[0].size());
+  cell[s.contact.front()] = 2.0;
+  CHECK(large.deviation(cell) == free.deviation(cell));
+}
+
 }  // namespace
 
 TEST_CASE("a part of a large skin reads what the whole reads of its cells", "[skin][large][face]") {
@@ -97,36 +129,14 @@ TEST_CASE("a part of a large skin reads what the whole reads of its cells", "[sk
 }
 
 TEST_CASE("on a face a large skin's bands are those of its decomposition", "[skin][large][face]") {
-  const Solved s(GENERATE(std::size_t{1}, std::size_t{3}));
-  CAPTURE(s.dense.components);
-  const SkinFamily family(s.dense, s.found.face);
-  // The prior's own alpha where pressure is alone, another one where drags are there, too.
-  const double prior = s.dense.components == 1 ? s.alpha : 0.1 * s.alpha;
-  const SkinCovariance exact(family, s.alpha, prior);
-  const SkinCovariance free(SkinFamily(s.dense), s.alpha, prior);
-  const LargeSkinPart whole(s.skin, silicone, s.options, s.dense, s.contact, 1.0);
-  REQUIRE(problem_of(*whole.system()).grid.count() == s.dense.grid.count());
-  const LargeSkinFaceCovariance large(whole, whole.face(s.found.face), s.alpha, prior, 1.0, free);
-  const auto sums = sums_over(s.dense, s.contact);
-  const Matrix expected = exact.covariances(sums);
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    CHECK_THAT(large.deviation(sums[i]), WithinRel(exact.deviation(sums[i]), 1e-5));
-    CHECK(large.deviation(sums[i]) < free.deviation(sums[i]));
-    for (std::size_t j = 0; j < sums.size(); ++j)
-      CHECK_THAT(large.covariance(sums[i], sums[j]),
-                 WithinAbs(expected(i, j), 1e-5 * std::sqrt(expected(i, i) * expected(j, j))));
-  }
-  CHECK(large.converged());
-  // A part that reaches four depths beyond the contact knows as much.
-  const LargeSkinPart part(s.skin, silicone, s.options, s.dense, cells_within(s.dense.grid, 1e-3),
-                           8e-3);
-  const LargeSkinFaceCovariance local(part, part.face(s.found.face), s.alpha, prior, 1.0, free);
-  for (const auto& sum : sums)
-    CHECK_THAT(local.deviation(sum), WithinRel(exact.deviation(sum), 0.03));
-  // A single cell has what it has without constraints.
-  std::vector<double> cell(sums[0].size());
-  cell[s.contact.front()] = 2.0;
-  CHECK(large.deviation(cell) == free.deviation(cell));
+  check_bands(1, 1.0);
+  check_bands(3, 0.1);
+}
+
+TEST_CASE("the bands on a face are the decomposition's at the other alpha of the prior, too",
+          "[skin][large][face][long]") {
+  check_bands(1, 0.1);
+  check_bands(3, 1.0);
 }
 
 TEST_CASE("degrees of freedom on a face are those of its decomposition", "[skin][large][face]") {

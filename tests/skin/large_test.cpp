@@ -134,6 +134,10 @@ TEST_CASE("steps of conjugate gradients hold at every alpha", "[skin][large][til
   for (const Material& material : {silicone, thin}) check_steps(square_skin(32, 2e-3), material);
 }
 
+TEST_CASE("steps of conjugate gradients hold on a larger skin", "[skin][large][tiles][long]") {
+  for (const Material& material : {silicone, thin}) check_steps(square_skin(40, 2e-3), material);
+}
+
 TEST_CASE("conjugate gradients reach the minimiser of the dense problem", "[skin][large]") {
   for (const Material& material : {silicone, thin})
     for (const auto& dead : {std::vector<std::size_t>{}, {0, 21, 22, 137, 310}})
