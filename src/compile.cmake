@@ -5,6 +5,9 @@ if(TACTILE_NET_SANITIZE)
   add_compile_definitions(EIGEN_MALLOC_ALREADY_ALIGNED=0)
 endif()
 
+# NaN and infinity are told from numbers, also in a tree whose flags say -ffast-math or -Ofast: an option comes after the flags.
+add_compile_options(-fno-fast-math)
+
 # g++ 12's false alarms in its own headers of strings and regular expressions. Clang knows none of these warnings.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)

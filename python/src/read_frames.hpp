@@ -15,7 +15,6 @@
 #include "arrays.hpp"
 #include "readable.hpp"
 #include "tactile_net/frames/open.hpp"
-#include "tactile_net/numeric/number_text.hpp"
 #include "watcher.hpp"
 
 namespace tactile_net::python {
@@ -41,8 +40,7 @@ ReadFrames read_all(const Any& shared, const std::string& path, std::istream* st
     while (source.next(frame)) {
       watcher.frame();
       readings.insert(readings.end(), frame.begin(), frame.end());
-      double seconds = unknown;
-      if (source.has_time() && (read_number(source.time(), seconds) || true)) t.push_back(seconds);
+      if (source.has_time()) t.push_back(source.seconds().value_or(unknown));
       ++frames;
     }
     notes.assign(source.opening_notes().begin(), source.opening_notes().end());

@@ -74,8 +74,8 @@ Array ellipses_of(Answers answers) {
 
 }  // namespace
 
-nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinGrid& grid,
-                                                std::size_t width) {
+nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinScene& scene,
+                                                const SkinGrid& grid, std::size_t width) {
   nb::typed<nb::dict, nb::str, nb::any> found;
   std::vector<std::string> verdicts;
   std::vector<std::string> data;
@@ -84,7 +84,7 @@ nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinGrid&
   std::vector<std::size_t> contacts;
   for (const auto& answer : answers) {
     verdicts.emplace_back(answer ? lab::name(answer->verdict) : "missing");
-    data.emplace_back(answer ? report::data_word(answer->data) : "missing");
+    data.emplace_back(answer ? report::data_word(answer->data, scene) : "missing");
     sources.emplace_back(answer ? lab::source(answer->alpha) : "");
     alphas.push_back(answer ? answer->alpha.value : unknown);
     contacts.push_back(answer ? answer->contacts : 0);

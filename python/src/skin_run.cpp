@@ -73,7 +73,8 @@ void bind_skin_run(nb::module_& module) {
       .def("fields",
            [](const lab::SkinExperiment& self) {
              const std::size_t width = self.answer ? self.answer->tractions.size() : 0;
-             return fields_of(self.answer ? Answers(&self.answer, 1) : Answers(), self.grid, width);
+             return fields_of(self.answer ? Answers(&self.answer, 1) : Answers(), self.scene,
+                              self.grid, width);
            })
       .def("network", &network_of)
       .def("remarks", &report::warnings)

@@ -114,7 +114,7 @@ void bind_skin_solving(nb::module_& module) {
   nb::class_<SolvedSkin>(module, "SolvedSkin")
       .def("fields",
            [](const SolvedSkin& self) {
-             return fields_of(self.answers(), self.grid(), self.width());
+             return fields_of(self.answers(), self.scene(), self.grid(), self.width());
            })
       .def("uncertainty",
            [](const SolvedSkin& self) { return uncertainty_of(self.answers(), self.scene()); })

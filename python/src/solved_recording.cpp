@@ -84,7 +84,8 @@ std::optional<double> SolvedRecording::time(std::size_t frame) const {
 
 std::vector<std::string> SolvedRecording::notes() const {
   std::vector<std::string> all = report::in_words(remarks_);
-  for (std::string& sentence : report::in_words(solved_)) all.push_back(std::move(sentence));
+  for (std::string& sentence : report::in_words(solved_, problem_.scene()))
+    all.push_back(std::move(sentence));
   for (const lab::Finding& doubt : doubts_)
     all.push_back(report::in_words(doubt, problem_.scene()) + "; " +
                   report::advice(doubt, problem_.scene()));

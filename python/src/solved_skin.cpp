@@ -76,7 +76,7 @@ lab::SkinRecordingAnswer SolvedSkin::recording() const {
 const SkinScene& SolvedSkin::scene() const noexcept { return shared_->scene(); }
 
 std::vector<std::string> SolvedSkin::notes() const {
-  std::vector<std::string> notes = report::in_words(solved_);
+  std::vector<std::string> notes = report::in_words(solved_, scene());
   const lab::SkinRecordingAnswer all = recording();
   if (!all.answer) return notes;
   for (std::string& warning : report::warnings({.scene = all.scene,

@@ -194,9 +194,9 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
         press.half_width.sd / *press.half_width.value, 2, 1.0);
   if (stands(press.position_z, PressQuantity::position_z))
     add(at.center_z - *press.position_z.value, press.position_z.sd, 4, rows.position_z_weight);
-  if (press.friction.value && press.friction.sd > 0.0)
+  if (stands(press.friction, PressQuantity::friction))
     add(at.friction - *press.friction.value, press.friction.sd, 3, 1.0);
-  if (press.friction_z.value && press.friction_z.sd > 0.0)
+  if (stands(press.friction_z, PressQuantity::friction_z))
     add(at.friction_z - *press.friction_z.value, press.friction_z.sd, 5, 1.0);
   if (press.radius) {
     const ContactForce rod =

@@ -69,6 +69,11 @@ bool low_rank_pays(const std::vector<Candidate>& tried) {
   return cost_of(Structure::reflections_low_rank) < cost_of(Structure::reflections);
 }
 
+bool is_better(const Candidate& one, const Candidate& other) {
+  if (one.accurate != other.accurate) return one.accurate;
+  return one.accurate ? one.cost < other.cost : one.error_bound < other.error_bound;
+}
+
 void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count) {
   task.column_factors.array() *= as_eigen(std::span(calibration.gain)).array();
   task.symmetric = task.symmetric && is_constant_in_channels(calibration.gain, count);

@@ -22,6 +22,10 @@ void check_structure(const ProductTask& task, bool symmetric);
 /// with it they have the same ranks.
 [[nodiscard]] bool low_rank_pays(const std::vector<Candidate>& tried);
 
+/// An accurate candidate before one that is not; of accurate ones the cheaper, else the one that
+/// errs less.
+[[nodiscard]] bool is_better(const Candidate& one, const Candidate& other);
+
 /// In raw numbers r = g / gain + ... the rows of K are K / gain and their weights W gain: W K, and
 /// so the tractions, stay as they are.
 ///

@@ -90,10 +90,7 @@ class Planner {
                                      ? attempt_fft()
                                      : attempt(structure, precision, nullptr, exchanged);
         const bool forced = task_.structure.has_value() || task_.precision.has_value();
-        const auto rank_of = [](const Candidate& c) {
-          return std::pair(!c.accurate, c.accurate ? c.cost : c.error_bound);
-        };
-        if (!chosen || rank_of(candidate) < rank_of(best.candidates[*chosen])) {
+        if (!chosen || is_better(candidate, best.candidates[*chosen])) {
           if (candidate.accurate || forced) {
             chosen = best.candidates.size();
             best.plan = std::move(plan);
@@ -164,7 +161,7 @@ class Planner {
     return std::move(parted.classes);
   }
 
-  /// Tries transform sizes from 2n - 1 (no wrap-around) down to n and keeps the cheapest. A shorter
+  /// Tries transform sizes from 2n - 1 (no wrap-around) down to n and keeps the best. A shorter
   /// transform is cheaper, but what wraps around has to be corrected by a larger low-rank part.
   std::pair<ProductPlan, Candidate> attempt_fft() {
     const auto n = static_cast<std::size_t>(task_.matrix.rows()) / task_.row_signs.size();
@@ -175,8 +172,7 @@ class Planner {
       if (size == std::exchange(tried, size)) continue;
       const Circulant circulant = circulant_of(size);
       auto next = attempt(Structure::fft, Precision::float64, &circulant, false);
-      if (!best || (next.second.accurate && next.second.cost < best->second.cost))
-        best = std::move(next);
+      if (!best || is_better(next.second, best->second)) best = std::move(next);
     }
     return std::move(*best);
   }
@@ -255,8 +251,8 @@ class Planner {
       if (!part.svd) part.svd = singular_value_decomposition(part.matrix);
       const Svd& svd = *part.svd;
       const Eigen::Index rank = rank_for(svd, part.explained);
-      first.push_back(svd.v.leftCols(rank).transpose());
-      second.push_back(svd.u.leftCols(rank) * svd.values.head(rank).asDiagonal());
+      first.emplace_back(svd.v.leftCols(rank).transpose());
+      second.emplace_back(svd.u.leftCols(rank) * svd.values.head(rank).asDiagonal());
     }
     return {std::move(first), std::move(second)};
   }

@@ -8,6 +8,7 @@
 
 #include "control/planner_parts.hpp"
 #include "control/product_planner.hpp"
+#include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
@@ -21,7 +22,7 @@ Axis turned(Axis axis) { return axis == Axis::x ? axis : across(axis); }
 /// What a quantity is called when y and z are exchanged.
 SkinQuantity exchanged(SkinQuantity quantity) {
   const SkinQuantityTraits& own = traits(quantity);
-  const auto found =
+  const auto* const found =
       std::find_if(skin_quantity_traits.begin(), skin_quantity_traits.end(), [&](const auto& row) {
         const std::pair axes{turned(own.first), turned(own.second)};
         return row.kind == own.kind && (std::pair(row.first, row.second) == axes ||
@@ -110,14 +111,25 @@ Whole whole_of(const SkinProblem& problem, const SkinProblem& whole, double alph
   Whole result;
   result.kernel = as_eigen(whole.kernel);
   result.reconstruction = reconstruction_of(SkinFamily(whole), alpha, weights);
+  // Where offsets are unknown: the constant that the live readings of a channel leave to it, of the
+  // live readings, in the unit of a weighted one.
+  const Weighting live(problem);
+  const Eigen::MatrixXd sums = live.constants().transpose();
+  const Eigen::MatrixXd left = sums - (sums * result.kernel) * without;
+  const Eigen::VectorXd sizes = sums * live.weights();
   const auto n = static_cast<Index>(problem.weights.size());
   result.fill = Eigen::MatrixXd::Zero(n, n);
   // A row left out is a row that reads what the others predict of it.
-  for (Index i = 0; i < n; ++i)
-    if (problem.weights[static_cast<std::size_t>(i)] > 0.0)
+  for (Index i = 0; i < n; ++i) {
+    if (live.weights()(i) > 0.0) {
       result.fill(i, i) = 1.0;
-    else
-      result.fill.row(i) = result.kernel.row(i) * without;
+      continue;
+    }
+    result.fill.row(i) = result.kernel.row(i) * without;
+    if (!problem.unknown_offsets) continue;
+    const auto channel = static_cast<Index>(problem.sites[static_cast<std::size_t>(i)].channel);
+    if (sizes(channel) > 0.0) result.fill.row(i) += weights(i) / sizes(channel) * left.row(channel);
+  }
   return result;
 }
 
@@ -206,14 +218,20 @@ void take_noise(EstimatorPlan& plan, const SkinProblem& problem, const SkinFamil
         options.noise_rms * noise_limit(problem.weights, independent_readings(problem));
 }
 
+/// Fewer than are missing among the independent ones where offsets are unknown: these take some.
+std::size_t dead_readings(const SkinProblem& problem) {
+  return static_cast<std::size_t>(std::count(problem.weights.begin(), problem.weights.end(), 0.0));
+}
+
 void check_sizes(const SkinProblem& problem, const SkinFamily& family, const SkinProblem* whole) {
   if (family.factors() == nullptr ||
       family.analyse(std::vector<double>(problem.weights.size())).rows !=
           independent_readings(problem))
     throw std::invalid_argument("the family is of another problem");
-  if (whole != nullptr && (whole->kernel.rows != problem.kernel.rows ||
-                           whole->kernel.columns != problem.kernel.columns ||
-                           independent_readings(*whole) != whole->weights.size()))
+  if (whole != nullptr &&
+      (whole->kernel.rows != problem.kernel.rows ||
+       whole->kernel.columns != problem.kernel.columns ||
+       whole->unknown_offsets != problem.unknown_offsets || dead_readings(*whole) > 0))
     throw std::invalid_argument("the whole is of another problem, or has dead taxels");
 }
 
@@ -231,7 +249,7 @@ PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& fa
                                 const PlannerOptions& options, const SkinProblem* whole) {
   check(options, problem.weights.size());
   check_sizes(problem, family, whole);
-  const bool dead = independent_readings(problem) < problem.weights.size();
+  const std::size_t dead = dead_readings(problem);
 
   ProductTask task;
   task.column_factors = channel_weights(problem);
@@ -246,13 +264,13 @@ PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& fa
   task.symmetric = true;
   if (options.calibration) take_raw(task, *options.calibration, problem.taxels);
   std::optional<Whole> all;
-  if (dead && whole != nullptr && task.symmetric) {
+  if (dead > 0 && whole != nullptr && task.symmetric) {
     all = whole_of(problem, *whole, alpha, task.matrix, weights);
     task.target = std::exchange(task.matrix, all->reconstruction);
     task.fill = all->fill;
-    task.filled = problem.weights.size() - independent_readings(problem);
+    task.filled = dead;
   }
-  if (task.symmetric && (all || !dead)) {
+  if (task.symmetric && (all || dead == 0)) {
     task.row_grid = traction_grid(problem);
     task.column_grid = reading_grid(problem);
   }
@@ -280,12 +298,18 @@ PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& fa
   if (options.noise_rms > 0.0) take_noise(plan, problem, family, alpha, options);
 
   if (options.diagnostics) {
-    // W K M W^-1: the readings that the tractions explain; of what is dead too.
+    // W K M W^-1: the readings that the tractions explain, and the constants where they are free;
+    // of what is dead too.
     const Eigen::MatrixXd& kernel = all ? all->kernel : task.explained;
     ProductTask prediction = task;
     prediction.explained.resize(0, 0);
     prediction.matrix = kernel * task.matrix;
     if (all) prediction.target = kernel * task.target;
+    if (problem.unknown_offsets) {
+      const Eigen::MatrixXd constants = Weighting(all ? *whole : problem).constants();
+      prediction.matrix += constants * constants.transpose();
+      if (all) prediction.target += constants * (constants.transpose() * task.fill);
+    }
     prediction.row_factors = task.column_factors.cwiseInverse();
     prediction.row_grid = task.column_grid;
     prediction.structure.reset();

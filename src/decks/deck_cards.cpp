@@ -34,10 +34,16 @@ class Cutter {
     const std::string_view text = without_blanks(whole);
     column_ = text.empty() ? 1 : static_cast<std::size_t>(text.data() - whole.data()) + 1;
     if (line_ == 1) return add_title(text);
+    if (commands_) {
+      commands_ = lower_case(text) != ".endc";
+      return;
+    }
     if (text.empty() || text.front() == ';' || text.front() == '$') return;
     if (text.front() == '*') return add_comment(text);
     check_characters(without_comment(text));
     const std::string card = lower_case(without_blanks(without_comment(text)));
+    commands_ = ended_ && card == ".control";
+    if (commands_) return;
     if (ended_) fail("stands behind .end, where a deck is over", "remove it, or move it up");
     if (card.front() == '+')
       add_continuation(card.substr(1));
@@ -82,6 +88,7 @@ class Cutter {
   std::size_t line_ = 0;
   std::size_t column_ = 1;
   bool ended_ = false;
+  bool commands_ = false;  ///< between .control and .endc, behind .end
 };
 
 }  // namespace

@@ -28,6 +28,9 @@ struct DeckText {
 };
 
 /// @param file  for messages
+/// Commands to ngspice behind `.end` (`.control` to `.endc`), such as print the answer, are left
+/// out.
+///
 /// @throw InputError  a line that is neither card, comment nor continuation; a card behind `.end`;
 ///                    a character that no card needs: quotes, `$`, backslashes, control characters;
 ///                    a first line that would make ngspice take the deck for a script

@@ -70,10 +70,10 @@ std::pair<std::string, std::size_t> rounded(std::string_view text, std::size_t a
   std::string both = plus_minus(value, deviation);
   const auto decimals = [](std::string_view number) {
     const std::string_view whole = number.substr(0, number.find(' '));
-    return whole.find('.') == whole.npos ? 0 : whole.size() - whole.find('.');
+    return whole.find('.') == std::string_view::npos ? 0 : whole.size() - whole.find('.');
   };
   // Digits that the text does not have are not made up.
-  if (given.find('e') == given.npos && decimals(both) > decimals(given))
+  if (given.find('e') == std::string_view::npos && decimals(both) > decimals(given))
     both = std::string(given) + " ± " + brief(deviation);
   return {std::move(both), end_of_both - at};
 }
@@ -124,10 +124,16 @@ std::string typeset(std::string_view text) {
   return out;
 }
 
-std::string element(std::string_view tag, std::string_view content, std::string_view type) {
+std::string words_html(std::string_view text) { return escaped(typeset(text)); }
+
+std::string enclosed(std::string_view tag, std::string_view html, std::string_view type) {
   std::string out = "<" + std::string(tag);
   if (!type.empty()) out += " class=\"" + std::string(type) + "\"";
-  return out + ">" + escaped(typeset(content)) + "</" + std::string(tag) + ">\n";
+  return out + ">" + std::string(html) + "</" + std::string(tag) + ">\n";
+}
+
+std::string element(std::string_view tag, std::string_view words, std::string_view type) {
+  return enclosed(tag, words_html(words), type);
 }
 
 std::string html_list(const std::vector<std::string>& items) {
@@ -143,8 +149,8 @@ std::string html_table(const std::vector<std::vector<std::string>>& rows, const 
   for (std::size_t i = 1; i < rows.size(); ++i) {
     out += "<tr>";
     for (std::size_t k = 0; k < rows[i].size(); ++k)
-      out += "<td data-label=\"" + escaped(typeset(rows.front()[k])) + "\">" +
-             (cell ? cell(k, rows[i][k]) : escaped(typeset(rows[i][k]))) + "</td>";
+      out += "<td data-label=\"" + words_html(rows.front()[k]) + "\">" +
+             (cell ? cell(k, rows[i][k]) : words_html(rows[i][k])) + "</td>";
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>\n";
@@ -154,8 +160,8 @@ std::string html_page(std::string_view title, std::string_view body, std::string
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n" +
          std::string(written_by) + " " + std::string(version()) + "\">\n" +
-         element("title", title) + "<style>" + std::string(style) + "</style></head>\n<body>\n" +
-         std::string(body) +
+         enclosed("title", escaped(title)) + "<style>" + std::string(style) +
+         "</style></head>\n<body>\n" + std::string(body) +
          element("footer", "Written by tactile-net " + std::string(version()) +
                                ". Numbers without a unit are in the input's units.") +
          "</body>\n</html>\n";

@@ -2,32 +2,52 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "frames/missing_hint.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::frames {
 
 CalibratedFrames::CalibratedFrames(std::unique_ptr<FrameSource> source, std::string file,
-                                   Calibration calibration, std::vector<bool> unread)
+                                   Calibration calibration, const WantedColumns& wanted)
     : source_(std::move(source)),
       file_(std::move(file)),
       calibration_(std::move(calibration)),
-      unread_(std::move(unread)) {}
+      unread_(wanted.unread),
+      accept_missing_(wanted.accept_missing) {}
+
+/// The other source's next frame, codes for missing values as these are.
+bool CalibratedFrames::read(std::span<double> values) {
+  if (!source_->next(values)) return false;
+  if (calibration_.missing.empty()) return true;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if ((i < unread_.size() && unread_[i]) || !is_missing(calibration_, values[i])) continue;
+    if (!accept_missing_)
+      source_->refuse("'" + source_->columns()[i] + "' is " + shortest(values[i]) +
+                          ", which calibration.missing says is no value",
+                      missing_hint);
+    values[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return true;
+}
 
 void CalibratedFrames::find_baseline() {
   const auto [first, last] = *std::exchange(calibration_.baseline_frames, std::nullopt);
   const std::size_t readings = source_->columns().size();
   std::vector<std::size_t> counts(readings);
   for (std::size_t frame = 0; frame <= last; ++frame) {
-    Kept kept{{}, std::vector<double>(readings)};
-    if (!source_->next(kept.values))
+    Kept kept{{}, {}, std::vector<double>(readings)};
+    if (!read(kept.values))
       throw InputError(
           {{.file = file_,
             .message = "ends after " + std::to_string(frame) + (frame == 1 ? " frame" : " frames") +
                        ", and calibration.baseline_frames reach to frame " + std::to_string(last),
             .hint = "the first frame is frame 0"}});
     kept.time = source_->time();
+    kept.seconds = source_->seconds();
     if (frame >= first)
       for (std::size_t i = 0; i < readings; ++i) {
         if (std::isnan(kept.values[i])) continue;
@@ -53,7 +73,7 @@ bool CalibratedFrames::next(std::span<double> values) {
     std::copy(last_->values.begin(), last_->values.end(), values.begin());
   } else {
     last_.reset();
-    if (!source_->next(values)) return false;
+    if (!read(values)) return false;
   }
   ++handed_out_;
   calibrate(calibration_, values);
@@ -76,6 +96,10 @@ bool CalibratedFrames::has_time() const noexcept { return source_->has_time(); }
 std::string_view CalibratedFrames::time() const noexcept {
   return last_ ? std::string_view(last_->time) : source_->time();
 }
+std::optional<double> CalibratedFrames::seconds() const {
+  return last_ ? last_->seconds : source_->seconds();
+}
+bool CalibratedFrames::time_unit_known() const noexcept { return source_->time_unit_known(); }
 std::span<const std::string> CalibratedFrames::ignored() const noexcept {
   return source_->ignored();
 }

@@ -6,6 +6,8 @@
 
 #include "frames/column_names.hpp"
 #include "frames/column_places.hpp"
+#include "frames/header_units.hpp"
+#include "tactile_net/frames/frame_clock.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -31,24 +33,33 @@ std::string found(Names header) {
 }
 
 /// What to do about a file whose columns are not understood.
-std::string offer(const std::string& what_was_found, std::size_t fields, Names wanted) {
-  std::string text = what_was_found + "; " + std::to_string(wanted.size()) + " are read here, " +
-                     first_to_last(wanted);
-  if (fields == 1)
-    return text +
-           "; fields are separated by , ; a tab or blanks, and only lines "
-           "that begin with # may come before the header";
-  if (fields < wanted.size()) return text;
-  const std::size_t others = std::min<std::size_t>(fields - wanted.size(), 1);
+std::string offer(const std::string& what_was_found, std::size_t fields,
+                  const WantedColumns& wanted) {
+  const std::size_t count = wanted.names.size();
+  std::string text = what_was_found + "; " + std::to_string(count) + " are read here, " +
+                     first_to_last(wanted.names);
+  if (fields == 1) return text + "; fields are separated by , ; a tab or blanks";
+  if (fields < wanted.names.size()) {
+    if (wanted.rows > 0)
+      text +=
+          "; a frame is one line, row of taxels after row: where a line holds one row of the "
+          "matrix, join the " +
+          std::to_string(wanted.rows) + " lines of a frame";
+    return text;
+  }
+  const std::size_t others = fields - count;
   return text + "; if columns " + std::to_string(others + 1) + " to " +
-         std::to_string(others + wanted.size()) + " are these, in this order: --columns " +
-         (others == 1 ? "t=1," : "") + places_after(others, wanted.size()) +
-         (others == 1 ? " (t=1: the first holds times)" : "");
+         std::to_string(others + count) + " are these, in this order: --columns " +
+         (others > 0 ? "t=1," : "") + places_after(others, count) +
+         (others > 0
+              ? " (t=1: the first holds times; t=1+2: seconds, and nanoseconds in the second)"
+              : "");
 }
 
 class Matching {
  public:
-  Matching(Names header, const WantedColumns& wanted) : header_(header), wanted_(wanted.names) {
+  Matching(Names header, const WantedColumns& wanted)
+      : header_(header), wanted_(wanted.names), given_(wanted) {
     match_.target.assign(header.size(), ColumnMatch::ignored_field);
     for (const std::string& name : header) names_.push_back(column_name(name));
     for (const std::string& name : wanted_) index_.emplace(name, index_.size());
@@ -86,7 +97,6 @@ class Matching {
                            " columns are read by another spelling"
                            ", " +
                            quoted(header_[field]) + " as " + wanted_[wanted]);
-    say_unit(field);
   }
 
   /// "taxel_0", ..., in any order: as many as are wanted, numbered from 0 or 1 without a gap.
@@ -103,7 +113,6 @@ class Matching {
     match_.notes.push_back("columns " + quoted(header_[field_of.begin()->second]) + " to " +
                            quoted(header_[field_of.rbegin()->second]) + " are taken for " +
                            first_to_last(wanted_));
-    say_unit(field_of.begin()->second);
   }
 
   /// "Druck_1", "Druck_2", ...: any name that as many columns share as there are taxels, if it is
@@ -125,7 +134,6 @@ class Matching {
     match_.notes.push_back("columns " + quoted(header_[only->field_of.begin()->second]) + " to " +
                            quoted(header_[only->field_of.rbegin()->second]) + " are taken for " +
                            first_to_last(wanted_));
-    say_unit(only->field_of.begin()->second);
   }
 
   void by_places(const std::string& places) {
@@ -140,6 +148,7 @@ class Matching {
     const ColumnPlaces found_at = column_places(places, header_.size(), wanted_.size(), place_of);
     for (std::size_t i = 0; i < wanted_.size(); ++i) take(found_at.readings[i], i);
     if (found_at.time) take_time(*found_at.time);
+    if (found_at.nanoseconds) take_nanoseconds(*found_at.nanoseconds);
   }
 
   /// A column "t" before others that mean times, and the first of those.
@@ -150,16 +159,57 @@ class Matching {
     };
     std::optional<std::size_t> best;
     for (std::size_t field = 0; field < header_.size(); ++field) {
-      if (!is_free(field) || !means_time(names_[field])) continue;
+      if (!is_free(field) || !time_name(names_[field])) continue;
       if (header_[field] == "t" || !best) best = field;
       if (header_[field] == "t") break;
     }
     if (!best) return;
+    const TimeName found = *time_name(names_[*best]);
+    // The other part of it: ROS writes seconds and nanoseconds apart.
+    for (std::size_t field = 0; found.unit && field < header_.size(); ++field) {
+      if (!is_free(field) || field == *best) continue;
+      const auto other = time_name(names_[field]);
+      if (!other || !other->unit || other->clock != found.clock) continue;
+      const bool begins = found.unit->is_si() && other->unit->name == "ns";
+      if (!begins && !(other->unit->is_si() && found.unit->name == "ns")) continue;
+      take_time(begins ? *best : field);
+      take_nanoseconds(begins ? field : *best);
+      return;
+    }
     take_time(*best);
-    const ColumnName& name = names_[*best];
-    if ((name.unit != "" && name.unit != "s") || name.stem.ends_with("_ms"))
+    if (match_.time_unit && !match_.time_unit->is_si())
       match_.notes.push_back("times are copied from " + quoted(header_[*best]) +
                              " as they stand, and not turned into seconds");
+  }
+
+  /// Units behind the names of what is read.
+  void read_units() {
+    std::vector<std::string> said;
+    for (std::size_t field = 0; field < header_.size(); ++field) {
+      const std::string& unit = names_[field].unit;
+      if (match_.target[field] < 0 || unit.empty()) continue;
+      const auto wanted = static_cast<std::size_t>(match_.target[field]);
+      const bool is_new = std::find(said.begin(), said.end(), unit) == said.end();
+      if (is_new) said.push_back(unit);
+      if (given_.units.empty()) {
+        if (is_new) say_unit(unit, "the scene states no [units] to compare it with");
+        continue;
+      }
+      const HeaderUnit found = header_unit(unit, given_.units[wanted]);
+      if (!found.problem.empty())
+        throw NoMatch(found.problem + " (column " + quoted(header_[field]) + ")", found.what_to_do,
+                      field);
+      if (found.factor) {
+        match_.factors.resize(wanted_.size());
+        match_.factors[wanted] = *found.factor;
+        if (is_new)
+          match_.notes.push_back("the header gives the unit [" + unit +
+                                 "]: values are converted to " +
+                                 std::string(given_.units[wanted].unit.name) + ", the scene's");
+      } else if (!found.understood && is_new) {
+        say_unit(unit, "it is none that is known");
+      }
+    }
   }
 
   [[nodiscard]] ColumnMatch finished() {
@@ -169,8 +219,9 @@ class Matching {
           static_cast<std::size_t>(std::find(taken_.begin(), taken_.end(), false) - taken_.begin());
       throw NoMatch("column '" + wanted_[first] + "' is missing" +
                         (missing > 1 ? " and " + std::to_string(missing - 1) + " more" : ""),
-                    offer("the header has " + found(header_), header_.size(), wanted_));
+                    offer("the header has " + found(header_), header_.size(), given_));
     }
+    read_units();
     for (std::size_t field = 0; field < header_.size(); ++field)
       if (match_.target[field] == ColumnMatch::ignored_field)
         match_.ignored.push_back(header_[field]);
@@ -199,15 +250,20 @@ class Matching {
   void take_time(std::size_t field) {
     match_.target[field] = ColumnMatch::time_field;
     match_.has_time = true;
+    if (const auto found = time_name(names_[field])) match_.time_unit = found->unit;
   }
-  void say_unit(std::size_t field) {
-    if (!names_[field].unit.empty())
-      match_.notes.push_back("the header gives the unit [" + names_[field].unit.substr(0, 20) +
-                             "]: values are taken as they stand, in the unit of the scene");
+  void say_unit(const std::string& unit, const std::string& why) {
+    match_.notes.push_back("the header gives the unit [" + unit.substr(0, 20) +
+                           "]: values are taken as they stand, in the unit of the scene; " + why);
+  }
+  void take_nanoseconds(std::size_t field) {
+    match_.target[field] = ColumnMatch::nanoseconds_field;
+    match_.time_unit = time_unit_named("s");
   }
 
   Names header_;
   Names wanted_;
+  const WantedColumns& given_;
   std::vector<ColumnName> names_;
   std::map<std::string_view, std::size_t, std::less<>> index_;
   std::vector<bool> taken_;
@@ -245,11 +301,15 @@ ColumnMatch match_unnamed(std::size_t fields, const WantedColumns& wanted) {
                           " columns are taken for " + first_to_last(wanted.names));
   } else {
     throw NoMatch("there is no header: the first line holds numbers",
-                  offer("it has " + std::to_string(fields) + " columns", fields, wanted.names));
+                  offer("it has " + std::to_string(fields) + " columns", fields, wanted));
   }
   for (std::size_t i = 0; i < places.readings.size(); ++i)
     match.target[places.readings[i]] = static_cast<std::ptrdiff_t>(i);
   if (places.time) match.target[*places.time] = ColumnMatch::time_field;
+  if (places.nanoseconds) {
+    match.target[*places.nanoseconds] = ColumnMatch::nanoseconds_field;
+    match.time_unit = time_unit_named("s");
+  }
   match.has_time = places.time.has_value();
   for (std::size_t field = 0; field < fields; ++field)
     if (match.target[field] == ColumnMatch::ignored_field)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -15,9 +16,13 @@ namespace tactile_net::frames {
 struct ColumnMatch {
   static constexpr std::ptrdiff_t ignored_field = -1;
   static constexpr std::ptrdiff_t time_field = -2;
+  static constexpr std::ptrdiff_t nanoseconds_field = -3;  ///< of whole seconds in the time's field
 
   std::vector<std::ptrdiff_t> target{};  ///< per field of a row: index into the values, or above
   bool has_time = false;
+  std::optional<Unit> time_unit{};  ///< that the name states, to seconds
+  /// Per value: what makes the unit that is wanted of the header's; empty: nothing is converted.
+  std::vector<Unit> factors{};
   std::vector<std::string> ignored{};  ///< names of fields that are not read
   std::vector<std::string> notes{};    ///< what was taken for granted
 };

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "frames/csv_layout.hpp"
+#include "numeric/csv_fields.hpp"
 #include "tactile_net/elasticity/quantity.hpp"
+#include "tactile_net/frames/frame_clock.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::frames {
@@ -13,10 +14,8 @@ namespace {
 constexpr std::array<std::string_view, 12> generic = {"",        "taxel",   "sensor", "channel",
                                                       "ch",      "column",  "col",    "cell",
                                                       "element", "reading", "value",  "taxel_nr"};
-constexpr std::array<std::string_view, 11> units_of_time = {
-    "", "s", "sec", "seconds", "ms", "us", "\xc2\xb5s", "\xce\xbcs", "ns", "min", "h"};
-constexpr std::array<std::string_view, 9> names_of_time = {
-    "t", "time", "t_s", "time_s", "time_ms", "t_ms", "timestamp", "zeit", "zeit_s"};
+constexpr std::array<std::string_view, 7> names_of_time = {
+    "t", "time", "timestamp", "time_stamp", "stamp", "zeit", "elapsed"};
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -82,8 +81,23 @@ ColumnName column_name(std::string_view text) {
   return name;
 }
 
-bool means_time(const ColumnName& name) {
-  return !name.number && holds(names_of_time, name.stem) && holds(units_of_time, name.unit);
+std::optional<TimeName> time_name(const ColumnName& name) {
+  if (name.number) return std::nullopt;
+  const auto is_clock = [](std::string_view stem) {
+    return holds(names_of_time, stem) || stem.ends_with("_stamp") || stem.ends_with("_timestamp");
+  };
+  const auto in_brackets = time_unit_named(name.unit);
+  if (!name.unit.empty() && !in_brackets) return std::nullopt;
+  if (is_clock(name.stem)) return TimeName{in_brackets, name.stem};
+  const std::string_view stem = name.stem;
+  const std::size_t joint = stem.rfind('_');
+  const std::string_view last = joint == stem.npos ? stem : stem.substr(joint + 1);
+  const std::string_view clock = joint == stem.npos ? std::string_view{} : stem.substr(0, joint);
+  const auto unit = time_unit_named(last);
+  // A unit alone is a name of times where nothing else could be meant: no "h", "s", "min".
+  if (!unit || (clock.empty() ? last.size() < 2 || last == "min" : !is_clock(clock)))
+    return std::nullopt;
+  return TimeName{in_brackets ? in_brackets : unit, std::string(clock)};
 }
 
 bool is_generic(std::string_view stem) { return holds(generic, stem); }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/scene/units.hpp"
+
 namespace tactile_net::frames {
 
 /// A name taken apart: "Stress_X[07] [kPa]" is stem "stress_x", number 7, unit "kPa".
@@ -40,8 +42,14 @@ struct ColumnGroup {
 /// The stem of a quantity's channel: "stress_x", "stress_x@1".
 [[nodiscard]] bool means_quantity(std::string_view stem);
 
-/// "t", "time", "T", "t [s]", "time_s": a column of times, if its unit is one of time.
-[[nodiscard]] bool means_time(const ColumnName& name);
+/// What a name says of times: "t", "time", "T", "t [s]", "time_ms", "header.stamp.sec".
+struct TimeName {
+  std::optional<Unit> unit{};  ///< that it states, to seconds
+  std::string clock{};         ///< without the unit: two columns of one clock are parts of a time
+};
+
+/// @return  nothing: it is no column of times
+[[nodiscard]] std::optional<TimeName> time_name(const ColumnName& name);
 
 /// A stem that says nothing of the quantity: "", "taxel", "ch".
 [[nodiscard]] bool is_generic(std::string_view stem);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "frames/csv_layout.hpp"
+#include "numeric/csv_fields.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::frames {
@@ -36,7 +36,10 @@ ColumnPlaces column_places(
     if (item.empty()) fail("an item is empty");
     if (item.starts_with("t=")) {
       if (places.time) fail("two columns of times");
-      places.time = place(item.substr(2));
+      const std::string_view clock = item.substr(2);
+      const std::size_t plus = clock.find('+');
+      places.time = place(clock.substr(0, plus));
+      if (plus != clock.npos) places.nanoseconds = place(clock.substr(plus + 1));
       continue;
     }
     const std::size_t dash = item.find('-');
@@ -53,7 +56,8 @@ ColumnPlaces column_places(
     if (places.readings.size() > 2 * row) fail("a column stands twice");
   }
   std::vector<std::size_t> sorted = places.readings;
-  if (places.time) sorted.push_back(*places.time);
+  for (const auto& clock : {places.time, places.nanoseconds})
+    if (clock) sorted.push_back(*clock);
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) fail("column " + std::to_string(*twice + 1) + " stands twice");

@@ -12,11 +12,12 @@
 namespace tactile_net::frames {
 
 struct ColumnPlaces {
-  std::vector<std::size_t> readings{};  ///< from 0, in the order of the readings
-  std::optional<std::size_t> time{};    ///< from 0
+  std::vector<std::size_t> readings{};       ///< from 0, in the order of the readings
+  std::optional<std::size_t> time{};         ///< from 0
+  std::optional<std::size_t> nanoseconds{};  ///< of whole seconds in `time`
 };
 
-/// @param list       "2-42", "t=1,4-44", "a,b,c"
+/// @param list       "2-42", "t=1,4-44", "a,b,c"; "t=1+2": seconds and nanoseconds apart
 /// @param row        how many columns the file has
 /// @param wanted     how many readings there must be; nothing: any number
 /// @param place_of   the place of a name, from 0; nothing: there is none

@@ -47,6 +47,7 @@ NpyFrames::NpyFrames(std::istream& in, std::string file, WantedColumns wanted)
              header.type.substr(0, 40) + "'; read are whole and floating-point numbers",
          "numpy.save(file, frames.astype('<f8'))");
   read_ = numbers.read;
+  text_ = numbers.text;
   width_ = numbers.width;
   header_ = header.size;
   columns_ = take_shape(header.shape, header.shape_text);
@@ -209,7 +210,12 @@ bool NpyFrames::next(std::span<double> values) {
   read_(bytes_.data() + first * width_, at_, numbers);
   if (time_at_ != none) {
     std::copy_n(numbers, values.size(), values.data());
-    time_ = std::isfinite(numbers[time_at_]) ? shortest(numbers[time_at_]) : "";
+    const double time = numbers[time_at_];
+    time_ = text_(bytes_.data() + first * width_ + at_[time_at_]);
+    if (std::isfinite(time))
+      clock_.add(time, time != std::floor(time));
+    else
+      clock_.skip();
   }
   if (!any_unread_ && all_finite(values)) return true;  // nearly every frame
   for (std::size_t i = 0; i < values.size(); ++i) {

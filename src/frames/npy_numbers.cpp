@@ -1,11 +1,14 @@
 #include "frames/npy_numbers.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <type_traits>
+
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -54,9 +57,22 @@ void read(const unsigned char* bytes, std::span<const std::size_t> at, double* v
   }
 }
 
+template <typename Number, bool big_endian>
+std::string text_at(const unsigned char* bytes) {
+  if constexpr (std::is_integral_v<Number>) {
+    return std::to_string(std::bit_cast<Number>(word_at<WordOf<Number>, big_endian>(bytes)));
+  } else {
+    constexpr std::array<std::size_t, 1> first = {0};
+    double value = 0.0;
+    read<Number, big_endian>(bytes, first, &value);
+    return std::isfinite(value) ? shortest(value) : std::string();
+  }
+}
+
 template <typename Number>
 NpyNumbers numbers(bool big_endian) {
-  return {sizeof(WordOf<Number>), big_endian ? read<Number, true> : read<Number, false>};
+  return {sizeof(WordOf<Number>), big_endian ? read<Number, true> : read<Number, false>,
+          big_endian ? text_at<Number, true> : text_at<Number, false>};
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ struct NpyNumbers {
   /// values[k] = the number at bytes + at[k], for every k.
   void (*read)(const unsigned char* bytes, std::span<const std::size_t> at,
                double* values) = nullptr;
+  /// The number at `bytes`, exactly: whole numbers of 8 bytes are more than a double holds.
+  std::string (*text)(const unsigned char* bytes) = nullptr;
 };
 
 /// Whole numbers of 1, 2, 4 and 8 bytes with and without a sign, floating-point ones of 2, 4 and 8,

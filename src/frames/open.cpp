@@ -1,6 +1,7 @@
 #include "tactile_net/frames/open.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <istream>
 #include <utility>
@@ -20,6 +21,23 @@ std::vector<bool> unread_columns(const Sites& sites, const std::vector<std::size
   for (const auto& site : sites)
     unread.push_back(std::find(dead.begin(), dead.end(), site.taxel) != dead.end());
   return unread;
+}
+
+/// What a header's units are compared with; nothing where the scene states no units.
+///
+/// @param scene  of a line or a skin
+std::vector<WantedUnit> wanted_units(const auto& scene) {
+  std::vector<WantedUnit> wanted;
+  if (!scene.units) return wanted;
+  for (std::size_t i = 0; const auto& site : sites(scene.sensor)) {
+    const QuantityKind kind = traits(SignalQuantity(site.quantity)).kind;
+    WantedUnit one{dimension_of(kind), unit_of(*scene.units, kind)};
+    if (scene.calibration) one.gain = one.unit.from_si(scene.calibration->gain[i]);
+    if (std::abs(one.gain - 1.0) < 1e-12) one.gain = 1.0;
+    wanted.push_back(one);
+    ++i;
+  }
+  return wanted;
 }
 
 }  // namespace
@@ -43,7 +61,8 @@ ReadingsFile::ReadingsFile(const std::string& path, const Scene& scene,
                     .unread = unread_columns(sites(scene.sensor), scene.dead_taxels),
                     .taxels = scene.sensor.count,
                     .places = options.columns,
-                    .accept_missing = options.accept_missing},
+                    .accept_missing = options.accept_missing,
+                    .units = wanted_units(scene)},
                    scene.calibration) {}
 
 ReadingsFile::ReadingsFile(const std::string& path, const SkinScene& scene,
@@ -54,7 +73,8 @@ ReadingsFile::ReadingsFile(const std::string& path, const SkinScene& scene,
                     .taxels = taxel_count(scene.sensor),
                     .rows = is_even(scene.sensor) ? scene.sensor.rows : 0,
                     .places = options.columns,
-                    .accept_missing = options.accept_missing},
+                    .accept_missing = options.accept_missing,
+                    .units = wanted_units(scene)},
                    scene.calibration) {}
 
 ReadingsFile::ReadingsFile(const std::string& path, std::istream* standard_input,
@@ -68,14 +88,14 @@ ReadingsFile::ReadingsFile(const std::string& path, std::istream* standard_input
     if (error) bytes_ = 0;
   }
   std::istream& in = live_ ? *standard_input : file_;
-  const std::vector<bool> unread = wanted.unread;
+  const WantedColumns given = wanted;
   if ((!live_ && is_npy_name(path)) || begins_like_npy(in))
     source_ = std::make_unique<NpyFrames>(in, name_, std::move(wanted));
   else
     source_ = std::make_unique<CsvFrames>(in, name_, std::move(wanted));
   if (!calibration) return;
   auto calibrated =
-      std::make_unique<CalibratedFrames>(std::move(source_), name_, *calibration, unread);
+      std::make_unique<CalibratedFrames>(std::move(source_), name_, *calibration, given);
   calibrated_ = calibrated.get();
   source_ = std::move(calibrated);
 }

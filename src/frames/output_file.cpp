@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <optional>
 #include <ostream>
 #include <system_error>
 
@@ -15,6 +16,25 @@ namespace tactile_net::frames {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// Of a file that is there, and of no link.
+std::optional<fs::perms> permissions_of(const fs::path& path) {
+  std::error_code none;
+  const fs::file_status status = fs::symlink_status(path, none);
+  return fs::is_regular_file(status) ? std::optional(status.permissions() & fs::perms::all)
+                                     : std::nullopt;
+}
+
+/// @param permissions  absent: as it was made
+void put_in_place(const fs::path& made, const fs::path& path,
+                  std::optional<fs::perms> permissions) {
+  if (permissions) fs::permissions(made, *permissions);
+  fs::rename(made, path);
+}
+
+}  // namespace
+
 OutputFile::OutputFile(const fs::path& path, std::ostream* standard_output)
     : path_(path), standard_output_(path.empty() || path == "-" ? standard_output : nullptr) {
   if (standard_output_ != nullptr) return;
@@ -23,14 +43,18 @@ OutputFile::OutputFile(const fs::path& path, std::ostream* standard_output)
   const fs::file_status status = fs::status(path_, error);
   const bool direct = fs::exists(status) && !fs::is_regular_file(status);
   if (fs::is_directory(status)) throw CannotCreate(path.string() + ": error: is a folder");
-  const fs::path opened = direct ? path_ : Partial::name_beside(path_);
+  constexpr fs::perms all_may = fs::perms(0666);
+  constexpr fs::perms we_may = fs::perms::owner_read | fs::perms::owner_write;
+  permissions_ = permissions_of(path_);
   partial_ = std::make_unique<Partial>();
-  if (!direct) partial_->will_be(opened);
-  file_ = std::make_unique<CheckedFile>(opened, path_);
-  if (!file_->opened())
+  const auto made = [&] {
+    if (direct) return true;
+    return partial_->make_file_beside(path_, permissions_ ? *permissions_ | we_may : all_may);
+  };
+  if (made()) file_ = std::make_unique<CheckedFile>(direct ? path_ : partial_->path(), path_);
+  if (!file_ || !file_->opened())
     throw CannotCreate(path.string() +
                        ": error: cannot be created: " + std::generic_category().message(errno));
-  if (!direct) partial_->made();
 }
 
 OutputFile::~OutputFile() = default;
@@ -50,7 +74,7 @@ void OutputFile::commit() {
   }
   file_->close();
   if (is_direct()) return;
-  fs::rename(partial_->path(), path_);
+  put_in_place(partial_->path(), path_, permissions_);
   partial_->moved();
 }
 
@@ -82,20 +106,16 @@ OutputFolder::OutputFolder(const fs::path& path, Existing existing)
   if (fs::exists(path) && !fs::is_directory(path))
     throw CannotCreate(path.string() + ": error: is a file, not a folder");
   lock_ = std::make_unique<FolderLock>(path);
-  fs::path staging;
-  if (fs::is_directory(path)) {
-    staging = Partial::name_in(path);
-  } else {
-    if (!path.has_filename()) path_ = path.parent_path();
-    staging = Partial::name_beside(path_);
-  }
+  const bool is_there = fs::is_directory(path);
+  if (!path.has_filename() && !is_there) path_ = path.parent_path();
+  if (!is_there && path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
   staging_ = std::make_unique<Partial>();
-  staging_->will_be(staging);
-  fs::create_directories(staging, error);
-  if (error || ::access(staging.c_str(), W_OK) != 0)
+  errno = error.value();
+  const bool made =
+      !error && (is_there ? staging_->make_folder_in(path) : staging_->make_folder_beside(path_));
+  if (!made || ::access(staging_->path().c_str(), W_OK) != 0)
     throw CannotCreate(path.string() + ": error: the folder cannot be written to: " +
-                       (error ? error.message() : "permission denied"));
-  staging_->made();
+                       std::generic_category().message(errno));
 }
 
 OutputFolder::~OutputFolder() = default;
@@ -124,7 +144,8 @@ std::vector<std::string> OutputFolder::commit() {
       throw CannotCreate(target.string() + ": error: is a folder; nothing was written");
     check_replaceable(target, existing_);
   }
-  for (const std::string& name : names) fs::rename(staging_->path() / name, path_ / name);
+  for (const std::string& name : names)
+    put_in_place(staging_->path() / name, path_ / name, permissions_of(path_ / name));
   fs::remove(staging_->path());
   staging_->moved();
   lock_.reset();

@@ -1,10 +1,13 @@
 #include "frames/partial.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <ctime>
+#include <random>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -25,7 +28,7 @@ bool may_be_abandoned(const fs::path& path) {
          std::time(nullptr) - state.st_mtime > seconds_to_lock;
 }
 
-/// Whether a name is `prefix` and a process' number.
+/// Whether a name is `prefix` and a number.
 bool is_partial(std::string_view name, std::string_view prefix) {
   if (!name.starts_with(prefix) || name.size() == prefix.size()) return false;
   name.remove_prefix(prefix.size());
@@ -41,26 +44,47 @@ void sweep(const fs::path& folder, const std::string& prefix) {
   }
 }
 
-fs::path named(const fs::path& folder, const std::string& prefix) {
-  sweep(folder.empty() ? "." : folder, prefix);
-  return folder / (prefix + std::to_string(::getpid()));
-}
-
 }  // namespace
 
-fs::path Partial::name_beside(const fs::path& path) {
-  return named(path.parent_path(), path.filename().string() + std::string(mark));
+bool Partial::make(const fs::path& folder, const std::string& prefix, const Maker& maker) {
+  sweep(folder.empty() ? "." : folder, prefix);
+  std::random_device random;
+  constexpr int tries = 100;
+  for (int i = 0; i < tries; ++i) {
+    path_ = folder / (prefix + std::to_string(random()));
+    leftover_ = Leftover(path_);  // what a signal in between finds goes too
+    if (maker(path_)) {
+      if (auto lock = FileLock::of(path_)) lock_ = std::move(*lock);
+      return true;
+    }
+    const int why = errno;
+    moved();  // it is not there, or somebody else's
+    errno = why;
+    if (why != EEXIST) return false;
+  }
+  return false;
 }
 
-fs::path Partial::name_in(const fs::path& folder) { return named(folder, std::string(mark)); }
-
-void Partial::will_be(const fs::path& path) {
-  path_ = path;
-  leftover_ = Leftover(path);
+bool Partial::make_file_beside(const fs::path& path, fs::perms permissions) {
+  return make(path.parent_path(), path.filename().string() + std::string(mark),
+              [=](const fs::path& name) {
+                const int descriptor =
+                    ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                           static_cast<mode_t>(permissions));
+                if (descriptor < 0) return false;
+                ::close(descriptor);
+                return true;
+              });
 }
 
-void Partial::made() {
-  if (auto lock = FileLock::of(path_)) lock_ = std::move(*lock);
+bool Partial::make_folder_beside(const fs::path& path) {
+  return make(path.parent_path(), path.filename().string() + std::string(mark),
+              [](const fs::path& name) { return ::mkdir(name.c_str(), 0777) == 0; });
+}
+
+bool Partial::make_folder_in(const fs::path& folder) {
+  return make(folder, std::string(mark),
+              [](const fs::path& name) { return ::mkdir(name.c_str(), 0700) == 0; });
 }
 
 void Partial::moved() noexcept {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "tactile_net/system/file_lock.hpp"
@@ -10,8 +11,10 @@
 
 namespace tactile_net::frames {
 
-/// A file or a folder under the name `NAME.partial-PID`: removed at the end, a sudden one too. What
-/// a process that was killed has left under such a name is removed by who writes there next.
+/// A file or a folder under the name `NAME.partial-NUMBER`, which nobody else has: the number is
+/// random, since processes of two containers may have one number and one folder. Removed at the
+/// end, a sudden one too. What a process that was killed has left under such a name is removed by
+/// who writes there next.
 class Partial {
  public:
   Partial() noexcept = default;
@@ -19,15 +22,13 @@ class Partial {
   Partial(const Partial&) = delete;
   Partial& operator=(const Partial&) = delete;
 
-  /// The temporary name beside `path`, for its maker to make; left-overs of that output go.
-  [[nodiscard]] static std::filesystem::path name_beside(const std::filesystem::path& path);
-  /// The same inside a folder.
-  [[nodiscard]] static std::filesystem::path name_in(const std::filesystem::path& folder);
-
-  /// Its maker makes it next: what a signal in between finds goes too.
-  void will_be(const std::filesystem::path& path);
-  /// It is there, and this process works on it.
-  void made();
+  // Each removes left-overs of that output first. False: nothing is made, and errno says why.
+  /// @param permissions  at most, as far as the process' own mask lets them be
+  [[nodiscard]] bool make_file_beside(const std::filesystem::path& path,
+                                      std::filesystem::perms permissions);
+  [[nodiscard]] bool make_folder_beside(const std::filesystem::path& path);
+  /// Nobody else may look into it.
+  [[nodiscard]] bool make_folder_in(const std::filesystem::path& folder);
   /// It has been moved to where it belongs.
   void moved() noexcept;
 
@@ -35,6 +36,9 @@ class Partial {
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
+  /// Makes what is not there. False: it did not, and errno says why.
+  using Maker = std::function<bool(const std::filesystem::path& name)>;
+  bool make(const std::filesystem::path& folder, const std::string& prefix, const Maker& maker);
   void remove() noexcept;
 
   std::filesystem::path path_;

@@ -163,10 +163,12 @@ class Reader {
     std::vector<double> values;
     for (const std::size_t column : readings_) {
       double value = 0.0;
-      if (!read_number(row.fields[column], value) || !std::isfinite(value)) {
-        problem(row.line, table_.header.fields[column] + " is not a finite number",
-                "every reading of every row is needed; dead ones are listed in [dead_taxels], and "
-                "stand there as 0");
+      const bool is_number = read_number(row.fields[column], value) && std::isfinite(value);
+      if (!is_number || (sensor_.calibration && is_missing(*sensor_.calibration, value))) {
+        problem(row.line,
+                table_.header.fields[column] +
+                    (is_number ? " is a code of calibration.missing" : " is not a finite number"),
+                "every reading is needed; dead ones stand in [dead_taxels], and here as 0");
         return {};
       }
       values.push_back(value);

@@ -11,6 +11,7 @@
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/npy.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::frames {
@@ -27,7 +28,7 @@ class HeaderLayout {
     for (const std::string& name : header_) names_.push_back(column_name(name));
     layout_.columns = csv.count;
     for (std::size_t i = 0; i < names_.size() && layout_.time.empty(); ++i)
-      if (means_time(names_[i])) layout_.time = header_[i];
+      if (time_name(names_[i])) layout_.time = header_[i];
   }
 
   RecordingLayout by_places(const std::string& columns) {
@@ -127,7 +128,7 @@ class HeaderLayout {
                "_0' first, and scenes of skins are not sketched",
            "write [sensor] rows, columns, pitch, depth and reads as in scenes/skins, then "
            "tactile-net solve SCENE --readings " +
-               path_);
+               shell_word(path_));
     if (!one_for_all && (groups.size() != quantities || most < 2))
       fail(path_,
            groups.empty() || most < 2

@@ -56,7 +56,10 @@ std::string_view name(AlphaVerdict verdict) noexcept { return name_in<verdicts>(
 const AlphaChoice& AlphaSweep::choice(AlphaRule rule) const {
   for (const Curve& curve : curves)
     if (curve.rule == rule) return curve.choice;
-  throw std::out_of_range("the rule " + std::string(name(rule)) + " needs the noise's rms");
+  throw std::out_of_range("the rule " + std::string(name(rule)) +
+                          " is not in this sweep: it needs " +
+                          (needs_noise(rule) ? "the rms of the noise"
+                                             : "the spectrum of readings along a line of taxels"));
 }
 
 AlphaSweep sweep_alpha(const FilterFrame& frame, std::optional<double> noise_rms) {
@@ -71,8 +74,7 @@ AlphaSweep sweep_alpha(const FilterFrame& frame, const AlphaTables& made,
 
   std::vector<FoundAlpha> candidates;
   for (const AlphaRule rule : alpha_rules) {
-    if (needs_noise(rule) && !noise_rms) continue;
-    if (rule == AlphaRule::ncp && !frame.periodogram) continue;
+    if (lacks_noise(rule, noise_rms) || lacks_periodogram(rule, frame)) continue;
     AlphaSweep::Curve curve{.rule = rule, .values = criteria.values(rule)};
     candidates.push_back(candidate(criteria, tables, rule, curve.values));
     if (rule == AlphaRule::discrepancy)
@@ -99,9 +101,7 @@ AlphaChoice choose_alone(const FilterFrame& frame, AlphaRule rule,
 AlphaChoice choose_alone(const FilterFrame& frame, const AlphaTables& tables, AlphaRule rule,
                          std::optional<double> noise_rms) {
   require_noise(rule, noise_rms);
-  if (rule == AlphaRule::ncp && !frame.periodogram)
-    throw std::invalid_argument(
-        "the rule ncp looks for white noise along a line of taxels: a skin's frame has none");
+  require_periodogram(rule, frame);
   const AlphaTables::Parts& parts = tables.parts();
   Criteria criteria(frame, parts, noise_rms);
   const FoundAlpha one = candidate(criteria, parts, rule, criteria.values(rule));
@@ -111,6 +111,7 @@ AlphaChoice choose_alone(const FilterFrame& frame, const AlphaTables& tables, Al
 AlphaChoice choose_alpha(const FilterFrame& frame, AlphaRule rule,
                          std::optional<double> noise_rms) {
   require_noise(rule, noise_rms);
+  require_periodogram(rule, frame);
   return sweep_alpha(frame, noise_rms).choice(rule);
 }
 

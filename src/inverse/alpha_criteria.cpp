@@ -29,11 +29,18 @@ Number curvature(const Number& alpha, const Number& eta, const Number& rho, cons
 
 }  // namespace
 
+void check_family(const FilterFrame& frame, const AlphaTables::Parts& tables) {
+  if (frame.gamma != tables.gamma || frame.shares != tables.shares || frame.rows != tables.rows)
+    throw std::invalid_argument("the tables for alpha are of another family than the frame");
+  const std::size_t count = frame.gamma.size();
+  if (frame.beta.size() != count || !(frame.powers.empty() || frame.powers.size() == count))
+    throw std::invalid_argument("a frame needs one beta a gamma, and as many powers or none");
+}
+
 Criteria::Criteria(const FilterFrame& frame, const AlphaTables::Parts& tables,
                    std::optional<double> noise_rms)
     : frame_(frame), tables_(tables), rows_(static_cast<double>(frame.rows)) {
-  if (frame.gamma != tables.gamma || frame.shares != tables.shares || frame.rows != tables.rows)
-    throw std::invalid_argument("the tables for alpha are of another family than the frame");
+  check_family(frame, tables);
   if (noise_rms && !(*noise_rms >= 0.0)) throw std::invalid_argument("noise_rms must be >= 0");
   if (noise_rms && frame.scale > 0.0) noise_ = *noise_rms / frame.scale;
   power_of_ = frame.powers;

@@ -82,6 +82,9 @@ struct FrameCurves {
   Eigen::VectorXd rate;          ///< its slope in the logarithm of the root of alpha
 };
 
+/// @throw std::invalid_argument  the frame is of another family, or has not one beta a gamma
+void check_family(const FilterFrame& frame, const AlphaTables::Parts& tables);
+
 /// What every rule is a function of: a frame, over gamma's largest value.
 class Criteria {
  public:

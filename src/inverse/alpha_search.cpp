@@ -82,9 +82,24 @@ AlphaVerdict judge(const Criteria& criteria, const AlphaTables::Parts& tables, A
                                                            : AlphaVerdict::ok;
 }
 
+bool lacks_noise(AlphaRule rule, std::optional<double> noise_rms) noexcept {
+  return needs_noise(rule) && !noise_rms;
+}
+bool lacks_periodogram(AlphaRule rule, const FilterFrame& frame) noexcept {
+  return needs_periodogram(rule) && !frame.periodogram;
+}
+
 void require_noise(AlphaRule rule, std::optional<double> noise_rms) {
-  if (needs_noise(rule) && !noise_rms)
-    throw std::invalid_argument("the rule " + std::string(name(rule)) + " needs the noise's rms");
+  if (lacks_noise(rule, noise_rms))
+    throw std::invalid_argument("the rule " + std::string(name(rule)) +
+                                " needs the rms of the noise: state it, or take a rule that does "
+                                "not ask for it, such as aicc");
+}
+void require_periodogram(AlphaRule rule, const FilterFrame& frame) {
+  if (lacks_periodogram(rule, frame))
+    throw std::invalid_argument("the rule " + std::string(name(rule)) +
+                                " needs the spectrum of the readings along a line of taxels, which "
+                                "a skin's frame has not: take another rule, such as aicc");
 }
 
 }  // namespace tactile_net

@@ -44,7 +44,12 @@ struct FoundAlpha {
 [[nodiscard]] AlphaVerdict judge(const Criteria& criteria, const AlphaTables::Parts& tables,
                                  AlphaRule rule, const FoundAlpha& one, std::vector<double> others);
 
-/// @throw std::invalid_argument  the rule needs the noise and has not got it
+/// Whether the rule needs the noise's rms, or a periodogram, and has not got it.
+[[nodiscard]] bool lacks_noise(AlphaRule rule, std::optional<double> noise_rms) noexcept;
+[[nodiscard]] bool lacks_periodogram(AlphaRule rule, const FilterFrame& frame) noexcept;
+
+/// @throw std::invalid_argument  as `lacks_noise`, `lacks_periodogram`
 void require_noise(AlphaRule rule, std::optional<double> noise_rms);
+void require_periodogram(AlphaRule rule, const FilterFrame& frame);
 
 }  // namespace tactile_net

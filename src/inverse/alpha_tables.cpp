@@ -34,7 +34,6 @@ AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_row
       shares(all_shares.begin(), all_shares.end()),
       relative(gamma.size()),
       rows(all_rows) {
-  if (gamma.empty()) throw std::invalid_argument("a frame without components");
   if (!shares.empty() && shares.size() != gamma.size())
     throw std::invalid_argument("a frame needs a share for every component, or none");
 
@@ -43,7 +42,7 @@ AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_row
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return gamma[a] > gamma[b]; });
-  largest = like != nullptr ? like->largest : gamma[order.front()];
+  largest = like != nullptr ? like->largest : order.empty() ? 0.0 : gamma[order.front()];
   if (shares.empty()) order.resize(std::min(rows, order.size()));
   double smallest = 0.0;
   unexplained = static_cast<double>(rows);

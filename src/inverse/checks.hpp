@@ -2,22 +2,40 @@
 /// The checks that the methods of this room share. Private.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "numeric/finite.hpp"
+#include "tactile_net/inverse/filter_frame.hpp"
+#include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
 
+inline constexpr const char* nothing_is_read =
+    "no reading depends on the tractions: read another quantity, or read in more places";
+
 /// @throw std::invalid_argument  alpha is not > 0 and finite
 inline void check_alpha(double alpha) {
+  if (alpha == 0.0)
+    throw std::invalid_argument(std::string("alpha must be > 0; where a rule finds 0, ") +
+                                nothing_is_read);
   if (!(alpha > 0.0) || !std::isfinite(alpha))
     throw std::invalid_argument("alpha must be > 0 and finite");
+}
+
+/// @param gamma  of the family that is to solve
+/// @throw std::invalid_argument  the frame is of another family
+inline void check_same_family(const FilterFrame& frame, std::span<const double> gamma) {
+  if (frame.beta.size() != gamma.size() || !std::ranges::equal(frame.gamma, gamma))
+    throw std::invalid_argument(
+        "the frame is of another family: let the family that solves it analyse its readings");
 }
 
 /// What divides one spectrum by another asks of the surface.
@@ -49,6 +67,30 @@ inline void check_size(std::span<const double> readings, std::size_t rows) {
 inline void check_readings(std::span<const double> readings, std::size_t rows) {
   check_size(readings, rows);
   if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+}
+
+/// @throw std::invalid_argument  there is not one traction per column of the problem
+inline void check_tractions(std::span<const double> tractions, std::size_t columns) {
+  if (tractions.size() != columns)
+    throw std::invalid_argument("tractions have " + std::to_string(tractions.size()) +
+                                " values, the problem has " + std::to_string(columns) + " columns");
+}
+
+/// @throw std::invalid_argument  there is not one weight per traction
+inline void check_weights(std::span<const double> weights, std::size_t tractions) {
+  if (weights.size() != tractions)
+    throw std::invalid_argument(
+        "a sum of tractions needs one weight per traction: " + std::to_string(tractions) +
+        ", not " + std::to_string(weights.size()));
+}
+
+/// A kernel of zeros. @throw std::invalid_argument  it has more than `most_kernel_entries`
+[[nodiscard]] inline Matrix make_kernel(std::size_t rows, std::size_t columns) {
+  if (columns > most_kernel_entries / rows)
+    throw std::invalid_argument(std::to_string(rows) + " readings and " + std::to_string(columns) +
+                                " unknown tractions are more than a dense solver takes: choose a "
+                                "wider spacing");
+  return {rows, columns, std::vector<double>(rows * columns)};
 }
 
 }  // namespace tactile_net

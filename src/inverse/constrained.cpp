@@ -96,7 +96,7 @@ ConstrainedSolution ConstrainedTikhonov::solve(std::span<const double> readings,
   for (std::size_t i = 0; i < found.free.size(); ++i)
     if (found.free[i]) solution.free.push_back(i);
   if (!solution.free.empty())
-    solution.condition = StackedQr(s.triangle(Eigen::all, solution.free)).condition();
+    solution.condition = StackedQr(s.triangle(Eigen::indexing::all, solution.free)).condition();
   return solution;
 }
 

@@ -56,12 +56,14 @@ struct DataJudge::Parts {
   void remember(const Fit& fit, DataMemory::Kept& memory) const;
   void look_for_constant(const Eigen::VectorXd& y, const Eigen::VectorXd& contact,
                          DataVerdict& verdict) const;
-  [[nodiscard]] bool is_turned_round(const Eigen::VectorXd& y,
-                                     std::span<const double> tractions) const;
+  [[nodiscard]] bool is_turned_round(const Eigen::VectorXd& y, std::span<const double> tractions,
+                                     DataVerdict& verdict) const;
   void take_offset(const Eigen::VectorXd& allowance, const Freedom& freedom,
                    DataVerdict& verdict) const;
   [[nodiscard]] double strain(std::span<const double> g, std::span<const double> f) const;
   [[nodiscard]] double limit(double taken) const;
+  /// What makes a residual's norm the rms of a weighted reading.
+  [[nodiscard]] double norm_to_rms() const { return unit / std::sqrt(rows); }
   [[nodiscard]] Freedom without(std::size_t taxel) const;
   [[nodiscard]] std::vector<std::size_t> suspects(const Eigen::VectorXd& residual) const;
 
@@ -114,7 +116,7 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
   const Eigen::MatrixXd all = channel_constants(problem);
   for (Eigen::Index c = 0; c < all.cols() && !problem.unknown_offsets; ++c)
     if (all.col(c).squaredNorm() > 0.0) channels.push_back(static_cast<std::size_t>(c));
-  free_constants.columns = all(Eigen::all, channels);
+  free_constants.columns = all(Eigen::indexing::all, channels);
   most = limit(0.0);
   if (!channels.empty())
     constant_gain = chi_squared_limit(static_cast<double>(channels.size()), 0.1 * false_alarms);
@@ -139,9 +141,14 @@ Fit DataJudge::Parts::fit(const Eigen::VectorXd& y, double enough, const Freedom
         (side != Side::last_end || freedom.last_end))
       kept.push_back(j);
   const auto pressing = static_cast<Eigen::Index>(kept.size());
-  Eigen::MatrixXd a(cone.rows(), pressing + freedom.columns.cols());
-  a.leftCols(pressing) = cone(Eigen::all, kept);
-  if (freedom.columns.cols() > 0) a.rightCols(freedom.columns.cols()) = freedom.columns;
+  Eigen::MatrixXd part;
+  const bool whole = pressing == cone.cols() && freedom.columns.cols() == 0;
+  if (!whole) {
+    part.resize(cone.rows(), pressing + freedom.columns.cols());
+    part.leftCols(pressing) = cone(Eigen::indexing::all, kept);
+    if (freedom.columns.cols() > 0) part.rightCols(freedom.columns.cols()) = freedom.columns;
+  }
+  const Eigen::MatrixXd& a = whole ? cone : part;
   std::vector<bool> bounded(kept.size(), true);
   bounded.resize(static_cast<std::size_t>(a.cols()), false);
 
@@ -260,12 +267,14 @@ void DataJudge::Parts::look_for_constant(const Eigen::VectorXd& y, const Eigen::
 }
 
 /// Whether the same readings with the other sign are those of a contact, and these are less so.
-bool DataJudge::Parts::is_turned_round(const Eigen::VectorXd& y,
-                                       std::span<const double> tractions) const {
+/// What the nearest contact leaves of them is then the verdict's residual.
+bool DataJudge::Parts::is_turned_round(const Eigen::VectorXd& y, std::span<const double> tractions,
+                                       DataVerdict& verdict) const {
   const auto normal = tractions.first(values);
   if (std::accumulate(normal.begin(), normal.end(), 0.0) >= 0.0) return false;
   const Fit turned = fit(-y);
   const Fit base = fit(y);
+  verdict.residual_rms = base.norm * norm_to_rms();
   const double squares = base.norm * base.norm;
   const double turned_squares = turned.norm * turned.norm;
   if (!limits.noise_rms) {
@@ -283,14 +292,13 @@ void DataJudge::Parts::remember(const Fit& fit, DataMemory::Kept& memory) const 
       return places[static_cast<std::size_t>(j) % places.size()] == side;
     });
   };
-  memory.keep(cone(Eigen::all, fit.pressed), free_constants.columns,
+  memory.keep(cone(Eigen::indexing::all, fit.pressed), free_constants.columns,
               !limits.inner || !presses(Side::first_end) || !presses(Side::last_end));
 }
 
 void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double> tractions,
                                DataMemory::Kept* memory, DataVerdict& verdict) const {
-  const double rms = unit / std::sqrt(rows);  // of a norm
-  verdict.residual_limit = most * rms;
+  const double rms = norm_to_rms();
   if (memory != nullptr) {
     const auto known = memory->explain(y, most);
     // A contact that leaves an end alone explains the frame, and a constant would gain nothing.
@@ -360,9 +368,9 @@ DataVerdict DataJudge::judge(std::span<const double> readings, std::span<const d
                              DataMemory* memory) const {
   const Parts& p = *parts_;
   check_size(readings, static_cast<std::size_t>(p.weights.size()));
-  if (std::ssize(tractions) != p.kernel.cols())
-    throw std::invalid_argument("tractions need one value per column of the problem");
+  check_tractions(tractions, static_cast<std::size_t>(p.kernel.cols()));
   DataVerdict verdict{.noise_known = p.limits.noise_rms.has_value()};
+  if (verdict.noise_known) verdict.residual_limit = p.most * p.norm_to_rms();
   verdict.strain = p.strain(readings, tractions);
   if (verdict.strain > 1.0) {  // in which unit the rest would be judged nobody knows
     verdict.doubts.push_back(DataDoubt::implausible);
@@ -372,8 +380,9 @@ DataVerdict DataJudge::judge(std::span<const double> readings, std::span<const d
   const double size = y.norm();
   if (size == 0.0) return verdict;
   if (!std::isfinite(size)) {  // of no noise that a number can say
+    verdict.residual_rms = std::numeric_limits<double>::infinity();
     if (verdict.noise_known) verdict.doubts.push_back(DataDoubt::misfit);
-  } else if (p.is_turned_round(y, tractions)) {
+  } else if (p.is_turned_round(y, tractions, verdict)) {
     verdict.doubts.push_back(DataDoubt::pulls);
   } else if (verdict.noise_known) {
     p.explain(y, tractions, memory != nullptr ? memory->kept_.get() : nullptr, verdict);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "inverse/checks.hpp"
 #include "inverse/rounding.hpp"
 #include "inverse/stabiliser.hpp"
 #include "inverse/weighting.hpp"
@@ -33,6 +34,8 @@ void require_full_rank(double condition, std::size_t rows) {
 
 double forward_bound(const InverseProblem& problem, double alpha, std::span<const double> readings,
                      std::span<const double> tractions, double condition) {
+  check_size(readings, problem.weights.size());
+  check_tractions(tractions, problem.kernel.columns);
   const auto kernel = as_eigen(problem.kernel);
   const Eigen::VectorXd g = Weighting(problem)(readings);
   const double scale = g.size() > 0 ? g.cwiseAbs().maxCoeff() : 0.0;

@@ -358,6 +358,8 @@ std::vector<double> FftTikhonov::stacked_product(std::span<const double> tractio
 }
 
 double FftTikhonov::residual(std::span<const double> readings, std::span<const double> tractions) {
+  check_size(readings, plan_->weights.size());
+  check_tractions(tractions, plan_->f.size());
   const std::vector<double> product = stacked_product(tractions);
   double size = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i)

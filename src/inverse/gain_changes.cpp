@@ -101,7 +101,7 @@ Told Changes::told(const Eigen::VectorXd& gains, const Eigen::VectorXd& offsets,
       if (wide[j]) kept.push_back(static_cast<Eigen::Index>(j));
     // Loads may change by as much as all of them together: what is left of a frame then.
     const double most = solved.z.sum();
-    const Eigen::MatrixXd near = most * columns(Eigen::all, kept);
+    const Eigen::MatrixXd near = most * columns(Eigen::indexing::all, kept);
     const Eigen::MatrixXd projector =
         Lu(Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n) + near * near.transpose())).inverse();
     const Eigen::VectorXd pull = projector * residual;

@@ -44,7 +44,9 @@ std::vector<std::vector<Range>> ranges(const Surface& surface, double narrowest)
     const Index count = std::clamp<Index>(std::lround(width / surface.spacing) - 1, 1, n);
     if (count == n) break;
     const double step = std::max(0.25 * width / surface.spacing, 1.0);
-    const Index places = static_cast<Index>(std::ceil(static_cast<double>(n - count) / step)) + 1;
+    Index places = static_cast<Index>(std::ceil(static_cast<double>(n - count) / step)) + 1;
+    // No window lies in the very middle where the values left over are odd: two are beside it.
+    if (places % 2 == 1 && (n - count) % 2 == 1) ++places;
     std::vector<Range> level;
     for (Index k = 0; k < places; ++k) {
       const Index from_end = (n - count) * std::min(k, places - 1 - k) / (places - 1);
@@ -89,11 +91,12 @@ struct LoadWindows::Windows {
 
   void fill(Window& window, const Eigen::MatrixXd& k, const Eigen::MatrixXd& l, double log_prior) {
     const StandardForm form(
-        k(Eigen::all, window.columns),
-        HouseholderQr(Eigen::MatrixXd(l(Eigen::all, window.columns))).triangle());
+        k(Eigen::indexing::all, window.columns),
+        HouseholderQr(Eigen::MatrixXd(l(Eigen::indexing::all, window.columns))).triangle());
     const Index n = form.v.rows();
     const Index components = form.v.cols();
     if (alphas.size() == 0) {
+      if (!(form.gamma(0) > 0.0)) throw std::invalid_argument(nothing_is_read);
       alphas.resize(window_alphas);
       for (Index a = 0; a < window_alphas; ++a)
         alphas(a) =

@@ -3,10 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "inverse/checks.hpp"
 
 namespace tactile_net {
+namespace {
+
+/// Of sums, kept at a time: more than a contact's force, moment and angle have, few enough to be
+/// searched one by one.
+constexpr std::size_t most_images = 24;
+
+}  // namespace
 
 LongArrayCovariance::LongArrayCovariance(const LongArrayFamily& family, FftTikhonov& solver,
                                          double alpha, double prior_alpha)
@@ -20,16 +28,21 @@ std::vector<double> LongArrayCovariance::deviations() const {
 }
 
 const std::vector<double>& LongArrayCovariance::image(std::span<const double> weights) const {
-  for (const auto& [of, image] : images_)
-    if (std::equal(of.begin(), of.end(), weights.begin(), weights.end())) return image;
+  for (auto one = images_.begin(); one != images_.end(); ++one)
+    if (std::ranges::equal(one->first, weights)) {
+      images_.splice(images_.begin(), images_, one);
+      return one->second;
+    }
+  check_weights(weights, solver_.tractions());
   solver_.use_alpha(alpha_);
   std::vector<double> image = solver_.stacked_product(solver_.solve_normal(weights));
   // Below the readings stands sqrt(alpha) L x.
   const auto smooth = image.begin() + static_cast<std::ptrdiff_t>(solver_.readings());
   const double prior = std::sqrt(alpha_ / prior_alpha_);
   std::for_each(smooth, image.end(), [=](double& value) { value *= prior; });
-  return images_.emplace_back(std::vector<double>(weights.begin(), weights.end()), std::move(image))
-      .second;
+  images_.emplace_front(std::vector<double>(weights.begin(), weights.end()), std::move(image));
+  if (images_.size() > most_images) images_.pop_back();
+  return images_.front().second;
 }
 
 double LongArrayCovariance::deviation(std::span<const double> weights) const {
@@ -37,9 +50,8 @@ double LongArrayCovariance::deviation(std::span<const double> weights) const {
 }
 
 double LongArrayCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
-  (void)image(a);
+  const std::vector<double>& of_a = image(a);  // stays: it is not the one asked for longest ago
   const std::vector<double>& of_b = image(b);
-  const std::vector<double>& of_a = image(a);  // kept by now
   return std::inner_product(of_a.begin(), of_a.end(), of_b.begin(), 0.0);
 }
 

@@ -83,8 +83,8 @@ struct LongArrayFamily::Parts {
     for (std::size_t part = 0; part < 2 * channels; ++part)
       for (std::size_t k = 1; k <= bins; ++k)
         rows_of.push_back(static_cast<Eigen::Index>(part * all_bins + k * every - 1));
-    Eigen::MatrixXd spectra = (*factors.spectra)(rows_of, Eigen::all);
-    Eigen::MatrixXd fourier = factors.fourier(rows_of, Eigen::all);
+    Eigen::MatrixXd spectra = factors.spectra().of_u(rows_of, Eigen::indexing::all);
+    Eigen::MatrixXd fourier = factors.spectra().fourier(rows_of, Eigen::indexing::all);
     alikes.push_back({std::move(family), of, std::move(spectra), std::move(fourier)});
   }
 

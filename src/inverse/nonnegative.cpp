@@ -18,8 +18,7 @@ constexpr double tolerance = 1e-11;
 /// Schmidt's, twice, which is as stable as Householder's (Giraud et al. 2005).
 class FreeColumns {
  public:
-  explicit FreeColumns(const Eigen::MatrixXd& a)
-      : a_(a), q_(a.rows(), a.cols()), r_(a.cols(), a.cols()) {}
+  explicit FreeColumns(const Eigen::MatrixXd& a) : a_(a) {}
 
   /// The least squares of the free columns, the others zero.
   [[nodiscard]] Eigen::VectorXd solve(const std::vector<bool>& free, const Eigen::VectorXd& d) {
@@ -45,6 +44,7 @@ class FreeColumns {
 
   void append(Eigen::Index column) {
     const auto count = std::ssize(order_);
+    if (count == q_.cols()) make_room(std::min(std::max<Eigen::Index>(2 * count, 8), a_.cols()));
     const auto q = q_.leftCols(count);
     Eigen::VectorXd rest = a_.col(column);
     Eigen::VectorXd along = Eigen::VectorXd::Zero(count);
@@ -61,8 +61,13 @@ class FreeColumns {
     order_.push_back(column);
   }
 
+  void make_room(Eigen::Index columns) {
+    q_.conservativeResize(a_.rows(), columns);
+    r_.conservativeResize(columns, columns);
+  }
+
   const Eigen::MatrixXd& a_;
-  Eigen::MatrixXd q_, r_;
+  Eigen::MatrixXd q_{}, r_{};
   std::vector<Eigen::Index> order_{};
 };
 
@@ -112,7 +117,7 @@ class ActiveSet {
       if (free_[i]) columns.push_back(index(i));
     Eigen::VectorXd z = Eigen::VectorXd::Zero(a_.cols());
     if (columns.empty()) return z;
-    const Eigen::MatrixXd part = a_(Eigen::all, columns);
+    const Eigen::MatrixXd part = a_(Eigen::indexing::all, columns);
     z(columns) = HouseholderQr(part).solve(d_);
     return z;
   }

@@ -141,13 +141,13 @@ InverseProblem make_problem(const SensorArray& array, const Material& material,
             : "every taxel is dead: nothing is measured");
 
   const std::size_t n = problem.surface.count;
-  problem.kernel = Matrix{problem.sites.size(), options.unknowns * n,
-                          std::vector<double>(problem.sites.size() * options.unknowns * n)};
+  problem.kernel = make_kernel(problem.sites.size(), options.unknowns * n);
   if (is_even(array))
     add_lags(array, material, options, problem);
   else
     add_hats(material, problem);
   take_offsets_out(problem);
+  drop_kernel_of_rounding(problem);
   return problem;
 }
 

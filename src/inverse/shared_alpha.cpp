@@ -69,6 +69,7 @@ AlphaChoice SharedAlpha::push(FilterFrame frame) {
   Window& window = *window_;
   const AlphaTables::Parts& tables = window.tables.parts();
   const AlphaRule rule = window.rule;
+  require_periodogram(rule, frame);
   window.members.emplace_back(std::move(frame), tables, rule, window.noise_rms);
   if (window.members.size() > window.frames) window.members.pop_front();
 

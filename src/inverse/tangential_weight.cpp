@@ -16,6 +16,7 @@ double surprise(const FilterFrame& frame, const AlphaTables& tables,
                 std::optional<double> noise_rms, std::optional<double> alpha) {
   if (noise_rms && !(*noise_rms > 0.0)) throw std::invalid_argument("noise_rms must be > 0");
   const AlphaTables::Parts& parts = tables.parts();
+  check_family(frame, parts);
   const AlphaRule rule = noise_rms ? AlphaRule::evidence : AlphaRule::gml;
   const double chosen = alpha ? *alpha : choose_alone(frame, tables, rule, noise_rms).alpha;
   if (!(frame.scale > 0.0) || !(parts.largest > 0.0)) return 0.0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -43,22 +45,23 @@ StandardForm face(const InverseProblem& problem, const Constraints& constraints,
                   std::span<const std::size_t> free) {
   if (free.empty()) throw std::invalid_argument("every traction is held at zero: no family of any");
   const Matrix all = edges(problem, constraints);
-  return {problem, as_eigen(all)(Eigen::all, std::vector(free.begin(), free.end()))};
+  return {problem, as_eigen(all)(Eigen::indexing::all, std::vector(free.begin(), free.end()))};
 }
 
 /// Of readings in the space of rows: a matrix-vector product per alpha.
 class DensePeriodogram final : public ResidualPeriodogram {
  public:
-  DensePeriodogram(std::shared_ptr<const Eigen::MatrixXd> spectra, Eigen::VectorXd outside,
-                   std::size_t bins)
-      : spectra_(std::move(spectra)), outside_(std::move(outside)), bins_(bins) {}
+  /// @param outside  of the readings, what no traction explains
+  DensePeriodogram(std::shared_ptr<const TikhonovFamily::Factors> factors, Eigen::VectorXd outside)
+      : factors_(std::move(factors)), readings_(std::move(outside)), bins_(factors_->line / 2) {}
 
   [[nodiscard]] std::size_t size() const noexcept override { return bins_; }
 
   void power(std::span<const double> left, std::span<const double> change, std::span<double> values,
              std::span<double> slopes) const override {
-    const Eigen::VectorXd residual = *spectra_ * as_eigen(left) + outside_;
-    const Eigen::VectorXd rate = *spectra_ * as_eigen(change);
+    const Eigen::MatrixXd& spectra = factors_->spectra().of_u;
+    const Eigen::VectorXd residual = spectra * as_eigen(left) + outside();
+    const Eigen::VectorXd rate = spectra * as_eigen(change);
     std::fill(values.begin(), values.end(), 0.0);
     std::fill(slopes.begin(), slopes.end(), 0.0);
     for (Eigen::Index i = 0; i < residual.size(); ++i) {
@@ -72,19 +75,28 @@ class DensePeriodogram final : public ResidualPeriodogram {
               std::span<double> values) const override {
     const auto rows = static_cast<Eigen::Index>(components);
     const Eigen::Map<const Eigen::MatrixXd> all(left.data(), rows, std::ssize(left) / rows);
-    const Eigen::MatrixXd residuals = *spectra_ * all;
+    const Eigen::MatrixXd residuals = factors_->spectra().of_u * all;
+    const Eigen::VectorXd& spectrum = outside();
     const auto bins = static_cast<Eigen::Index>(bins_);
     Eigen::Map<Eigen::MatrixXd> sums(values.data(), bins, all.cols());
     sums.setZero();
     for (Eigen::Index k = 0; k < residuals.rows(); k += bins)
       sums.array() +=
-          (residuals.middleRows(k, bins).colwise() + outside_.segment(k, bins)).array().square();
+          (residuals.middleRows(k, bins).colwise() + spectrum.segment(k, bins)).array().square();
   }
 
  private:
-  std::shared_ptr<const Eigen::MatrixXd> spectra_;
-  Eigen::VectorXd outside_;
+  /// The spectrum of what no traction explains.
+  [[nodiscard]] const Eigen::VectorXd& outside() const {
+    std::call_once(outside_made_, [this] { outside_ = factors_->spectra().fourier * readings_; });
+    return outside_;
+  }
+
+  std::shared_ptr<const TikhonovFamily::Factors> factors_;
+  Eigen::VectorXd readings_;
   std::size_t bins_;
+  mutable std::once_flag outside_made_{};
+  mutable Eigen::VectorXd outside_{};
 };
 
 }  // namespace
@@ -95,15 +107,20 @@ TikhonovFamily::Factors::Factors(const InverseProblem& problem, StandardForm sta
       weighting(problem),
       stabiliser_condition(condition),
       form(std::move(standard)),
-      gamma(form.gamma.begin(), form.gamma.end()) {
-  // Noise is white in any order of the readings.
-  const auto length = static_cast<Eigen::Index>(line);
-  fourier = fourier_rows(length, form.u.rows() / length);
-  spectra = std::make_shared<const Eigen::MatrixXd>(fourier * form.u);
+      gamma(form.gamma.begin(), form.gamma.end()) {}
+
+const TikhonovFamily::Factors::Spectra& TikhonovFamily::Factors::spectra() const {
+  std::call_once(spectra_made_, [this] {
+    // Noise is white in any order of the readings.
+    const auto length = static_cast<Eigen::Index>(line);
+    spectra_.fourier = fourier_rows(length, form.u.rows() / length);
+    spectra_.of_u = spectra_.fourier * form.u;
+  });
+  return spectra_;
 }
 
 TikhonovFamily::TikhonovFamily(const InverseProblem& problem)
-    : factors_(std::make_unique<const Factors>(problem, StandardForm(problem),
+    : factors_(std::make_shared<const Factors>(problem, StandardForm(problem),
                                                stabiliser_condition(problem))) {}
 
 TikhonovFamily::TikhonovFamily(const InverseProblem& problem, const Constraints& constraints,
@@ -111,7 +128,7 @@ TikhonovFamily::TikhonovFamily(const InverseProblem& problem, const Constraints&
   StandardForm form = face(problem, constraints, free);
   const Eigen::VectorXd sizes = tactile_net::singular_values(form.triangle);
   factors_ =
-      std::make_unique<const Factors>(problem, std::move(form), sizes(0) / sizes(sizes.size() - 1));
+      std::make_shared<const Factors>(problem, std::move(form), sizes(0) / sizes(sizes.size() - 1));
 }
 TikhonovFamily::~TikhonovFamily() = default;
 TikhonovFamily::TikhonovFamily(TikhonovFamily&&) noexcept = default;
@@ -148,8 +165,7 @@ FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   beta = factors.form.u.transpose() * g;
   g -= factors.form.u * beta;
   frame.outside = g.norm();
-  frame.periodogram = std::make_shared<DensePeriodogram>(
-      factors.spectra, Eigen::VectorXd(factors.fourier * g), factors.line / 2);
+  frame.periodogram = std::make_shared<DensePeriodogram>(factors_, std::move(g));
   return frame;
 }
 
@@ -176,6 +192,7 @@ Reconstruction TikhonovFamily::reconstruction(double alpha) const {
 
 std::vector<double> TikhonovFamily::solve(const FilterFrame& frame, double alpha) const {
   check_alpha(alpha);
+  check_same_family(frame, factors_->gamma);
   const Factors& factors = *factors_;
   const double root = std::sqrt(alpha);
   Eigen::VectorXd y(std::ssize(frame.beta));

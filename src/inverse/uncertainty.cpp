@@ -119,10 +119,13 @@ std::vector<double> TractionCovariance::deviations() const {
 }
 
 double TractionCovariance::deviation(std::span<const double> weights) const {
+  check_weights(weights, static_cast<std::size_t>(factor_->root.rows()));
   return (factor_->root.transpose() * as_eigen(weights)).norm();
 }
 
 double TractionCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
+  check_weights(a, static_cast<std::size_t>(factor_->root.rows()));
+  check_weights(b, static_cast<std::size_t>(factor_->root.rows()));
   return (factor_->root.transpose() * as_eigen(a)).dot(factor_->root.transpose() * as_eigen(b));
 }
 
@@ -131,6 +134,8 @@ double TractionCovariance::degrees_of_freedom() const noexcept { return factor_-
 NoiseEstimate estimate_noise(const InverseProblem& problem, std::span<const double> readings,
                              std::span<const double> tractions, double degrees_of_freedom,
                              std::optional<double> stated_rms) {
+  check_size(readings, problem.weights.size());
+  check_tractions(tractions, problem.kernel.columns);
   const Weighting weighting(problem);
   const Eigen::VectorXd g = weighting(readings);
   const double scale = std::max(g.cwiseAbs().maxCoeff(), 0.0);

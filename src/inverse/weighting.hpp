@@ -87,6 +87,17 @@ void take_offsets_out(Problem& problem, const Eigen::MatrixXd& taken = {}) {
   problem.kernel = from_eigen(weighting.projected(kernel));
 }
 
+/// A kernel of which nothing but rounding is left is 0: readings that depend on no traction would
+/// be explained by tractions 1e16 times too large.
+template <typename Problem>
+void drop_kernel_of_rounding(Problem& problem) {
+  std::vector<double>& entries = problem.kernel.values;
+  const double rounding = 4.0 * problem.kernel_error;  // and that of a projection
+  if (std::all_of(entries.begin(), entries.end(),
+                  [&](double entry) { return std::abs(entry) <= rounding; }))
+    std::fill(entries.begin(), entries.end(), 0.0);
+}
+
 /// Leaves taxels out, as if they had been dead when the problem was made.
 template <typename Problem>
 void leave_taxels_out(Problem& problem, std::span<const std::size_t> taxels) {
@@ -99,6 +110,7 @@ void leave_taxels_out(Problem& problem, std::span<const std::size_t> taxels) {
   }
   // What was taken from more rows is constant in those that are left, too.
   take_offsets_out(problem, taken);
+  drop_kernel_of_rounding(problem);
 }
 
 /// The offset of each channel that these tractions leave to its readings; none where offsets are
@@ -108,8 +120,7 @@ template <typename Problem>
                                              std::span<const double> readings,
                                              std::span<const double> tractions) {
   check_size(readings, problem.weights.size());
-  if (tractions.size() != problem.kernel.columns)
-    throw std::invalid_argument("tractions need one value per column of the problem");
+  check_tractions(tractions, problem.kernel.columns);
   if (!problem.unknown_offsets) return {};
   const Weighting weighting(problem);
   const Eigen::VectorXd left =

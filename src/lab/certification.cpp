@@ -15,7 +15,7 @@ Certification certify(const AnyScene& scene, Observer& observer, std::optional<d
     result.curves = beyond_curves(result.circuit.explained());
   if (result.circuit.loaded() && calls_for_tolerance(options)) {
     observer.step({Step::Kind::draws});
-    result.tolerance = tolerate(result.circuit.network().reduction(), *options.tolerance);
+    result.tolerance = tolerate(result.circuit.network(), *options.tolerance);
   }
   observer.step({Step::Kind::realizations});
   result.recommendation = recommend(result.circuit);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lab/lines_and_skins.hpp"
+
 namespace tactile_net::lab {
 
 DataLimits data_limits(const SceneProblem& problem) {
@@ -42,6 +44,10 @@ std::optional<DataVerdict> data_verdict(const SceneProblem& problem,
                                         std::span<const double> tractions, DataMemory* memory) {
   if (problem.is_large()) return std::nullopt;
   return problem.data_judge().judge(readings, tractions, memory);
+}
+
+remark::DataDoubted data_doubted(const DataVerdict& data, const Scene& scene) {
+  return with_names(data, scene);
 }
 
 void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel) {

@@ -1,5 +1,7 @@
 #include "lab/fingertip_maker.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -123,6 +125,10 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const Finge
     return;
   }
   const FrameUncertainty bands = uncertainty(frame, f, result);
+  const std::array<double, 9>& covariance = bands.resultant.covariance;
+  if (!std::all_of(covariance.begin(), covariance.end(),
+                   [](double value) { return std::isfinite(value); }))
+    fail_fingertip(tip, "the frame's tractions overflow a double");
   if (const auto off = model_error(bands)) tip.remarks.emplace_back(*off);
   lab::press(tip, bands.resultant, finger.breadth);
 }

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/lab/remark.hpp"
+#include "tactile_net/sensing/effects/signal_layout.hpp"
 
 namespace tactile_net::lab {
 
@@ -22,13 +25,32 @@ namespace tactile_net::lab {
   return Constraints{.nonnegative = true, .friction_limit = options.friction_limit};
 }
 
-/// @param offsets  per channel
-[[nodiscard]] inline remark::OffsetsFound offsets_found(std::span<const double> offsets,
-                                                        const auto& array) {
-  remark::OffsetsFound found;
-  for (const auto& channel : channels(array))
-    found.channels.emplace_back(channel.name, offsets[found.channels.size()]);
+/// @param offsets  per channel; empty: none
+[[nodiscard]] remark::OffsetsFound offsets_found(std::span<const double> offsets,
+                                                 const auto& scene) {
+  remark::OffsetsFound found{.units = scene.units};
+  if (offsets.empty()) return found;
+  for (const auto& channel : channels(scene.sensor)) {
+    const QuantityKind kind = traits(SkinQuantity(SignalQuantity(channel.quantity))).kind;
+    found.channels.push_back({.channel = channel.name,
+                              .value = offsets[found.channels.size()],
+                              .dimension = dimension_of(kind)});
+  }
   return found;
+}
+
+/// @param data  not consistent
+[[nodiscard]] remark::DataDoubted with_names(const DataVerdict& data, const auto& scene) {
+  return {.data = data,
+          .taxel = data.taxel ? taxel_name(scene.sensor, *data.taxel) : std::string{},
+          .offsets = offsets_found(data.offset, scene)};
+}
+
+[[nodiscard]] std::vector<std::string> taxel_names(const auto& array,
+                                                   std::span<const std::size_t> taxels) {
+  std::vector<std::string> names;
+  for (const std::size_t taxel : taxels) names.push_back(taxel_name(array, taxel));
+  return names;
 }
 
 }  // namespace tactile_net::lab

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lab/circuit_candidates.hpp"
 #include "lab/circuit_loads.hpp"
 #include "tactile_net/network/arrays.hpp"
 #include "tactile_net/network/soldered_error.hpp"
@@ -15,7 +14,10 @@
 namespace tactile_net::lab {
 namespace {
 
-constexpr std::size_t draws_per_offer = 200;
+/// Fewer of a large network, where each takes its time.
+std::size_t draws_per_offer(const Reduction& reduction) {
+  return reduction.rows() <= 250 ? 400 : 200;
+}
 
 /// How often a list is made anew, for a smaller target, whose draws miss the one that is asked for:
 /// where few parts count, 95 of 100 builds lie further out than `p95_over_rms`.
@@ -35,14 +37,24 @@ struct Offer {
 
 using NetworkProblems = std::vector<std::shared_ptr<const NetworkProblem>>;
 
-Offer offer_of(const CircuitForm& form, const SceneCircuit& circuit,
-               const NetworkProblems& problems) {
-  Offer offer{.circuit = std::make_shared<const NetworkCircuit>(candidate(form, circuit))};
-  for (const auto& problem : problems) {
-    const Circuit other = realize(form.realization, *problem, offer.circuit->options());
-    offer.loads.push_back(Reduction(other).equations().right_side);
+/// The same circuit's sources under each load.
+std::vector<std::vector<CurrentSource>> sources_of(const NetworkCircuit& circuit,
+                                                   const NetworkProblems& problems) {
+  std::vector<std::vector<CurrentSource>> each_load;
+  for (const auto& problem : problems)
+    each_load.push_back(realize(circuit.realization(), *problem, circuit.options()).sources);
+  return each_load;
+}
+
+std::vector<Load> loads_of(const NetworkCircuit& circuit,
+                           const std::vector<std::vector<CurrentSource>>& each_load) {
+  std::vector<Load> loads;
+  Circuit other = circuit.circuit();
+  for (const std::vector<CurrentSource>& one : each_load) {
+    other.sources = one;
+    loads.push_back(Reduction(other).equations().right_side);
   }
-  return offer;
+  return loads;
 }
 
 /// Makes pairs of resistors, those that count most first, until values take no more than they may.
@@ -109,27 +121,29 @@ double second_parts(const Offer& offer, const AllocationOptions& wanted) {
   return price;
 }
 
-/// What is left of a target when values take their part: squares add up.
-AllocationOptions after_rounding(AllocationOptions wanted, double rounding) {
-  const double taken = p95_over_rms * rounding;
-  wanted.target = std::sqrt(std::max(wanted.target * wanted.target - taken * taken, 0.0));
-  return wanted;
+/// What is left of a target for parts when something else takes its part: squares add up.
+double left_of(double target, double taken) {
+  return std::sqrt(std::max(target * target - taken * taken, 0.0));
 }
 
-/// @param wanted  as `parts.wanted`, with its target or a smaller one
+/// @param target  of the resistors alone, their rounded values included: what 95 of 100 builds err
 void choose_parts(Offer& offer, const LoadedNetwork& network, const PartsList& parts,
-                  const AllocationOptions& wanted) {
+                  double target) {
   PartsList::Candidate& result = offer.candidate;
   const std::vector<double> counts = network.sensitivities();
   Rounding rounding(network, offer.circuit->reduction(), parts.series);
+  AllocationOptions wanted = parts.wanted;
+  if (target > 0.0) wanted.target = target;
   result.list = allocate(counts, wanted);
+  result.list.met = result.list.met && target > 0.0;
   if (result.list.met) {
     rounding.pair_better(result.list);
-    rounding.pair_until(rounding_share * wanted.target / p95_over_rms);
-    const AllocationOptions left = after_rounding(wanted, rounding.error());
-    if (left.target > 0.0) result.list = allocate(counts, left);
+    rounding.pair_until(rounding_share * target / p95_over_rms);
+    wanted.target = left_of(target, p95_over_rms * rounding.error());
+    const bool room = wanted.target > 0.0;
+    if (room) result.list = allocate(counts, wanted);
     rounding.pair_better(result.list);
-    result.list.met = result.list.met && left.target > 0.0;
+    result.list.met = result.list.met && room;
   }
   result.rounding = rounding.error();
   offer.values = rounding.values();
@@ -149,36 +163,63 @@ std::vector<double> tolerances(const Offer& offer, const AllocationOptions& want
   return each;
 }
 
-void draw(Offer& offer, const LoadedNetwork& network, const AllocationOptions& wanted) {
-  const std::vector<double> errors =
-      network.builds(siemens_of(offer.values), tolerances(offer, wanted), draws_per_offer, 1);
-  offer.candidate.p95 = errors[errors.size() * 95 / 100];
+double p95_of(const std::vector<double>& ascending) {
+  return ascending[ascending.size() * 95 / 100];
 }
 
-Offer priced(const CircuitForm& form, const SceneCircuit& circuit, const NetworkProblems& problems,
-             const PartsList& parts) {
-  Offer offer = offer_of(form, circuit, problems);
+/// Builds that the list was not made with: each attempt has its own.
+void draw(Offer& offer, const LoadedNetwork& network, const AllocationOptions& wanted,
+          std::uint64_t seed) {
+  const std::vector<double> errors =
+      network.builds(siemens_of(offer.values), tolerances(offer, wanted),
+                     draws_per_offer(offer.circuit->reduction()), seed);
+  offer.candidate.p95 = p95_of(errors);
+  offer.candidate.builds = errors.size();
+  offer.candidate.within = static_cast<std::size_t>(
+      std::upper_bound(errors.begin(), errors.end(), wanted.target) - errors.begin());
+}
+
+/// With resistors of exactly the values wanted.
+void draw_opamps(PartsList::Candidate& result, const LoadedNetwork& network,
+                 const Reduction& reduction) {
+  const std::vector<double> exact(reduction.resistors().size(), 0.0);
+  result.opamps_alone = network.opamp_shares();
+  if (result.opamps_alone.total > 0.0)
+    result.opamps_p95 =
+        p95_of(network.builds(reduction.siemens(), exact, draws_per_offer(reduction), 0));
+}
+
+Offer priced(const std::shared_ptr<const NetworkCircuit>& circuit, const NetworkProblems& problems,
+             const PartsList& parts, double balance) {
+  Offer offer{.circuit = circuit};
   PartsList::Candidate& result = offer.candidate;
-  result.realization = form.realization;
-  result.ladder = form.ladder;
-  result.opamps = offer.circuit->flat().amplifiers().size();
-  result.stable = is_stable_with_its_opamps(*offer.circuit);
-  const LoadedNetwork network(offer.circuit->reduction(), offer.loads);
-  AllocationOptions wanted = parts.wanted;
-  choose_parts(offer, network, parts, wanted);
-  if (!result.stable || !result.list.met) return offer;
-  draw(offer, network, wanted);
+  result.realization = circuit->realization();
+  result.ladder = has_ladder(circuit->realization(), circuit->options());
+  result.opamps = circuit->flat().amplifiers().size();
+  result.stability = stability_of(*circuit);
+  const std::vector<std::vector<CurrentSource>> each_load = sources_of(*circuit, problems);
+  const LoadedNetwork network(circuit->reduction(), loads_of(*circuit, each_load),
+                              {opamp_errors(circuit->flat(), each_load), balance});
+  draw_opamps(result, network, circuit->reduction());
+  const double target = parts.wanted.target;
+  double of_resistors = left_of(target, result.opamps_p95);
+  choose_parts(offer, network, parts, of_resistors);
+  if (!result.stable() || !result.list.met) return offer;
+  draw(offer, network, parts.wanted, 1);
   const double bound = result.list.price_bound;
   for (int attempt = 1; attempt < most_attempts; ++attempt) {
-    if (*result.p95 <= parts.wanted.target || !std::isfinite(*result.p95)) break;
-    wanted.target *= 0.98 * parts.wanted.target / *result.p95;
+    if (*result.p95 <= target || !std::isfinite(*result.p95)) break;
+    const double seen = left_of(*result.p95, result.opamps_p95);
+    const double allowed = left_of(0.98 * target, result.opamps_p95);
+    if (!(seen > 0.0) || !(allowed > 0.0)) break;
+    of_resistors *= allowed / seen;
     Offer exacter = offer;
-    choose_parts(exacter, network, parts, wanted);
+    choose_parts(exacter, network, parts, of_resistors);
     if (!exacter.candidate.list.met) break;
-    draw(exacter, network, wanted);
+    draw(exacter, network, parts.wanted, static_cast<std::uint64_t>(attempt) + 1);
     // What is asked for bounds the price, not what it took.
     exacter.candidate.list.price_bound = bound;
-    exacter.candidate.resistors_bound = bound + second_parts(exacter, wanted);
+    exacter.candidate.resistors_bound = bound + second_parts(exacter, parts.wanted);
     offer = std::move(exacter);
   }
   return offer;
@@ -212,15 +253,16 @@ std::vector<PartsOfArray> by_array(const Offer& offer, std::size_t classes) {
 }
 
 PartsList list_of(const SceneCircuit& circuit, double target,
-                  const std::vector<CircuitForm>& forms) {
+                  const std::vector<std::shared_ptr<const NetworkCircuit>>& circuits) {
   if (!circuit.loaded())
     throw std::invalid_argument("there is no load: nothing for errors of components to change");
   const NetworkProblems problems = circuit_loads(circuit);
   PartsList result{.wanted = {.target = target}, .loads = problems.size()};
   result.series = circuit.tolerance().series.value_or(Series::e96);
   std::vector<Offer> offers;
-  offers.reserve(forms.size());
-  for (const CircuitForm& one : forms) offers.push_back(priced(one, circuit, problems, result));
+  offers.reserve(circuits.size());
+  const double balance = circuit.tolerance().balance.value_or(0.0);
+  for (const auto& one : circuits) offers.push_back(priced(one, problems, result, balance));
   std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
     return a.candidate.good() != b.candidate.good() ? a.candidate.good()
                                                     : a.candidate.price < b.candidate.price;
@@ -240,8 +282,29 @@ PartsList list_of(const SceneCircuit& circuit, double target,
 
 }  // namespace
 
+std::pair<double, double> PartsList::Candidate::interval() const noexcept {
+  if (builds == 0) return {0.0, 1.0};
+  constexpr double z = 1.96;
+  const auto n = static_cast<double>(builds);
+  const double share = static_cast<double>(within) / n;
+  const double middle = (share + 0.5 * z * z / n) / (1.0 + z * z / n);
+  const double half =
+      z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + 0.25 * z * z / (n * n));
+  return {std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
+}
+
+bool PartsList::opamps_too_coarse() const noexcept {
+  bool any = false;
+  for (const Candidate& one : candidates) {
+    if (!one.stable()) continue;
+    any = true;
+    if (one.opamps_p95 <= wanted.target) return false;
+  }
+  return any;
+}
+
 PartsList parts_list(const SceneCircuit& circuit, double target) {
-  return list_of(circuit, target, candidates(circuit));
+  return list_of(circuit, target, circuit.candidates());
 }
 
 PartsList own_parts_list(const SceneCircuit& circuit, double target) {
@@ -254,7 +317,9 @@ PartsList own_parts_list(const SceneCircuit& circuit, double target) {
     throw std::invalid_argument(
         "a list of parts is of op-amps with complementary outputs: leave out inverters under "
         "[network]");
-  return list_of(circuit, target, {form_of(circuit.network())});
+  const std::shared_ptr<const NetworkCircuit> not_owned(std::shared_ptr<void>(),
+                                                        &circuit.network());
+  return list_of(circuit, target, {not_owned});
 }
 
 }  // namespace tactile_net::lab

@@ -27,8 +27,8 @@ bool is_fathomable(const Findings& by_scene) {
 }  // namespace
 
 std::optional<double> RecordingClock::rate() const noexcept {
-  if (timed < 2 || !(last > first)) return std::nullopt;
-  return static_cast<double>(timed - 1) / (last - first);
+  if (!in_seconds || timed < 2 || !(forwards > 0.0)) return std::nullopt;
+  return static_cast<double>(timed - 1 - backwards) / forwards;
 }
 
 struct ReadingsChecker::Parts {
@@ -38,13 +38,21 @@ struct ReadingsChecker::Parts {
         weights(reading_weights(sensor)),
         tracks(sensor.layout.readings.size()),
         spikes(sensor.layout, weights),
-        triples(most_groups_of(tracks.size())) {}
+        codes(sensor.layout),
+        living(tracks.size(), true),
+        triples(most_groups_of(tracks.size())) {
+    for (std::size_t i = 0; i < living.size(); ++i)
+      living[i] = std::find(sensor.dead_taxels.begin(), sensor.dead_taxels.end(),
+                            sensor.layout.readings[i].taxel) == sensor.dead_taxels.end();
+  }
 
   AnyScene scene;
   CheckedSensor sensor;
   std::vector<double> weights;  // per reading
   std::vector<ReadingTrack> tracks;
   SpikeTrack spikes;
+  CodeTrack codes;
+  std::vector<bool> living;  // per reading: the scene does not call its taxel dead
   FrameTriples triples;
   ClockTrack clock;
   std::size_t frames = 0;
@@ -88,17 +96,21 @@ void ReadingsChecker::add(std::optional<double> time, std::span<const double> re
     p.peak_frame = p.frames;
   }
   p.spikes.add(readings);
+  p.codes.add(std::visit([&](const auto& scene) { return raw_numbers(scene, readings); }, p.scene),
+              p.living);
   p.triples.add(readings);
   ++p.frames;
 }
+
+void ReadingsChecker::times_without_unit() { parts_->clock.without_unit(); }
 
 void ReadingsChecker::Parts::say_frames(ReadingsCheck& check) const {
   Findings& findings = check.findings;
   check.clock = clock.clock();
   if (frames == 0) findings.emplace_back(finding::NoFrames{});
   if (check.clock.backwards > 0)
-    findings.emplace_back(
-        finding::TimeBackwards{check.clock.backwards, check.clock.first_backwards});
+    findings.emplace_back(finding::TimeBackwards{check.clock.backwards, check.clock.first_backwards,
+                                                 check.clock.rollovers});
   if (check.clock.repeats > 0)
     findings.emplace_back(finding::TimeRepeats{check.clock.repeats, check.clock.first_repeat});
   // Readings that are quantised coarsely, or without noise, repeat for good.
@@ -150,6 +162,11 @@ ReadingsCheck ReadingsChecker::Parts::judged(Observer* of_loads) const {
   const Findings by_scene = std::visit([](const auto& one) { return scene_findings(one); }, scene);
 
   check.sampled = evidence.triples.size();
+  if (is_fathomable(by_scene)) {
+    const std::size_t before = check.findings.size();
+    judge_codes(evidence, codes, scene, check.findings);
+    if (check.findings.size() > before) return check;  // noise, rest and loads are those of codes
+  }
   const StillNoise noise = judge_taxels(evidence, check.findings);
   check.still = noise.known() ? noise.still.size() : 0;
   if (std::find(evidence.living.begin(), evidence.living.end(), true) != evidence.living.end()) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lab/circuit_candidates.hpp"
-
 namespace tactile_net::lab {
 namespace {
 
@@ -20,16 +18,16 @@ bool of_parts_alone(const ToleranceOptions& drawn) {
 
 Recommendation::Candidate tried(const NetworkCircuit& circuit, const ToleranceOptions& options) {
   return {.realization = circuit.realization(),
-          .ladder = form_of(circuit).ladder,
+          .ladder = has_ladder(circuit.realization(), circuit.options()),
           .opamps = circuit.flat().amplifiers().size(),
-          .stable = is_stable_with_its_opamps(circuit),
-          .tolerance = tolerate(circuit.reduction(), options)};
+          .stability = stability_of(circuit),
+          .tolerance = tolerate(circuit, options)};
 }
 
 void choose(Recommendation& result) {
   const auto& all = result.candidates;
   const auto good = std::find_if(all.begin(), all.end(), [](const auto& candidate) {
-    return candidate.stable && candidate.tolerance.yield() >= wanted_yield;
+    return candidate.stable() && candidate.tolerance.yield() >= wanted_yield;
   });
   if (good != all.end()) {
     result.outcome = Recommendation::Outcome::reached;
@@ -37,8 +35,12 @@ void choose(Recommendation& result) {
     return;
   }
   const auto nearest = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.stable != b.stable ? a.stable : a.tolerance.p95 < b.tolerance.p95;
+    return a.stable() != b.stable() ? a.stable() : a.tolerance.p95 < b.tolerance.p95;
   });
+  if (nearest == all.end() || !nearest->stable()) {
+    result.outcome = Recommendation::Outcome::none_stable;
+    return;
+  }
   result.outcome = Recommendation::Outcome::none_reaches;
   result.choice = static_cast<std::size_t>(nearest - all.begin());
   if (result.drawn.relative && of_parts_alone(result.drawn) &&
@@ -53,14 +55,9 @@ Recommendation recommend(const SceneCircuit& circuit) {
                         .inverters_replaced = circuit.options().parts.inverters};
   if (!circuit.loaded()) return result;
   result.drawn.trials = std::min(result.drawn.trials, enough_draws(circuit.nodes()));
-  const NetworkCircuit& own = circuit.network();
-  for (const CircuitForm& one : candidates(circuit)) {
-    if (!of_parts_alone(result.drawn) && !traits(one.realization).drives_nodes) continue;
-    const bool built = one.realization == own.realization() && one.ladder == form_of(own).ladder &&
-                       !result.inverters_replaced;
-    result.candidates.push_back(built ? tried(own, result.drawn)
-                                      : tried(candidate(one, circuit), result.drawn));
-  }
+  for (const auto& one : circuit.candidates())
+    if (of_parts_alone(result.drawn) || traits(one->realization()).drives_nodes)
+      result.candidates.push_back(tried(*one, result.drawn));
   std::stable_sort(
       result.candidates.begin(), result.candidates.end(), [](const auto& a, const auto& b) {
         return a.opamps != b.opamps ? a.opamps < b.opamps : a.tolerance.p95 < b.tolerance.p95;

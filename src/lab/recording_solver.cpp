@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "lab/border.hpp"
+#include "lab/lines_and_skins.hpp"
 #include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/scene/clipped_taxels.hpp"
 
@@ -13,6 +15,7 @@ namespace tactile_net::lab {
 RecordingSolver::RecordingSolver(SceneProblem problem, Method method,
                                  RecordingSolverOptions options)
     : problem_(std::move(problem)),
+      method_(method),
       sites_(SignalLayout(problem_.scene().sensor).readings),
       missing_(options.missing),
       solver_(options.share_alpha ? make_sharing_solver(problem_, method, *options.share_alpha)
@@ -55,10 +58,17 @@ std::optional<FrameResult> RecordingSolver::solve(std::span<double> readings,
   }
   if (result->status != FrameStatus::ok) return result;
 
+  if (traits(method_).has_bands && is_cut_off(this->problem(), readings, tractions, *result)) {
+    result->verdict = Verdict::cut_off;
+    result->remarks.emplace_back(remark::LowerBound{});
+  }
   if (!clipped.taxels.empty()) {
     result->verdict = Verdict::clipped;
-    result->remarks.emplace_back(remark::Clipped{
-        .taxels = clipped.taxels, .range_known = clipped.range_known, .left_out = left_out});
+    result->remarks.emplace_back(
+        remark::Clipped{.taxels = clipped.taxels,
+                        .names = taxel_names(this->problem().scene().sensor, clipped.taxels),
+                        .range_known = clipped.range_known,
+                        .left_out = left_out});
   }
   const bool incomplete = misses || left_out;
   was_incomplete_ = incomplete;

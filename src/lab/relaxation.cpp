@@ -64,8 +64,8 @@ void replay(const SceneCircuit& circuit, Simulator& simulator, ToleranceStudy& s
 
 void draw_components(const SceneCircuit& circuit, Simulator& simulator, Relaxation& result) {
   const ToleranceOptions& options = *circuit.options().tolerance;
-  result.tolerance = ToleranceStudy{.options = options,
-                                    .result = tolerate(circuit.network().reduction(), options)};
+  result.tolerance =
+      ToleranceStudy{.options = options, .result = tolerate(circuit.network(), options)};
   replay(circuit, simulator, *result.tolerance);
 }
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lab/border.hpp"
 #include "lab/lines_and_skins.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/data_verdict.hpp"
@@ -113,15 +114,20 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     degrade(result, Verdict::ill_conditioned);
     result.remarks.emplace_back(remark::Rounding{*result.error_bound});
   }
+  if (is_cut_off(run.problem, run.frame.readings(), f, {.verdict = result.verdict})) {
+    degrade(result, Verdict::cut_off);
+    result.remarks.emplace_back(remark::LowerBound{});
+  }
   if (const auto weight = run.frame.estimated_weight())
     result.remarks.emplace_back(remark::EstimatedWeight{*weight});
   if (run.problem.options().unknown_offsets) {
     result.offsets = offsets(run.problem.problem(), run.frame.readings(), f);
-    result.remarks.emplace_back(offsets_found(result.offsets, run.problem.scene().sensor));
+    result.remarks.emplace_back(offsets_found(result.offsets, run.problem.scene()));
   }
   if (const auto off = model_error(bands)) result.remarks.emplace_back(*off);
   result.data = data_verdict(run.problem, run.frame.readings(), f);
-  if (!result.data->consistent()) result.remarks.emplace_back(remark::DataDoubted{*result.data});
+  if (result.data && !result.data->consistent())
+    result.remarks.emplace_back(data_doubted(*result.data, run.problem.scene()));
   if (work.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
     result.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
 }
@@ -213,6 +219,7 @@ remark::Clipped clipped_in(const SceneProblem& problem, std::span<const double> 
   ProblemOptions rest = problem.options();
   rest.dead_taxels.insert(rest.dead_taxels.end(), found.taxels.begin(), found.taxels.end());
   return {.taxels = found.taxels,
+          .names = taxel_names(scene.sensor, found.taxels),
           .range_known = found.range_known,
           .left_out = found.range_known && !found.taxels.empty() && !problem.is_large() &&
                       is_measured(scene.sensor, rest)};

@@ -72,6 +72,8 @@ double unit_of_repair(CircuitRemark::Kind kind, const ScaleUnits& units) {
     case Kind::not_for_sale:
       return units.siemens.to_si(1.0);
     case Kind::capacitance_at_outputs:
+    case Kind::loaded_outputs:
+    case Kind::outputs_without_load:
     case Kind::capacitance_at_one_frequency:
     case Kind::divider_rings:
     case Kind::beyond_digits:
@@ -121,9 +123,10 @@ SceneCircuit::SceneCircuit(const std::shared_ptr<const CircuitSource>& source,
     : source_(checked(source)),
       alpha_(alpha),
       options_(scaled()),
-      network_(options().realization,
-               std::make_shared<const NetworkProblem>(source_->problem(alpha.value)),
-               options().parts) {}
+      network_(std::make_shared<const NetworkCircuit>(
+          options().realization,
+          std::make_shared<const NetworkProblem>(source_->problem(alpha.value)), options().parts)) {
+}
 
 const std::string& SceneCircuit::file() const noexcept {
   if (const auto* line = std::get_if<Scene>(&scene())) return line->file;
@@ -145,7 +148,7 @@ NetworkOptions SceneCircuit::scaled() const {
 }
 
 bool SceneCircuit::loaded() const noexcept {
-  const std::vector<double>& b = network_.problem().right_side;
+  const std::vector<double>& b = network_->problem().right_side;
   return std::any_of(b.begin(), b.end(), [](double value) { return value != 0.0; });
 }
 
@@ -154,15 +157,15 @@ const std::vector<double>& SceneCircuit::direct() const {
 }
 
 Condition SceneCircuit::condition() const {
-  const double smallest = network_.eigenvalues().smallest;
-  return {smallest > 0.0 ? row_sum_norm(network_.problem().matrix) / smallest
+  const double smallest = network_->eigenvalues().smallest;
+  return {smallest > 0.0 ? row_sum_norm(network_->problem().matrix) / smallest
                          : std::numeric_limits<double>::infinity(),
           Condition::Kind::bound, Condition::Matrix::normal};
 }
 
 const ExplainedDifference& SceneCircuit::explained() const {
   return explained_.get([&] {
-    const RealizationTraits& realization = traits(network_.realization());
+    const RealizationTraits& realization = traits(network_->realization());
     // Rounding of P's entries and of the simulator's elimination, both multiplied by the condition.
     ExplainedDifference result{
         .limit = realization.rounding +
@@ -178,7 +181,7 @@ const std::optional<SceneCircuit::Ordered>& SceneCircuit::ordered() const {
   return ordered_.get([&]() -> std::optional<Ordered> {
     if (!options_.tolerance || !options_.tolerance->series) return std::nullopt;
     const Series series = *options_.tolerance->series;
-    Ordered result{.series = series, .circuit = with_parts_of(series, network_.circuit())};
+    Ordered result{.series = series, .circuit = with_parts_of(series, network_->circuit())};
     if (std::holds_alternative<DirectCurrent>(analysis()) && loaded())
       result.moved = difference_at_rest(*this, FlatCircuit(result.circuit));
     return result;
@@ -187,7 +190,8 @@ const std::optional<SceneCircuit::Ordered>& SceneCircuit::ordered() const {
 
 const Certificate& SceneCircuit::certificate() const {
   return certificate_.get([&] {
-    Certificate result = tactile_net::certify(network_, options().settling_accuracy.value_or(1e-3));
+    Certificate result =
+        tactile_net::certify(*network_, options().settling_accuracy.value_or(1e-3));
     const ScaleUnits units = std::visit([](const auto& one) { return scale_units(one); }, scene());
     for (CircuitRemark& remark : result.remarks) remark.unit = unit_of_repair(remark.kind, units);
     return result;
@@ -195,7 +199,7 @@ const Certificate& SceneCircuit::certificate() const {
 }
 
 Analysis SceneCircuit::analysis() const {
-  if (traits(network_.realization()).parts == RealizationTraits::Parts::lossless)
+  if (traits(network_->realization()).parts == RealizationTraits::Parts::lossless)
     return SingleFrequency{options().parts.frequency};
   return DirectCurrent{};
 }

@@ -177,9 +177,7 @@ const AlphaTables& SceneProblem::alpha_tables(const FilterFrame& frame) const {
 
 AlphaRule SceneProblem::alpha_rule(const FilterFrame& frame) const {
   if (const auto named = parts_->scene.reconstruct.alpha_rule) return *named;
-  const AlphaTables& tables = alpha_tables(frame);
-  if (surface().basis == SurfaceBasis::taxels && !tables.few_rows()) return AlphaRule::rgcv;
-  return default_rule(tables, stated_noise().has_value());
+  return default_rule(alpha_tables(frame), stated_noise().has_value());
 }
 
 const ModeSpace& SceneProblem::hidden() const {
@@ -349,9 +347,9 @@ double SceneFrame::residual(std::span<const double> tractions) const {
 
 const AlphaChoice& SceneFrame::prior() const {
   if (!prior_) {
-    const bool known = problem_.alpha_rule(analysed()) == AlphaRule::evidence;
-    prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()),
-                          known ? AlphaRule::evidence : AlphaRule::gml, problem_.stated_noise());
+    const bool known = problem_.stated_noise().has_value();
+    prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()), prior_rule(known),
+                          problem_.stated_noise());
     // Not even the weakest component shows any noise: there is none to size a prior by.
     const std::vector<double>& gamma = analysed().gamma;
     const double weakest = *std::min_element(gamma.begin(), gamma.end());

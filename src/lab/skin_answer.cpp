@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lab/border.hpp"
 #include "lab/large_skin.hpp"
 #include "lab/lines_and_skins.hpp"
 #include "lab/skin_bands.hpp"
@@ -22,9 +23,10 @@ namespace {
 ChosenAlpha alpha_of(const SkinSceneProblem& problem, const FilterFrame& frame,
                      const SkinAlphaChooser& choose) {
   if (const auto& given = problem.scene().reconstruct.alpha) return {.value = *given};
-  const AlphaChoice choice = choose ? choose(frame)
-                                    : choose_alone(frame, problem.alpha_tables(frame),
-                                                   problem.alpha_rule(), problem.stated_noise());
+  const AlphaChoice choice = choose
+                                 ? choose(frame)
+                                 : choose_alone(frame, problem.alpha_tables(frame),
+                                                problem.alpha_rule(frame), problem.stated_noise());
   const double alpha =
       problem.constraints() ? constrained_alpha(choice.rule, choice.alpha) : choice.alpha;
   return {.value = alpha, .rule = choice.rule, .verdict = choice.verdict};
@@ -71,7 +73,7 @@ void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod
   if (!problem.is_large())  // of which they are known
     answer.offsets = offsets(problem.problem(), readings, answer.tractions);
   if (!answer.offsets.empty())
-    answer.remarks.emplace_back(offsets_found(answer.offsets, problem.scene().sensor));
+    answer.remarks.emplace_back(offsets_found(answer.offsets, problem.scene()));
   if (answer.noise.model_rms > 0.0)
     answer.remarks.emplace_back(remark::ModelError{
         .times = answer.noise.model_rms / *answer.noise.stated_rms, .held = true});
@@ -115,6 +117,7 @@ bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> 
   return false;
 }
 
+constexpr double most_assumed = 0.7;
 constexpr double too_far_apart = 2.001;  // taxels, in depths: no deviation holds what is between
 
 /// That force's verdict which says most of it.
@@ -122,11 +125,19 @@ void judge_force(SkinAnswer& answer, const SkinSceneProblem& problem,
                  std::span<const double> readings) {
   const bool solved =
       answer.verdict != Verdict::iteration_limit && answer.verdict != Verdict::ill_conditioned;
-  const bool guessed =
-      answer.unseen > most_guessed || (answer.cells.empty() && answer.verdict != Verdict::ok &&
-                                       strongest_at_edge(problem, readings, answer.noise.rms()));
+  const std::span<const double> pressure =
+      std::span(answer.tractions).first(problem.grid().count());
+  // A verdict that is ok says that the readings are explained, and not noise.
+  const bool bounded =
+      answer.verdict == Verdict::ok && presses_at_border(pressure, problem.border());
+  if (bounded) answer.remarks.emplace_back(remark::LowerBound{});
+  const bool guessed = bounded || answer.unseen > most_guessed ||
+                       (answer.cells.empty() && answer.verdict != Verdict::ok &&
+                        strongest_at_edge(problem, readings, answer.noise.rms()));
   if (guessed && solved)
     answer.verdict = Verdict::cut_off;
+  else if (answer.verdict == Verdict::ok && answer.assumed > most_assumed)
+    answer.verdict = Verdict::undetermined;
   else if (answer.verdict == Verdict::ok &&
            answer.wrench.normal.deviation >
                largest_force(problem, without_offsets(problem, readings, answer.tractions)))
@@ -184,7 +195,8 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
   if (problem.is_large() && !answer.iteration) answer.iteration = SkinAnswer::Iteration{};
   judge(answer, problem, *method, frame, readings);
   answer.data = data_verdict(problem, readings, answer.tractions);
-  if (!answer.data.consistent()) answer.remarks.emplace_back(remark::DataDoubted{answer.data});
+  if (!answer.data.consistent())
+    answer.remarks.emplace_back(with_names(answer.data, problem.scene()));
   add_bands(answer, problem, *method, frame, face, readings);
   if (answer.unseen > most_unseen && !problem.scene().reconstruct.grid.margin)
     take_from_beyond(answer, solve_as_read(problem.reaching_beyond(), readings, {}));
@@ -219,11 +231,13 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
   std::sort(dead.begin(), dead.end());
   const bool left_out =
       clipped.range_known && is_measured(scene.sensor, dead, scene.reconstruct.offset);
-  SkinAnswer answer = left_out ? solve_as_read(problem.left_with(dead), readings, {})
+  SkinAnswer answer = left_out ? solve_as_read(*problem.left_with(dead), readings, {})
                                : solve_as_read(problem, readings, choose);
   answer.verdict = Verdict::clipped;
-  answer.remarks.emplace_back(remark::Clipped{
-      .taxels = clipped.taxels, .range_known = clipped.range_known, .left_out = left_out});
+  answer.remarks.emplace_back(remark::Clipped{.taxels = clipped.taxels,
+                                              .names = taxel_names(scene.sensor, clipped.taxels),
+                                              .range_known = clipped.range_known,
+                                              .left_out = left_out});
   return answer;
 }
 

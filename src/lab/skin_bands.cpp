@@ -1,25 +1,29 @@
 #include "lab/skin_bands.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "lab/large_skin.hpp"
 #include "lab/skin_constraint_bias.hpp"
+#include "numeric/robust.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/skin/covariance.hpp"
+#include "tactile_net/skin/stabiliser.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-/// Of the prior that sizes the bands: gml's alpha, or where that has no verdict the tractions' own.
-AlphaChoice prior_of(const FilterFrame& frame, const AlphaTables& tables, AlphaRule rule,
-                     double alpha, std::optional<double> stated) {
-  AlphaChoice prior = choose_alone(
-      frame, tables, rule == AlphaRule::evidence ? AlphaRule::evidence : AlphaRule::gml, stated);
+/// Of the prior that sizes the bands, or where its rule has no verdict the tractions' own.
+AlphaChoice prior_of(const FilterFrame& frame, const AlphaTables& tables, double alpha,
+                     std::optional<double> stated) {
+  AlphaChoice prior = choose_alone(frame, tables, prior_rule(stated.has_value()), stated);
   if (prior.verdict != AlphaVerdict::ok) prior.alpha = alpha;
   return prior;
 }
@@ -45,6 +49,14 @@ WindowBands windows_of(const SkinSceneProblem& problem, const CellCovariance& co
   bands.deviations = covariance.window_deviations(grid, bands.window);
   for (double& deviation : bands.deviations) deviation *= rms;
   return bands;
+}
+
+/// The deviation of what presses in some cells, over the one that it had before the readings.
+double assumed_share(const SkinSceneProblem& problem, const Covariance& covariance, double prior,
+                     std::span<const std::size_t> cells) {
+  std::vector<double> sum(problem.tractions());
+  for (const std::size_t cell : cells) sum[cell] = 1.0;
+  return covariance.deviation(sum) / prior_deviation(problem.layout(), sum, prior);
 }
 
 double sum_over(std::span<const double> tractions, std::span<const std::size_t> cells) {
@@ -149,6 +161,54 @@ void doubt_force(SkinAnswer& answer, double doubt) {
   ratio.deviation = std::hypot(ratio.deviation, ratio.value * (doubt / force.value));
 }
 
+/// What stands out of the map beside the contact's cells, and these leave out: a contact that is
+/// weak for the strongest one. It may be there, or not: every sum's deviation holds it.
+void doubt_what_is_left_out(UncertainWrench& wrench, const SkinGrid& grid,
+                            std::span<const double> tractions, std::span<const std::size_t> cells,
+                            const std::vector<bool>& unseen) {
+  constexpr double quiet_share = 0.9;  // of the cells beside the contact
+  constexpr double outstanding = 1.5;  // times what these have at most
+  std::vector<bool> beside(unseen.size());
+  for (std::size_t cell = 0; cell < beside.size(); ++cell) beside[cell] = !unseen[cell];
+  for (const std::size_t cell : cells) beside[cell] = false;
+  std::vector<double> sizes;
+  for (std::size_t cell = 0; cell < beside.size(); ++cell)
+    if (beside[cell]) sizes.push_back(std::abs(tractions[cell]));
+  if (sizes.empty()) return;
+  const double least = outstanding * quantile(std::move(sizes), quiet_share);
+  // What adjoins the contact is its own rim.
+  std::vector<bool> standing_out(beside.size());
+  for (std::size_t cell = 0; cell < beside.size(); ++cell)
+    standing_out[cell] = beside[cell] && tractions[cell] > least;
+  for (const std::size_t cell : with_neighbours(grid, cells)) standing_out[cell] = false;
+  std::vector<std::size_t> left_out;
+  for (std::size_t cell = 0; cell < standing_out.size(); ++cell)
+    if (standing_out[cell]) left_out.push_back(cell);
+  if (left_out.empty()) return;
+  const auto widen = [&](std::size_t at, std::optional<Uncertain>& sum, double doubt) {
+    if (!sum) return;
+    sum->deviation = std::hypot(sum->deviation, doubt);
+    wrench.covariance[7 * at] += doubt * doubt;
+  };
+  // Moments about the centre that was found, over its force.
+  double normal = 0.0, y = 0.0, z = 0.0;
+  std::array<double, 2> drags{};
+  for (const std::size_t cell : left_out) {
+    const double force = grid.area() * tractions[cell];
+    normal += force;
+    if (wrench.centre_y) y += force * (grid.y(cell / grid.columns) - wrench.centre_y->value);
+    if (wrench.centre_z) z += force * (grid.z(cell % grid.columns) - wrench.centre_z->value);
+    for (std::size_t u = 0; u < drags.size() && wrench.tangential_y; ++u)
+      drags[u] += grid.area() * tractions[(u + 1) * grid.count() + cell];
+  }
+  wrench.normal.deviation = std::hypot(wrench.normal.deviation, normal);
+  wrench.covariance[0] += normal * normal;
+  widen(1, wrench.tangential_y, drags[0]);
+  widen(2, wrench.tangential_z, drags[1]);
+  widen(3, wrench.centre_y, y / wrench.normal.value);
+  widen(4, wrench.centre_z, z / wrench.normal.value);
+}
+
 /// Where constraints leave a single row or column of cells, its place is what they have decided,
 /// not what the readings tell: the deviations are those of the cells beside it too, without
 /// constraints, and of a place anywhere in the width of a cell.
@@ -187,9 +247,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const double alpha = answer.alpha.value;
   // An error of the model counts for noise.
   const double rms = answer.noise.model_rms > 0.0 ? answer.noise.residual_rms : answer.noise.rms();
-  const AlphaRule rule = problem.alpha_rule();
   const double prior =
-      prior_of(frame, problem.alpha_tables(frame), rule, alpha, problem.stated_noise()).alpha;
+      prior_of(frame, problem.alpha_tables(frame), alpha, problem.stated_noise()).alpha;
   const std::unique_ptr<const CellCovariance> free = method.covariance(alpha, prior);
   const CellCovariance& own = *free;
   answer.deviations = own.deviations();
@@ -199,7 +258,7 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
 
   const auto prior_on_face = [&](const FilterFrame& left) {
     const AlphaTables tables(left.gamma, left.rows, left.shares);
-    return prior_of(left, tables, rule, alpha, problem.stated_noise()).alpha;
+    return prior_of(left, tables, alpha, problem.stated_noise()).alpha;
   };
   const auto covariance_on = [&](const SkinFamily& some) {
     return SkinCovariance(some, alpha, prior_on_face(some.analyse(readings)));
@@ -237,14 +296,16 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
     // What no cell is certain of may press beside the taxels that see.
     widen_centre(answer.wrench, grid, f, summed, own, rms);
     if (is_felt(answer.wrench.normal)) answer.unseen = unseen_share(f, summed, problem.unseen());
+    answer.assumed = assumed_share(problem, own, prior, summed);
     return;
   }
   answer.unseen = unseen_share(f, answer.cells, problem.unseen());
   const bool seen = answer.unseen <= most_unseen;
   // Where no taxel sees, what constraints hold is not certain either.
-  const std::unique_ptr<const Covariance> of_support =
-      method.covariance(alpha, contact_prior(prior, answer.cells.size(), grid.count(), seen));
+  const double prior_of_contact = contact_prior(prior, answer.cells.size(), grid.count(), seen);
+  const std::unique_ptr<const Covariance> of_support = method.covariance(alpha, prior_of_contact);
   const Covariance& of_contact = *of_support;
+  answer.assumed = assumed_share(problem, of_contact, prior_of_contact, answer.cells);
   // Nor between taxels that lie far apart, where they decide how much presses.
   const bool held = seen && pitch_in_depths(problem.scene().sensor) <= far_apart;
   // Friction's limit holds a contact together; where nothing but pulling is forbidden its rim is
@@ -279,6 +340,7 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
     contact[cell] = (1.0 - bias) * contact[cell] - pushed.taken;
   answer.wrench = resultant_of(grid, contact, answer.cells, known, rms);
   widen_centre(answer.wrench, grid, f, answer.cells, of_contact, rms);
+  doubt_what_is_left_out(answer.wrench, grid, f, answer.cells, problem.unseen());
   answer.friction = friction_of(grid, contact, answer.cells, known, rms,
                                 problem.scene().reconstruct.friction_limit);
   // The contact found is smoother than the true one, and so is what it loses the second time.

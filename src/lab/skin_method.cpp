@@ -30,7 +30,7 @@ class DenseMethod final : public SkinMethod {
   }
   [[nodiscard]] SkinConeSolution solve_in_cones(std::span<const double> readings,
                                                 double alpha) const override {
-    return problem_.cone(alpha).solve(readings);
+    return problem_.cone(alpha)->solve(readings);
   }
   [[nodiscard]] std::unique_ptr<const CellCovariance> covariance(
       double alpha, double prior_alpha) const override {

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "lab/border.hpp"
 #include "lab/large_skin.hpp"
 #include "lab/lines_and_skins.hpp"
 #include "lab/pattern_cache.hpp"
@@ -56,6 +56,42 @@ bool is_too_large(const SkinScene& scene, std::size_t most_dense) noexcept {
   }
 }
 
+/// What the frames of one key need, lent to all that ask for it at the same time. As many keys are
+/// kept as were lent at once: one where frames come one after the other, whichever threads they
+/// come from.
+template <typename Key, typename Made>
+class Lent {
+ public:
+  /// Of this key; `make` gives it where it is not kept. Several threads may ask.
+  std::shared_ptr<const Made> operator()(const Key& key, const auto& make) {
+    if (auto kept = find(key)) return kept;
+    const auto made = std::make_shared<const Made>(make());  // takes long: others go on meanwhile
+    const std::lock_guard lock(mutex_);
+    if (auto kept = find_locked(key)) return kept;  // of a thread that was faster
+    const auto idle = std::find_if(kept_.begin(), kept_.end(),
+                                   [](const auto& one) { return one.second.use_count() == 1; });
+    if (idle != kept_.end()) kept_.erase(idle);
+    kept_.emplace_back(key, made);
+    return made;
+  }
+
+ private:
+  std::shared_ptr<const Made> find(const Key& key) {
+    const std::lock_guard lock(mutex_);
+    return find_locked(key);
+  }
+  std::shared_ptr<const Made> find_locked(const Key& key) {
+    const auto found =
+        std::find_if(kept_.begin(), kept_.end(), [&](const auto& one) { return one.first == key; });
+    if (found == kept_.end()) return nullptr;
+    std::rotate(found, found + 1, kept_.end());
+    return kept_.back().second;
+  }
+
+  std::mutex mutex_{};
+  std::vector<std::pair<Key, std::shared_ptr<const Made>>> kept_{};  // the last one asked for: last
+};
+
 }  // namespace
 
 struct SkinSceneProblem::Parts {
@@ -75,21 +111,14 @@ struct SkinSceneProblem::Parts {
   std::optional<AlphaTables> alpha_tables{};
   std::optional<SkinDataJudge> data_judge{};
   std::optional<std::vector<bool>> unseen{};
+  std::optional<std::vector<std::size_t>> border{};
   std::optional<SkinSceneProblem> beyond{};
   std::optional<PatternCache<SkinSceneProblem, double>> weighed{};  // by tangential weight
 
   std::optional<SkinCone> any_cone{};  // whose alpha does not matter: cones of others come from it
 
-  /// What only the last frame's is kept of: each thread's own, which no other takes away from it.
-  struct OfThread {
-    std::optional<std::pair<double, SkinCone>> cone{};  // of its alpha
-    std::optional<std::pair<std::vector<std::size_t>, SkinSceneProblem>> rest{};
-  };
-  std::map<std::thread::id, OfThread> of_threads{};
-  [[nodiscard]] OfThread& of_this_thread() {
-    const std::lock_guard lock(mutex);
-    return of_threads[std::this_thread::get_id()];
-  }
+  Lent<double, SkinCone> cones{};                            // by alpha
+  Lent<std::vector<std::size_t>, SkinSceneProblem> rests{};  // by the taxels that are left out
 
   /// What all frames share is made under it, from what is made under it.
   std::recursive_mutex mutex{};
@@ -164,18 +193,17 @@ const std::optional<Constraints>& SkinSceneProblem::constraints() const noexcept
   return parts_->constraints;
 }
 
-AlphaRule SkinSceneProblem::alpha_rule() const {
+AlphaRule SkinSceneProblem::alpha_rule(const FilterFrame& frame) const {
   if (const auto named = parts_->scene.reconstruct.alpha_rule) return *named;
-  // Cells are finer than taxels: what the rules without a noise see of little of it is no noise,
-  // but loads that no cell can hold, and all but aicc then choose no smoothing at all.
-  return stated_noise() ? AlphaRule::evidence : AlphaRule::aicc;
+  return default_rule(alpha_tables(frame), stated_noise().has_value());
 }
 
 ChosenAlpha SkinSceneProblem::alpha(std::span<const double> readings) const {
   if (const auto& given = parts_->scene.reconstruct.alpha) return {.value = *given};
   const FilterFrame frame =
       is_large() ? large().family().analyse(readings) : family().analyse(readings);
-  const AlphaChoice choice = choose_alone(frame, alpha_tables(frame), alpha_rule(), stated_noise());
+  const AlphaChoice choice =
+      choose_alone(frame, alpha_tables(frame), alpha_rule(frame), stated_noise());
   return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
 }
 
@@ -225,18 +253,16 @@ std::size_t SkinSceneProblem::bytes() const {
   return sizeof(double) * (matrices * rows * columns + numbers_of_rules * std::min(rows, columns));
 }
 
-const SkinCone& SkinSceneProblem::cone(double alpha) const {
-  auto& made = parts_->of_this_thread().cone;
-  if (!made || made->first != alpha) {
+std::shared_ptr<const SkinCone> SkinSceneProblem::cone(double alpha) const {
+  return parts_->cones(alpha, [&] {
     const SkinCone& any = [&]() -> const SkinCone& {
       const std::lock_guard lock(parts_->mutex);
       if (!parts_->any_cone)
         parts_->any_cone.emplace(SkinCone(problem(), alpha, *parts_->constraints));
       return *parts_->any_cone;
     }();
-    made.emplace(alpha, any.with_alpha(alpha));
-  }
-  return made->second;
+    return any.with_alpha(alpha);
+  });
 }
 
 const SkinDataJudge& SkinSceneProblem::data_judge() const {
@@ -249,6 +275,13 @@ const std::vector<bool>& SkinSceneProblem::unseen() const {
   const std::lock_guard lock(parts_->mutex);
   if (!parts_->unseen) parts_->unseen = unseen_cells(*this);
   return *parts_->unseen;
+}
+
+const std::vector<std::size_t>& SkinSceneProblem::border() const {
+  const std::vector<bool>& unseen = this->unseen();
+  const std::lock_guard lock(parts_->mutex);
+  if (!parts_->border) parts_->border = border_cells(*this, unseen);
+  return *parts_->border;
 }
 
 const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
@@ -287,10 +320,9 @@ SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) 
   return rest;
 }
 
-const SkinSceneProblem& SkinSceneProblem::left_with(const std::vector<std::size_t>& taxels) const {
-  auto& made = parts_->of_this_thread().rest;
-  if (!made || made->first != taxels) made.emplace(taxels, without(taxels));
-  return made->second;
+std::shared_ptr<const SkinSceneProblem> SkinSceneProblem::left_with(
+    const std::vector<std::size_t>& taxels) const {
+  return parts_->rests(taxels, [&] { return without(taxels); });
 }
 
 }  // namespace tactile_net::lab

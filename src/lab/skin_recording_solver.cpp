@@ -30,8 +30,8 @@ struct SkinRecordingSolver::Parts {
     if (!options.share_alpha) return lab::solve(problem, readings);
     return lab::solve(problem, readings, [&](const FilterFrame& frame) {
       if (!shared)
-        shared.emplace(AlphaTables(frame.gamma, frame.rows, frame.shares), problem.alpha_rule(),
-                       *options.share_alpha, problem.stated_noise());
+        shared.emplace(AlphaTables(frame.gamma, frame.rows, frame.shares),
+                       problem.alpha_rule(frame), *options.share_alpha, problem.stated_noise());
       return shared->push(frame);
     });
   }

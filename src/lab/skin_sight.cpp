@@ -55,15 +55,17 @@ bool is_surrounded(double y, double z, const SkinProblem& problem) {
 
 }  // namespace
 
-std::vector<bool> unseen_cells(const SkinSceneProblem& problem) {
-  const SkinArray& skin = problem.scene().sensor;
-  const SkinGrid& grid = problem.grid();
-  const std::vector<SkinSite> all = sites(skin);
+double sight_of(const SkinArray& skin) {
   // A row of taxels has no pitch across it.
   const double pitch = is_even(skin) ? std::max(skin.rows > 1 ? skin.pitch_y : 0.0,
                                                 skin.columns > 1 ? skin.pitch_z : 0.0)
-                                     : std::max(skin.pitch_y, mean_spacing(all));
-  const double reach = std::max(0.75 * pitch, 0.5 * least_depth(skin));
+                                     : std::max(skin.pitch_y, mean_spacing(sites(skin)));
+  return std::max(0.75 * pitch, 0.5 * least_depth(skin));
+}
+
+std::vector<bool> unseen_cells(const SkinSceneProblem& problem) {
+  const SkinGrid& grid = problem.grid();
+  const double reach = sight_of(problem.scene().sensor);
   std::vector<bool> unseen(grid.count(), true);
   const SkinProblem& solved = problem.layout();
   // A taxel sees the cells around it; only those are looked at.

@@ -73,7 +73,7 @@ SkinWorkload workload(const SkinScene& scene, bool report) {
   add(SkinComputation::alpha_rule, true,
       options.alpha ? SkinReason::prior_by_rule : SkinReason::rule_chooses,
       large_skin ? SkinCost::probes : SkinCost::one_rule);
-  work.tasks.back().rule = problem.alpha_rule();
+  work.tasks.back().rule = options.alpha_rule;
   add(SkinComputation::constraints, limits,
       limits ? SkinReason::limits_stated : SkinReason::no_limits,
       large_skin ? SkinCost::projected_gradients : SkinCost::multipliers);

@@ -22,12 +22,13 @@ AmplifierEquations amplifier_equations(const Reduction& reduction, const Equatio
   }
   const Eigen::MatrixXd t = as_eigen(equations.input);
   result.followers = s(followers, followers);
-  result.from_inputs = t(followers, Eigen::all);
+  result.from_inputs = t(followers, Eigen::indexing::all);
   result.into_rows = s(amplifiers, followers);
   const Lu own(result.followers);
   const Eigen::MatrixXd from_outputs = s(followers, amplifiers);
   result.stiffness -= result.into_rows * own.solve(from_outputs);
-  result.inertia = t(amplifiers, Eigen::all) - result.into_rows * own.solve(result.from_inputs);
+  result.inertia =
+      t(amplifiers, Eigen::indexing::all) - result.into_rows * own.solve(result.from_inputs);
   return result;
 }
 

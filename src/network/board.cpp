@@ -5,10 +5,13 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 
+#include "network/rest_equations.hpp"
 #include "tactile_net/network/arrays.hpp"
+#include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
@@ -16,14 +19,18 @@ namespace {
 
 constexpr double margin = 5.0;  // [mm], between blocks and to the edge
 
-/// The room that a resistor takes, and its pads.
+/// A resistor's courtyard and pads, and what it carries at 70 degrees.
 struct Chip {
   const char* library;
-  double width, height;  // of its courtyard and what is left between two
+  double width, height;
   double pad_x, pad_width, pad_height;
+  double watt;
 };
-constexpr Chip chip_0402{"Resistor_SMD:R_0402_1005Metric", 2.2, 1.1, 0.51, 0.54, 0.64};
-constexpr Chip chip_0603{"Resistor_SMD:R_0603_1608Metric", 3.2, 1.7, 0.825, 0.8, 0.95};
+constexpr Chip chip_0402{"Resistor_SMD:R_0402_1005Metric", 1.86, 0.94, 0.51, 0.54, 0.64, 0.0625};
+constexpr Chip chip_0603{"Resistor_SMD:R_0603_1608Metric", 2.96, 1.46, 0.825, 0.8, 0.95, 0.1};
+
+constexpr double gap = 0.3;              // between courtyards of a row
+constexpr double designator_room = 1.0;  // above a courtyard
 
 /// What pins of an SO-8 are for: a pin of the deck's amplifier, or of the supply.
 enum class Pin { plus, minus, out, inverse, ground, positive, negative, none };
@@ -31,13 +38,15 @@ constexpr std::array one_output = {Pin::none, Pin::minus, Pin::plus,     Pin::ne
                                    Pin::none, Pin::out,   Pin::positive, Pin::none};
 constexpr std::array two_outputs = {Pin::minus,   Pin::ground,   Pin::positive, Pin::out,
                                     Pin::inverse, Pin::negative, Pin::none,     Pin::plus};
-constexpr double so8_width = 8.0;
-constexpr double so8_height = 6.5;
-constexpr double header_pitch = 2.54;
+constexpr double so8_width = 7.4;  // of courtyards
+constexpr double so8_height = 5.4;
+constexpr double pin_width = 2.4;
+constexpr double pin_pitch = 2.54;
 
+/// With a letter, always: assemblers do not take a bare number for ohms.
 std::string in_ohm(double ohm) {
   constexpr std::array<std::pair<double, const char*>, 4> units = {
-      {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}}};
+      {{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, "R"}}};
   for (const auto& [unit, letter] : units)
     if (ohm >= unit) {
       // Three or four digits: what dividing adds beyond them is no part of the value.
@@ -45,7 +54,19 @@ std::string in_ohm(double ohm) {
       (void)read_number(shortest(std::round(ohm / unit * 1e6) / 1e6), value);
       return shortest(value) + letter;
     }
-  return shortest(ohm);
+  return shortest(ohm) + 'R';
+}
+
+/// Of every resistor, as the circuit's sources drive it [W].
+std::vector<double> watts_of(const Circuit& circuit) {
+  const FlatCircuit flat(circuit);
+  const Eigen::VectorXd volts = RestEquations(flat).voltages();
+  std::vector<double> watts;
+  for (const Resistor& r : circuit.resistors)
+    watts.push_back(r.siemens * std::pow(volts(static_cast<Eigen::Index>(r.from)) -
+                                             volts(static_cast<Eigen::Index>(r.to)),
+                                         2));
+  return watts;
 }
 
 /// Puts footprints on the board, block under block.
@@ -62,8 +83,8 @@ class Layout {
     positive_ = board_.nets.size();
     board_.nets.insert(board_.nets.end(), {"VCC", "VEE"});
     for (const SoldPart& part : soldered.parts) coarsest_ = std::max(coarsest_, part.tolerance);
-    pitch_ = chip_0402.width;
-    for (const SoldPart& part : soldered.parts) pitch_ = std::max(pitch_, chip(part).width);
+    for (const SoldPart& part : soldered.parts) pitch_ = std::max(pitch_, chip(part).width + gap);
+    watts_ = watts_of(circuit_);
   }
 
   Board board() && {
@@ -87,6 +108,11 @@ class Layout {
     return part.tolerance < coarsest_ ? chip_0603 : chip_0402;
   }
 
+  /// With what stands above it.
+  [[nodiscard]] double room(std::size_t r) const {
+    return designator_room + chip(soldered_.parts[r]).height;
+  }
+
   /// Resistors in the cells of their entries, one above the other.
   /// @param packed  cells of a column move up, since most of a band's rows are empty
   void add_grid(const std::vector<std::size_t>& resistors, bool packed) {
@@ -98,7 +124,7 @@ class Layout {
     std::map<std::size_t, double> heights;  // of rows
     for (const auto& [cell, list] : cells) {
       double height = 0.0;
-      for (const std::size_t r : list) height += chip(soldered_.parts[r]).height;
+      for (const std::size_t r : list) height += room(r);
       heights[cell.first] = std::max(heights[cell.first], height);
     }
     std::map<std::size_t, double> tops;
@@ -109,10 +135,9 @@ class Layout {
     for (const auto& [cell, list] : cells) {
       double y = tops[cell.first];
       for (const std::size_t r : list) {
-        const double height = chip(soldered_.parts[r]).height;
+        y += room(r);
         add_resistor(r, margin + pitch_ * (static_cast<double>(cell.second) + 0.5),
-                     y + 0.5 * height);
-        y += height;
+                     y - 0.5 * chip(soldered_.parts[r]).height);
       }
       board_.width =
           std::max(board_.width, 2.0 * margin + pitch_ * static_cast<double>(cell.second + 1));
@@ -125,12 +150,18 @@ class Layout {
     const SoldPart& part = soldered_.parts[r];
     const Chip& kind = chip(part);
     board_.footprints.push_back(
-        {.library = kind.library,
-         .reference = one.name,
+        {.kind = Footprint::Kind::resistor,
+         .library = kind.library,
+         .number = r + 1,
+         .element = one.name,
          .value = in_ohm(part.ohm),
          .tolerance = percent(part.tolerance),
+         .watt = watts_[r],
+         .rated_watt = kind.watt,
          .x = x,
          .y = y,
+         .width = kind.width,
+         .height = kind.height,
          .pads = {{"1", -kind.pad_x, 0.0, kind.pad_width, kind.pad_height, net(one.from)},
                   {"2", kind.pad_x, 0.0, kind.pad_width, kind.pad_height, net(one.to)}}});
   }
@@ -156,16 +187,23 @@ class Layout {
   }
 
   void add_amplifiers() {
-    Row row{so8_width, so8_height};
+    Row row{so8_width + gap, so8_height + designator_room};
+    std::size_t count = 0;
     for (const Instance& x : circuit_.instances) {
       const AmplifierModel* const model = amplifier(circuit_, x.subcircuit);
       if (model == nullptr)
         throw std::invalid_argument("element " + x.name + ": a board has no sub-circuits");
-      const auto& pins = model->outputs == Outputs::complementary ? two_outputs : one_output;
-      Footprint so8{.library = "Package_SO:SOIC-8_3.9x4.9mm_P1.27mm",
-                    .reference = x.name,
-                    .value = x.subcircuit};
+      const bool both = model->outputs == Outputs::complementary;
+      const auto& pins = both ? two_outputs : one_output;
+      Footprint so8{.kind = Footprint::Kind::amplifier,
+                    .library = "Package_SO:SOIC-8_3.9x4.9mm_P1.27mm",
+                    .number = ++count,
+                    .element = x.name,
+                    .value = both ? "fully differential amplifier" : "op-amp",
+                    .width = so8_width,
+                    .height = so8_height};
       std::tie(so8.x, so8.y) = next(row);
+      so8.y += 0.5 * designator_room;
       for (std::size_t k = 0; k < pins.size(); ++k) {
         const bool left = k < 4;
         const double along = static_cast<double>(left ? k : 7 - k);
@@ -200,20 +238,26 @@ class Layout {
   }
 
   void add_pins() {
-    Row row{header_pitch, header_pitch};
-    const auto add = [&](const std::string& reference, const std::string& value, std::size_t at) {
-      Footprint pin{.library = "Connector_PinHeader_2.54mm:PinHeader_1x01_P2.54mm_Vertical",
-                    .reference = reference,
-                    .value = value,
+    Row row{pin_pitch, pin_pitch + designator_room};
+    std::size_t count = 0;
+    const auto add = [&](const std::string& element, const std::string& use, std::size_t at) {
+      Footprint pin{.kind = Footprint::Kind::pin,
+                    .library = "Connector_PinHeader_2.54mm:PinHeader_1x01_P2.54mm_Vertical",
+                    .number = ++count,
+                    .element = element,
+                    .value = use + ' ' + element,
+                    .width = pin_width,
+                    .height = pin_width,
                     .pads = {{"1", 0.0, 0.0, 1.7, 1.7, at, true}}};
       std::tie(pin.x, pin.y) = next(row);
+      pin.y += 0.5 * designator_room;
       board_.footprints.push_back(std::move(pin));
     };
-    for (const CurrentSource& one : circuit_.sources) add("J" + one.name, "reading", net(one.into));
-    for (const Node node : circuit_.outputs) add("J" + circuit_.nodes[node], "output", net(node));
-    add("JGND", "supply", net(0));
-    add("JVCC", "supply", positive_);
-    add("JVEE", "supply", positive_ + 1);
+    for (const CurrentSource& one : circuit_.sources) add(one.name, "reading", net(one.into));
+    for (const Node node : circuit_.outputs) add(circuit_.nodes[node], "output", net(node));
+    add("GND", "supply", net(0));
+    add("VCC", "supply", positive_);
+    add("VEE", "supply", positive_ + 1);
     end(row);
     board_.height = below_;
   }
@@ -221,13 +265,19 @@ class Layout {
   const SolderedCircuit& soldered_;
   const Circuit& circuit_;
   Board board_;
-  std::size_t positive_ = 0;  // net of VCC; VEE follows
+  std::vector<double> watts_;  // of resistors
+  std::size_t positive_ = 0;   // net of VCC; VEE follows
   double coarsest_ = 0.0;
   double pitch_ = 0.0;     // of columns
   double below_ = margin;  // where the next block begins
 };
 
 }  // namespace
+
+std::string Footprint::reference() const {
+  const char letter = kind == Kind::resistor ? 'R' : kind == Kind::amplifier ? 'U' : 'J';
+  return letter + std::to_string(number);
+}
 
 Board board_of(const SolderedCircuit& soldered) { return Layout(soldered).board(); }
 

@@ -18,9 +18,48 @@
 namespace tactile_net {
 namespace {
 
-/// Of converters and inverters whose op-amps have a bandwidth and capacitance at their inputs.
+/// Of converters and inverters whose op-amps have a bandwidth and capacitance at their inputs:
+/// x = W C r of x^2 / A + 2 x = 1.
 double largest_divider(const OpAmp& o) {
-  return 1.0 / (2.0 * angular_frequency(*o.bandwidth) * *o.input_capacitance);
+  const double x = 1.0 / (1.0 + std::sqrt(1.0 + 1.0 / o.dc_gain()));
+  return x / (angular_frequency(*o.bandwidth) * *o.input_capacitance);
+}
+
+/// Whether the nodes that `node_capacitance` is stated of are op-amps' outputs.
+bool has_nodes_at_outputs(const NetworkCircuit& circuit) {
+  const RealizationTraits& one = traits(circuit.realization());
+  return one.drives_nodes && !one.passive_residuals &&
+         !has_ladder(one.realization, circuit.options());
+}
+
+/// Whether capacitance is stated that no equations here have.
+bool has_loaded_outputs(const NetworkCircuit& circuit) {
+  const RealizationOptions& options = circuit.options();
+  return options.opamp.output_resistance && options.node_capacitance &&
+         has_nodes_at_outputs(circuit);
+}
+
+/// 0: nothing takes a time that is modelled.
+std::size_t states_of(const NetworkCircuit& circuit) {
+  return takes_time(circuit.realization(), circuit.options()) ? count_states(circuit.flat()) : 0;
+}
+
+/// Whether the state space is the circuit's own, with everything that is stated, and is decomposed.
+bool has_poles(const NetworkCircuit& circuit) {
+  if (has_loaded_outputs(circuit)) return false;
+  const std::size_t states = states_of(circuit);
+  return states > 0 && states <= most_states;
+}
+
+/// Below the rounding of P's entries either sign means nothing.
+double least_eigenvalue_that_counts(const NetworkCircuit& circuit) {
+  return static_cast<double>(circuit.problem().matrix.rows) *
+         std::numeric_limits<double>::epsilon() * circuit.eigenvalues().largest;
+}
+
+bool is_definite(const NetworkCircuit& circuit) {
+  return traits(circuit.realization()).takes_readings ||
+         circuit.eigenvalues().smallest > least_eigenvalue_that_counts(circuit);
 }
 
 bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool definite,
@@ -41,6 +80,8 @@ bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool defi
              (o.bandwidth && !o.second_pole && options.divider <= largest_divider(o));
     case TheoremCondition::second_pole_beyond_bandwidth:
       return !o.second_pole || !o.input_capacitance || *o.second_pole >= ratio * *o.bandwidth;
+    case TheoremCondition::second_pole_beyond_twice_bandwidth:
+      return !o.second_pole || !o.input_capacitance || *o.second_pole >= 2.0 * ratio * *o.bandwidth;
     case TheoremCondition::lag_within_bound:
       if (!o.input_capacitance && !o.second_pole &&
           !(options.node_capacitance && has_ladder(circuit.realization(), options)))
@@ -193,9 +234,11 @@ void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equa
                          .value = c.largest_voltage,
                          .limit = reach,
                          .repair = 0.8 * reach / c.largest_voltage * options.scale.volts});
-  if (options.node_capacitance && realization.drives_nodes && !realization.passive_residuals &&
-      !c.ladder)
-    c.remarks.push_back({.kind = Kind::capacitance_at_outputs});
+  if (has_nodes_at_outputs(circuit) && options.node_capacitance)
+    c.remarks.push_back(
+        {.kind = o.output_resistance ? Kind::loaded_outputs : Kind::capacitance_at_outputs});
+  else if (realization.uses_opamps && o.output_resistance)
+    c.remarks.push_back({.kind = Kind::outputs_without_load});
   if (c.theorem.unmet && c.theorem.unmet->lag.number > 0.0)
     c.remarks.push_back({.kind = c.theorem.unmet->lag.of_nodes ? Kind::node_lag : Kind::summing_lag,
                          .value = c.theorem.unmet->lag.number,
@@ -251,14 +294,17 @@ void add_equations(Certificate& c, const NetworkCircuit& circuit) {
   const Reduction::Load load = reduction.load({z.data(), static_cast<std::size_t>(z.size())});
   c.largest_voltage = load.largest_voltage;
   c.power = load.power;
-  // Errors of a ladder move the metric in which its energy falls: no margin is proven.
-  if (c.theorem.holds() && !c.ladder) c.tolerance_margin = margin_of(reduction, equations);
-  const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance;
-  const bool exact = c.tolerance_margin && (!has_amplifiers(c.realization) ||
-                                            (one_pole && !circuit.flat().had_subcircuits()));
+  // Errors of a ladder move the metric in which its energy falls, and second poles or capacitance
+  // beside the amplifiers' poles leave no metric at all once errors make the coupling unequal: no
+  // margin is proven then.
   const bool floating = traits(c.realization).passive_residuals;
+  const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance &&
+                        !(floating && options.node_capacitance);
+  if (c.theorem.holds() && !c.ladder && (one_pole || !has_amplifiers(c.realization)))
+    c.tolerance_margin = margin_of(reduction, equations);
+  const bool exact = c.tolerance_margin && !circuit.flat().had_subcircuits();
   c.margin_for_any_bandwidth = exact && !floating;
-  c.margin_for_one_bandwidth = exact && floating && !options.node_capacitance;
+  c.margin_for_one_bandwidth = exact && floating;
   add_opamp_remarks(c, circuit, equations);
   add_scale_remarks(c, options.scale);
 }
@@ -307,20 +353,27 @@ void add_output_current(Certificate& c, const NetworkCircuit& circuit) {
                          .part = c.output_current->opamp});
 }
 
-/// From the poles where there are any, otherwise from the theorem.
-void add_stability(Certificate& c, const NetworkCircuit& circuit, bool definite) {
-  const std::size_t states =
-      takes_time(c.realization, circuit.options()) ? count_states(circuit.flat()) : 0;
-  if (states > 0 && states <= most_states) {
-    c.dynamics = dynamics_of(circuit, c.accuracy);
-    c.stability = c.dynamics->slowest < 0.0 ? Stability::stable : Stability::unstable;
-    if (c.dynamics->slowest < 0.0) add_noise(c, circuit);
-    add_slewing_remarks(c, circuit);
-  } else {
-    if (states > 0) c.remarks.push_back({.kind = CircuitRemark::Kind::too_many_states});
-    c.stability = c.theorem.holds() ? Stability::stable : Stability::not_modelled;
-  }
-  if (!definite) c.stability = Stability::not_definite;
+StabilityVerdict verdict_of(const NetworkCircuit& circuit, const Theorem& theorem, bool definite) {
+  if (!definite) return {Stability::not_definite};
+  if (traits(circuit.realization()).parts == RealizationTraits::Parts::lossless)
+    return {Stability::lossless};
+  if (has_loaded_outputs(circuit))
+    return {Stability::not_modelled, UnknownStability::loaded_outputs};
+  if (has_poles(circuit))
+    return {circuit.poles().front().real() < 0.0 ? Stability::stable : Stability::unstable};
+  if (theorem.holds()) return {Stability::stable};
+  return {Stability::not_modelled, states_of(circuit) > 0 ? UnknownStability::too_many_states
+                                                          : UnknownStability::no_bandwidth};
+}
+
+/// What the poles say, where there are any.
+void add_dynamics(Certificate& c, const NetworkCircuit& circuit) {
+  if (states_of(circuit) > most_states)
+    c.remarks.push_back({.kind = CircuitRemark::Kind::too_many_states});
+  if (!has_poles(circuit)) return;
+  c.dynamics = dynamics_of(circuit, c.accuracy);
+  if (c.dynamics->slowest < 0.0) add_noise(c, circuit);
+  add_slewing_remarks(c, circuit);
 }
 
 constexpr Named<Stability> stabilities[] = {{Stability::stable, "stable"},
@@ -333,6 +386,11 @@ constexpr Named<Stability> stabilities[] = {{Stability::stable, "stable"},
 
 std::string_view name(Stability stability) noexcept { return name_in<stabilities>(stability); }
 
+StabilityVerdict stability_of(const NetworkCircuit& circuit) {
+  const bool definite = is_definite(circuit);
+  return verdict_of(circuit, judged(theorem_on_stability(circuit), circuit, definite), definite);
+}
+
 Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   if (!(accuracy > 0.0 && accuracy < 1.0))
     throw std::invalid_argument("the accuracy must be > 0 and < 1");
@@ -341,12 +399,10 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   c.ladder = has_ladder(c.realization, circuit.options());
   const EigenvalueRange& eigenvalues = circuit.eigenvalues();
   c.smallest_eigenvalue = eigenvalues.smallest;
-  // Below the rounding of P's entries either sign means nothing.
-  const double rounding = static_cast<double>(circuit.problem().matrix.rows) *
-                          std::numeric_limits<double>::epsilon() * eigenvalues.largest;
-  const bool definite = c.smallest_eigenvalue > rounding || realization.takes_readings;
-  c.condition = c.smallest_eigenvalue > rounding ? eigenvalues.largest / c.smallest_eigenvalue
-                                                 : std::numeric_limits<double>::infinity();
+  const bool definite = is_definite(circuit);
+  c.condition = c.smallest_eigenvalue > least_eigenvalue_that_counts(circuit)
+                    ? eigenvalues.largest / c.smallest_eigenvalue
+                    : std::numeric_limits<double>::infinity();
   c.theorem = judged(theorem_on_stability(circuit), circuit, definite);
   if (circuit.options().opamp.slew && !realization.theorem_of_slewing.name.empty())
     c.slewing = judged(realization.theorem_of_slewing, circuit, definite);
@@ -357,8 +413,10 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
     c.greatest_ohm = std::max(c.greatest_ohm, size);
   }
 
+  const StabilityVerdict verdict = verdict_of(circuit, c.theorem, definite);
+  c.stability = verdict.stability;
+  c.unknown = verdict.unknown;
   if (realization.parts == RealizationTraits::Parts::lossless) {
-    c.stability = definite ? Stability::lossless : Stability::not_definite;
     if (circuit.options().node_capacitance)
       c.remarks.push_back({.kind = CircuitRemark::Kind::capacitance_at_one_frequency});
     return c;
@@ -366,7 +424,7 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   if (realization.linear()) add_equations(c, circuit);
   add_errors(c, circuit);
   add_output_current(c, circuit);
-  add_stability(c, circuit, definite);
+  add_dynamics(c, circuit);
   c.proposal = scale_proposal(c, circuit);
   return c;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "network/node_names.hpp"
 #include "network/subcircuit_of.hpp"
 #include "tactile_net/network/dialect_deck.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
@@ -22,19 +23,15 @@ void check_line(const std::string& text) {
     throw std::invalid_argument("a deck's header line must not contain a line break");
 }
 
-/// Of a sub-circuit of its own; simulators know no case.
+/// Of a sub-circuit of its own.
 void check_name(const std::string& name, const Circuit& circuit) {
   const auto in_name = [](char one) {
     return std::isalnum(static_cast<unsigned char>(one)) != 0 || one == '_';
   };
   if (name.empty() || !std::all_of(name.begin(), name.end(), in_name))
     throw std::invalid_argument("a sub-circuit's name is of letters, digits and _");
-  const auto same = [](char x, char y) {
-    return std::tolower(static_cast<unsigned char>(x)) ==
-           std::tolower(static_cast<unsigned char>(y));
-  };
   for (const AmplifierModel& inside : circuit.amplifiers)
-    if (std::equal(name.begin(), name.end(), inside.name.begin(), inside.name.end(), same))
+    if (in_lower_case(name) == in_lower_case(inside.name))
       throw std::invalid_argument("a sub-circuit's name must not be '" + inside.name +
                                   "', which one inside it has: it would hold itself");
 }
@@ -43,6 +40,7 @@ void check_name(const std::string& name, const Circuit& circuit) {
 class Check {
  public:
   explicit Check(const Circuit& circuit) : circuit_(circuit) {
+    check_node_names(circuit);
     for (const Node node : circuit.outputs)
       if (!exists(node)) throw std::invalid_argument("an output is not a node of the circuit");
     for (const Resistor& r : circuit.resistors) {
@@ -89,7 +87,11 @@ class Check {
     if (!valid) throw std::invalid_argument("element " + name + ": " + rule);
   }
   void unique(const std::string& name) {
-    element(name, names_.insert(name).second, "the name stands twice");
+    if (!is_word(name))
+      throw std::invalid_argument(
+          "element " + quoted_name(name) +
+          ": an element's name must be one word of ASCII letters, digits, _ and .");
+    element(name, names_.insert(in_lower_case(name)).second, "the name stands twice");
   }
   void two_terminals(const auto& part) {
     unique(part.name);
@@ -97,7 +99,7 @@ class Check {
   }
 
   const Circuit& circuit_;
-  std::unordered_set<std::string_view> names_;
+  std::unordered_set<std::string> names_;
 };
 
 void check(const Analysis& analysis) {
@@ -266,15 +268,16 @@ std::string card_of(const Circuit& circuit, const Analysis& analysis, Dialect di
          printed_by_xyce(circuit, "dc", "v");
 }
 
-/// `*#` lines are commands to ngspice and comments to every other simulator. Without `quit 0` it
-/// would exit with 1 for want of a .print card. With numdgt=16 negative numbers get one digit too
-/// few to read back as the same double.
+/// Behind `.end`, where every other simulator has ceased to read. Not as `*#` lines: ngspice takes
+/// them for comments where PSpice's rules are set (`set ngbehavior=psa`). Without `quit 0` it would
+/// exit with 1 for want of a .print card. With numdgt=16 negative numbers get one digit too few to
+/// read back as the same double.
 std::string commands_for(const Circuit& circuit, const Analysis& analysis) {
-  std::string text = "*# set numdgt=17\n*# run\n";
+  std::string text = ".control\nset numdgt=17\nrun\n";
   const bool ac = std::holds_alternative<SingleFrequency>(analysis);
   for (const Node node : circuit.outputs)
-    text += (ac ? "*# print real(v(" : "*# print v(") + circuit.nodes[node] + (ac ? "))\n" : ")\n");
-  return text + "*# quit 0\n";
+    text += (ac ? "print real(v(" : "print v(") + circuit.nodes[node] + (ac ? "))\n" : ")\n");
+  return text + "quit 0\n.endc\n";
 }
 
 constexpr double inductors_ohm = 1e-3;

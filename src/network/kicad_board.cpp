@@ -39,9 +39,22 @@ constexpr const char* layers = R"(  (layers
   )
 )";
 
-std::string text_of(const char* kind, const std::string& text, double y) {
-  return std::string("    (fp_text ") + kind + ' ' + quoted(text) + ' ' + at(0.0, y) +
-         " (layer \"F.Fab\") (effects (font (size 0.3 0.3) (thickness 0.05))))\n";
+std::string text_of(const char* kind, const std::string& text, double y, const char* style) {
+  return std::string("    (fp_text ") + kind + ' ' + quoted(text) + ' ' + at(0.0, y) + style + '\n';
+}
+
+/// The designator on the board, so narrow that it fits above an 0402; the value and
+/// the courtyard on KiCad's layers for them.
+std::string drawing_of(const Footprint& one) {
+  const double x = 0.5 * one.width;
+  const double y = 0.5 * one.height;
+  return text_of("reference", one.reference(), -y - 0.5,
+                 " (layer \"F.SilkS\") (effects (font (size 0.8 0.4) (thickness 0.1))))") +
+         text_of("value", one.value, 0.0,
+                 " (layer \"F.Fab\") (effects (font (size 0.3 0.3) (thickness 0.05))))") +
+         "    (fp_rect (start " + millimetres(-x) + ' ' + millimetres(-y) + ") (end " +
+         millimetres(x) + ' ' + millimetres(y) +
+         ") (layer \"F.CrtYd\") (width 0.05) (fill none))\n";
 }
 
 std::string text_of(const BoardPad& pad, const Board& board) {
@@ -69,10 +82,11 @@ void write_kicad_board(std::ostream& out, const Board& board) {
   for (const Footprint& one : board.footprints) {
     text += "  (footprint " + quoted(one.library) + " (layer \"F.Cu\") " +
             at(one.x + 20.0, one.y + 20.0) + '\n';
+    text += "    (property \"Element\" " + quoted(one.element) + ")\n";
     if (!one.tolerance.empty())
       text += "    (property \"Tolerance\" " + quoted(one.tolerance) + ")\n";
     text += one.pads.front().drilled ? "    (attr through_hole)\n" : "    (attr smd)\n";
-    text += text_of("reference", one.reference, -0.2) + text_of("value", one.value, 0.2);
+    text += drawing_of(one);
     for (const BoardPad& pad : one.pads) text += text_of(pad, board);
     text += "  )\n";
   }

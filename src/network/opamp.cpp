@@ -191,11 +191,11 @@ std::string output_text(const OpAmp& o, const std::string& core, bool both) {
   if (!o.output_resistance) return "E1 out 0 " + core + " 0 1\n";
   if (o.output_current && !both)
     return "E1 e 0 " + core + " 0 1\nBo e out " + limited_current(o, "V(e,out)");
-  if (o.output_current)  // each output by itself, measured by Vo and Vi; out is half their
+  if (o.output_current)  // each output by itself, measured by Ve and Vi; out is half their
                          // difference
-    return "Bo 0 o " + limited_current(o, "V(" + core + ",o)") + "Fo o 0 Vo 1\nBi 0 m " +
+    return "Bo 0 o " + limited_current(o, "V(" + core + ",o)") + "Fo o 0 Ve 1\nBi 0 m " +
            limited_current(o, "(-V(" + core + ")-V(m))") +
-           "Fi m 0 Vi 1\nE1 e 0 o m 0.5\nVo e out 0\n";
+           "Fi m 0 Vi 1\nE1 e 0 o m 0.5\nVe e out 0\n";
   // Not a resistor: nothing would limit the band of its noise. Vr measures the current.
   const std::string source = "E1 e 0 " + core + " 0 1\nVr e r 0\nHr r ";
   if (!both) return source + "out Vr " + shortest(*o.output_resistance) + '\n';

@@ -20,17 +20,22 @@ struct Law {
 
 struct RestEquations::Parts {
   const FlatCircuit& circuit;
+  std::vector<OpAmp> opamps;       // of every amplifier
   std::vector<Law> laws;           // of every node
   std::vector<Eigen::Index> rows;  // of every amplifier: its own law
   Eigen::Index unknowns = 0;
   std::optional<SparseLu> lu{};
   Eigen::MatrixXd adjoint{};  // a column an output: d(output) / d(right side)
 
-  explicit Parts(const FlatCircuit& of) : circuit(of), laws(of.circuit().nodes.size()) {
+  Parts(const FlatCircuit& of, const Changed& changed)
+      : circuit(of), laws(of.circuit().nodes.size()) {
+    for (const FlatCircuit::Amplifier& x : circuit.amplifiers())
+      opamps.push_back(changed ? changed(circuit.opamp(x)) : circuit.opamp(x));
     for (std::size_t node = 1; node < laws.size(); ++node) laws[node].node = node;
     unknowns = eigen_index(laws.size()) - 1;
-    for (const FlatCircuit::Amplifier& x : circuit.amplifiers()) {
-      const bool behind = circuit.opamp(x).output_resistance.has_value();
+    for (std::size_t k = 0; k < opamps.size(); ++k) {
+      const FlatCircuit::Amplifier& x = circuit.amplifiers()[k];
+      const bool behind = opamps[k].output_resistance.has_value();
       rows.push_back(behind ? unknowns++ : eigen_index(x.out) - 1);
       if (!behind) laws[x.out].node = 0;
       // Complementary outputs are one unknown: half the difference of what they give off counts.
@@ -57,7 +62,7 @@ struct RestEquations::Parts {
     for (const NShapedDevice& b : flat.devices) conductance(b.from, b.to, -b.siemens);
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const FlatCircuit::Amplifier& x = circuit.amplifiers()[k];
-      const OpAmp& opamp = circuit.opamp(x);
+      const OpAmp& opamp = opamps[k];
       const Eigen::Index own = rows[k];
       const double common = opamp.common_mode_rejection ? 0.5 / *opamp.common_mode_rejection : 0.0;
       entries.emplace_back(own, own, 1.0 / opamp.dc_gain());
@@ -95,22 +100,26 @@ struct RestEquations::Parts {
   }
 };
 
-RestEquations::RestEquations(const FlatCircuit& circuit) {
+RestEquations::RestEquations(const FlatCircuit& circuit, const Changed& changed) {
   if (!circuit.circuit().inductors.empty())
     throw std::invalid_argument("an inductor has no place here");
-  parts_ = std::make_unique<const Parts>(circuit);
+  parts_ = std::make_unique<const Parts>(circuit, changed);
 }
 RestEquations::RestEquations(RestEquations&&) noexcept = default;
 RestEquations::~RestEquations() = default;
 
 Eigen::VectorXd RestEquations::voltages() const {
+  return voltages(parts_->circuit.circuit().sources);
+}
+
+Eigen::VectorXd RestEquations::voltages(std::span<const CurrentSource> sources) const {
   const Parts& parts = *parts_;
   const Circuit& flat = parts.circuit.circuit();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(parts.unknowns);
-  for (const CurrentSource& i : flat.sources) parts.add_current(right, i.into, i.ampere);
+  for (const CurrentSource& i : sources) parts.add_current(right, i.into, i.ampere);
   for (std::size_t k = 0; k < parts.rows.size(); ++k) {
     const FlatCircuit::Amplifier& x = parts.circuit.amplifiers()[k];
-    const OpAmp& opamp = parts.circuit.opamp(x);
+    const OpAmp& opamp = parts.opamps[k];
     right(parts.rows[k]) += opamp.offset.value_or(0.0);
     if (opamp.bias_current)
       for (const Node input : {x.plus, x.minus})
@@ -123,8 +132,12 @@ Eigen::VectorXd RestEquations::voltages() const {
 }
 
 Eigen::VectorXd RestEquations::outputs() const {
+  return outputs(parts_->circuit.circuit().sources);
+}
+
+Eigen::VectorXd RestEquations::outputs(std::span<const CurrentSource> sources) const {
   const std::vector<Node>& nodes = parts_->circuit.circuit().outputs;
-  const Eigen::VectorXd v = voltages();
+  const Eigen::VectorXd v = voltages(sources);
   Eigen::VectorXd outputs(eigen_index(nodes.size()));
   for (std::size_t i = 0; i < nodes.size(); ++i) outputs(eigen_index(i)) = v(eigen_index(nodes[i]));
   return outputs;

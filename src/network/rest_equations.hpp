@@ -2,7 +2,9 @@
 /// The linear equations of a circuit at rest, amplifiers of finite gain in them. Private.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 
 #include "numeric/eigen.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
@@ -13,15 +15,20 @@ namespace tactile_net {
 /// Kirchhoff's law at a node, an amplifier's law at its output, over its gain.
 class RestEquations {
  public:
+  /// Of other op-amps than the circuit's own; empty: its own.
+  using Changed = std::function<OpAmp(OpAmp)>;
+
   /// The circuit must outlive the object.
   /// @throw std::invalid_argument  the circuit has an inductor
   /// @throw std::domain_error      it has no unique operating point
-  explicit RestEquations(const FlatCircuit& circuit);
+  explicit RestEquations(const FlatCircuit& circuit, const Changed& changed = {});
   RestEquations(RestEquations&&) noexcept;
   ~RestEquations();
 
   /// The outputs' voltages, with what drives the circuit and its amplifiers' own errors.
   [[nodiscard]] Eigen::VectorXd outputs() const;
+  /// The same with other sources in place of the circuit's own.
+  [[nodiscard]] Eigen::VectorXd outputs(std::span<const CurrentSource> sources) const;
 
   /// The same of every node, ground's 0 V first.
   [[nodiscard]] Eigen::VectorXd voltages() const;
@@ -32,6 +39,8 @@ class RestEquations {
   [[nodiscard]] Eigen::MatrixXd by_bias_current() const;
 
  private:
+  [[nodiscard]] Eigen::VectorXd voltages(std::span<const CurrentSource> sources) const;
+
   struct Parts;
   std::unique_ptr<const Parts> parts_;
 };

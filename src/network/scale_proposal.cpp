@@ -6,10 +6,20 @@
 namespace tactile_net {
 namespace {
 
-constexpr double headroom = 0.8;      // of what is left
-constexpr double usual_swing = 10.0;  // [V], of supplies of 12 V and more
-constexpr double least_load = 1e3;    // [ohm], what the outputs of most op-amps still drive
-constexpr double most_delay = 0.2;    // by slewing, over the settling time without it
+constexpr double headroom = 0.8;     // of what is left
+constexpr double usual_swing = 2.0;  // [V], what most amplifiers with two outputs reach at 5 V
+constexpr double least_load = 1e3;   // [ohm], what the outputs of most op-amps still drive
+constexpr double most_delay = 0.2;   // by slewing, over the settling time without it
+
+/// Whether the circuit is known to be stable at other siemens. Without capacitance they change no
+/// pole.
+bool is_stable_at(double siemens, const NetworkCircuit& circuit) {
+  RealizationOptions options = circuit.options();
+  if (!options.opamp.input_capacitance && !options.node_capacitance) return true;
+  options.scale.siemens = siemens;
+  const NetworkCircuit other(circuit.realization(), circuit.shared_problem(), options);
+  return stability_of(other).stability == Stability::stable;
+}
 
 }  // namespace
 
@@ -19,14 +29,14 @@ std::optional<ScaleProposal> scale_proposal(const Certificate& c, const NetworkC
   const bool noisy = c.noise && std::isfinite(c.noise->relative) && c.noise->relative > 0.0;
   const double offset =
       c.errors ? std::hypot(c.errors->offset.either_sign, c.errors->bias_current.either_sign) : 0.0;
-  if (!(c.largest_voltage > 0.0) || !(noisy || offset > 0.0) || circuit.flat().had_subcircuits() ||
-      !traits(c.realization).linear())
+  if (c.stability != Stability::stable || !(c.largest_voltage > 0.0) || !(noisy || offset > 0.0) ||
+      circuit.flat().had_subcircuits() || !traits(c.realization).linear())
     return std::nullopt;
 
   // All of them fall as 1/volts: as many volts as the op-amps can give.
   ScaleProposal proposal;
   const double swing = o.rail ? headroom * (*o.rail - diode_drop) : usual_swing;
-  proposal.volts_by = o.rail ? ScaleProposal::Bound::swing : ScaleProposal::Bound::ten_volts;
+  proposal.volts_by = o.rail ? ScaleProposal::Bound::swing : ScaleProposal::Bound::supply;
   double most = swing / c.largest_voltage;  // over the volts that are
   if (o.slew && c.dynamics && c.dynamics->unslewed_seconds.value_or(0.0) > 0.0) {
     // Two full swings at the slew are the most that slewing adds.
@@ -44,6 +54,10 @@ std::optional<ScaleProposal> scale_proposal(const Certificate& c, const NetworkC
   const double by_load = c.least_ohm / least_load;
   proposal.least_ohm = factor > by_load;
   factor = std::min(factor, by_load);
+  if (factor != 1.0 && !is_stable_at(factor * scale.siemens, circuit)) {
+    factor = 1.0;
+    proposal.least_ohm = false;
+  }
   proposal.siemens = factor * scale.siemens;
   if (o.output_current && c.output_current) {
     const double by_current = *o.output_current / (c.output_current->largest * factor);

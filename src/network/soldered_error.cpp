@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "network/draw_stability.hpp"
+#include "network/opamp_draws.hpp"
 #include "network/random.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
@@ -30,8 +31,10 @@ Eigen::MatrixXd right_sides(const Reduction& reduction, std::span<const Load> lo
 }  // namespace
 
 struct LoadedNetwork::Solved {
-  Solved(const Reduction& network, std::span<const Load> loads)
+  Solved(const Reduction& network, std::span<const Load> loads, BuiltOpAmps built)
       : reduction(network),
+        opamps(std::move(built)),
+        draws(network, opamps.errors, opamps.balance),
         right(right_sides(network, loads)),
         lu(as_eigen(network.equations().matrix)),
         unknowns(lu.solve(right)),
@@ -40,42 +43,59 @@ struct LoadedNetwork::Solved {
     if (!unknowns.allFinite()) throw std::domain_error("the network has no unique answer");
     if (!(sizes.minCoeff() > 0.0))
       throw std::domain_error("without an answer there is nothing to err from");
+    shifts.resize(outputs.rows(), outputs.cols());
+    for (Eigen::Index load = 0; load < outputs.cols(); ++load) {
+      const std::vector<double> shift = total_shift(opamps.errors, static_cast<std::size_t>(load),
+                                                    static_cast<std::size_t>(outputs.rows()));
+      shifts.col(load) = as_eigen(std::span(shift));
+    }
+  }
+
+  [[nodiscard]] Eigen::MatrixXd to_outputs() const {
+    return lu.inverse().topRows(outputs.rows()).transpose();
   }
 
   /// Of changes d(S z - h) made from the resistors', a row each.
   [[nodiscard]] std::vector<double> squares(
       std::size_t count,
       const std::function<Eigen::MatrixXd(const Eigen::Map<const RowMajor>&)>& changes) const {
-    const Eigen::MatrixXd to_outputs = lu.inverse().topRows(outputs.rows()).transpose();
+    const Eigen::MatrixXd by_currents = to_outputs();
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));
     for (Eigen::Index load = 0; load < unknowns.cols(); ++load) {
       const Eigen::VectorXd z = unknowns.col(load);
       const Matrix each = reduction.sensitivities({z.data(), static_cast<std::size_t>(z.size())});
-      sum += (changes(as_eigen(each)) * to_outputs).rowwise().squaredNorm() /
+      sum += (changes(as_eigen(each)) * by_currents).rowwise().squaredNorm() /
              (sizes(load) * sizes(load));
     }
     sum /= static_cast<double>(unknowns.cols());
     return {sum.begin(), sum.end()};
   }
 
-  /// @param equations  of other conductances
-  [[nodiscard]] double error(const Equations& equations) const {
+  /// The outputs less the nominal ones, of other conductances.
+  [[nodiscard]] Eigen::MatrixXd moved(const Equations& equations) const {
     const Eigen::MatrixXd z = Lu(as_eigen(equations.matrix)).solve(right);
-    const Eigen::MatrixXd off = z.topRows(outputs.rows()) - outputs;
+    return z.topRows(outputs.rows()) - outputs;
+  }
+
+  [[nodiscard]] double relative(const Eigen::MatrixXd& off) const {
     const double square = (off.colwise().norm().array() / sizes.array()).square().mean();
     return std::isfinite(square) ? std::sqrt(square) : std::numeric_limits<double>::infinity();
   }
 
   const Reduction& reduction;
+  const BuiltOpAmps opamps;
+  const OpAmpDraws draws;
   Eigen::MatrixXd right;
   Lu lu;
   Eigen::MatrixXd unknowns;
   Eigen::MatrixXd outputs;
   Eigen::RowVectorXd sizes;
+  Eigen::MatrixXd shifts;  // what the op-amps of every build add, a column a load
 };
 
-LoadedNetwork::LoadedNetwork(const Reduction& reduction, std::span<const Load> loads)
-    : solved_(std::make_unique<const Solved>(reduction, loads)) {}
+LoadedNetwork::LoadedNetwork(const Reduction& reduction, std::span<const Load> loads,
+                             BuiltOpAmps opamps)
+    : solved_(std::make_unique<const Solved>(reduction, loads, std::move(opamps))) {}
 LoadedNetwork::LoadedNetwork(LoadedNetwork&&) noexcept = default;
 LoadedNetwork::~LoadedNetwork() = default;
 
@@ -100,7 +120,39 @@ std::vector<double> LoadedNetwork::squared_errors(
 double LoadedNetwork::error(std::span<const double> siemens) const {
   Equations equations;
   solved_->reduction.assemble(siemens, equations);
-  return solved_->error(equations);
+  return solved_->relative(solved_->moved(equations));
+}
+
+OpAmpShares LoadedNetwork::opamp_shares() const {
+  const Solved& s = *solved_;
+  OpAmpShares squares;
+  const auto add = [](double& sum, double share) { sum += share * share; };
+  const Eigen::MatrixXd by_currents = s.to_outputs();
+  for (Eigen::Index load = 0; load < s.outputs.cols(); ++load) {
+    const OpAmpShares one = shares(s.opamps.errors, static_cast<std::size_t>(load), s.sizes(load));
+    add(squares.offset, one.offset);
+    add(squares.bias_current, one.bias_current);
+    add(squares.gain, one.gain);
+    add(squares.common_mode, one.common_mode);
+    add(squares.output_resistance, one.output_resistance);
+    add(squares.total, one.total);
+    if (s.opamps.balance > 0.0 && s.reduction.complementary() > 0) {
+      const Eigen::VectorXd z = s.unknowns.col(load);
+      const Matrix each =
+          s.reduction.balance_sensitivities({z.data(), static_cast<std::size_t>(z.size())});
+      add(squares.balance, s.opamps.balance / std::sqrt(3.0) *
+                               (as_eigen(each) * by_currents).norm() / s.sizes(load));
+    }
+  }
+  const auto loads = static_cast<double>(s.outputs.cols());
+  const auto root = [&](double sum) { return std::sqrt(sum / loads); };
+  return {.offset = root(squares.offset),
+          .bias_current = root(squares.bias_current),
+          .balance = root(squares.balance),
+          .gain = root(squares.gain),
+          .common_mode = root(squares.common_mode),
+          .output_resistance = root(squares.output_resistance),
+          .total = root(squares.total + squares.balance)};
 }
 
 std::vector<double> LoadedNetwork::builds(std::span<const double> printed,
@@ -115,10 +167,14 @@ std::vector<double> LoadedNetwork::builds(std::span<const double> printed,
   for (std::size_t build = 0; build < count; ++build) {
     for (std::size_t r = 0; r < resistors; ++r)
       siemens[r] = printed[r] / (1.0 + tolerances[r] * uniform(seed, build, r));
-    solved_->reduction.assemble(siemens, equations);
-    errors.push_back(is_stable(solved_->reduction, equations)
-                         ? solved_->error(equations)
-                         : std::numeric_limits<double>::infinity());
+    solved_->reduction.assemble(siemens, equations, solved_->draws.balances(seed, build));
+    if (!is_stable(solved_->reduction, equations)) {
+      errors.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
+    const Eigen::MatrixXd off = (solved_->moved(equations) + solved_->shifts).colwise() +
+                                solved_->draws.of_inputs(seed, build);
+    errors.push_back(solved_->relative(off));
   }
   std::sort(errors.begin(), errors.end());
   return errors;

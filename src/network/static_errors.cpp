@@ -1,6 +1,8 @@
 #include "tactile_net/network/static_errors.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "network/rest_equations.hpp"
@@ -8,11 +10,10 @@
 namespace tactile_net {
 namespace {
 
-/// The same circuit, its op-amps changed.
-FlatCircuit changed(const FlatCircuit& circuit, const auto& change) {
-  Circuit copy = circuit.circuit();
-  for (AmplifierModel& model : copy.amplifiers) change(model.opamp);
-  return {copy};
+OpAmp without_input_errors(OpAmp opamp) {
+  opamp.offset.reset();
+  opamp.bias_current.reset();
+  return opamp;
 }
 
 /// Whether any of the op-amps has it.
@@ -23,9 +24,10 @@ bool any(const FlatCircuit& circuit, std::optional<double> OpAmp::*key) {
   });
 }
 
+/// What errors of the inputs make of the outputs, a column an error.
 /// @param by  the outputs by an error of each input, `each` amplifiers' after one another
-InputErrors errors_of(const FlatCircuit& circuit, const Eigen::MatrixXd& by,
-                      std::optional<double> OpAmp::*key, double size) {
+Eigen::MatrixXd input_errors(const FlatCircuit& circuit, const Eigen::MatrixXd& by,
+                             std::optional<double> OpAmp::*key) {
   const auto amplifiers = static_cast<Eigen::Index>(circuit.amplifiers().size());
   const Eigen::Index inputs = by.cols() / amplifiers;
   Eigen::VectorXd value(by.cols());
@@ -33,37 +35,111 @@ InputErrors errors_of(const FlatCircuit& circuit, const Eigen::MatrixXd& by,
     const OpAmp& opamp = circuit.opamp(circuit.amplifiers()[static_cast<std::size_t>(k)]);
     value.segment(k * inputs, inputs).setConstant((opamp.*key).value_or(0.0));
   }
-  const Eigen::VectorXd together = by * value;
-  const Eigen::MatrixXd apart = by * value.asDiagonal();
-  return {together.norm() / size, apart.norm() / size};
+  return by * value.asDiagonal();
 }
+
+InputErrors together_and_apart(const Eigen::MatrixXd& errors, double size) {
+  return {errors.rowwise().sum().norm() / size, errors.norm() / size};
+}
+
+std::vector<double> difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  const Eigen::VectorXd off = a - b;
+  return {off.begin(), off.end()};
+}
+
+double norm_of(std::span<const double> values) {
+  return values.empty() ? 0.0 : as_eigen(values).norm();
+}
+
+double norm_of(const Matrix& matrix) { return norm_of(std::span<const double>(matrix.values)); }
 
 }  // namespace
 
 StaticErrors static_errors(const FlatCircuit& circuit) {
-  const FlatCircuit silent = changed(circuit, [](OpAmp& opamp) {
-    opamp.offset.reset();
-    opamp.bias_current.reset();
-  });
-  const RestEquations equations(silent);
+  const RestEquations equations(circuit, without_input_errors);
   const Eigen::VectorXd answer = equations.outputs();
   const double size = answer.norm();
   if (!(size > 0.0)) throw std::domain_error("without an answer there is no relative error");
   StaticErrors errors;
   if (any(circuit, &OpAmp::offset))
-    errors.offset = errors_of(circuit, equations.by_offset(), &OpAmp::offset, size);
+    errors.offset =
+        together_and_apart(input_errors(circuit, equations.by_offset(), &OpAmp::offset), size);
   if (any(circuit, &OpAmp::bias_current))
-    errors.bias_current =
-        errors_of(circuit, equations.by_bias_current(), &OpAmp::bias_current, size);
+    errors.bias_current = together_and_apart(
+        input_errors(circuit, equations.by_bias_current(), &OpAmp::bias_current), size);
   const auto without = [&](std::optional<double> OpAmp::*key) {
     if (!any(circuit, key)) return 0.0;
-    const FlatCircuit other = changed(silent, [=](OpAmp& opamp) { (opamp.*key).reset(); });
-    const Eigen::VectorXd exact = RestEquations(other).outputs();
+    const RestEquations other(circuit, [key](const OpAmp& opamp) {
+      OpAmp changed = without_input_errors(opamp);
+      (changed.*key).reset();
+      return changed;
+    });
+    const Eigen::VectorXd exact = other.outputs();
     return (answer - exact).norm() / exact.norm();
   };
   errors.common_mode = without(&OpAmp::common_mode_rejection);
   errors.output_resistance = without(&OpAmp::output_resistance);
   return errors;
+}
+
+OpAmpErrors opamp_errors(const FlatCircuit& circuit,
+                         std::span<const std::vector<CurrentSource>> loads) {
+  OpAmpErrors errors;
+  errors.shifts.resize(loads.size());
+  const auto& models = circuit.circuit().amplifiers;
+  if (circuit.amplifiers().empty() ||
+      std::all_of(models.begin(), models.end(),
+                  [](const AmplifierModel& model) { return model.opamp.is_nullor(); }))
+    return errors;
+  const RestEquations own(circuit, without_input_errors);
+  if (any(circuit, &OpAmp::offset))
+    errors.offset = from_eigen(input_errors(circuit, own.by_offset(), &OpAmp::offset));
+  if (any(circuit, &OpAmp::bias_current))
+    errors.bias_current =
+        from_eigen(input_errors(circuit, own.by_bias_current(), &OpAmp::bias_current));
+  // From ideal op-amps on, one property after the other: what each adds adds up to all of it.
+  const RestEquations ideal(
+      circuit, [](const OpAmp&) { return OpAmp{.gain = std::numeric_limits<double>::infinity()}; });
+  const RestEquations of_gain(circuit,
+                              [](const OpAmp& opamp) { return OpAmp{.gain = opamp.dc_gain()}; });
+  const RestEquations of_inputs(circuit, [](const OpAmp& opamp) {
+    OpAmp changed = without_input_errors(opamp);
+    changed.output_resistance.reset();
+    return changed;
+  });
+  for (std::size_t load = 0; load < loads.size(); ++load) {
+    const Eigen::VectorXd by_gain = of_gain.outputs(loads[load]);
+    const Eigen::VectorXd by_inputs = of_inputs.outputs(loads[load]);
+    OpAmpErrors::Shift& shift = errors.shifts[load];
+    shift.gain = difference(by_gain, ideal.outputs(loads[load]));
+    shift.common_mode = difference(by_inputs, by_gain);
+    shift.output_resistance = difference(own.outputs(loads[load]), by_inputs);
+  }
+  return errors;
+}
+
+std::vector<double> total_shift(const OpAmpErrors& errors, std::size_t load, std::size_t outputs) {
+  std::vector<double> total(outputs);
+  if (load >= errors.shifts.size()) return total;
+  const OpAmpErrors::Shift& shift = errors.shifts[load];
+  for (const std::vector<double>* one : {&shift.gain, &shift.common_mode, &shift.output_resistance})
+    for (std::size_t i = 0; i < one->size(); ++i) total[i] += (*one)[i];
+  return total;
+}
+
+OpAmpShares shares(const OpAmpErrors& errors, std::size_t load, double size) {
+  OpAmpShares result{.offset = norm_of(errors.offset) / size,
+                     .bias_current = norm_of(errors.bias_current) / size};
+  double shifted = 0.0;
+  if (load < errors.shifts.size()) {
+    const OpAmpErrors::Shift& shift = errors.shifts[load];
+    result.gain = norm_of(shift.gain) / size;
+    result.common_mode = norm_of(shift.common_mode) / size;
+    result.output_resistance = norm_of(shift.output_resistance) / size;
+    shifted = norm_of(total_shift(errors, load, shift.gain.size())) / size;
+  }
+  result.total = std::hypot(result.offset, result.bias_current, shifted);
+  return result;
 }
 
 }  // namespace tactile_net

@@ -7,10 +7,12 @@
 #include <stdexcept>
 
 #include "network/draw_stability.hpp"
+#include "network/opamp_draws.hpp"
 #include "network/programmed_arrays.hpp"
 #include "network/random.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
+#include "tactile_net/network/network_circuit.hpp"
 
 namespace tactile_net {
 namespace {
@@ -160,7 +162,7 @@ class Draws {
   [[nodiscard]] const std::vector<Resistor>& paths() const noexcept { return arrays_.paths(); }
 
   /// The first-order part of a result.
-  void predict(ToleranceResult& result) const;
+  void predict(ToleranceResult& result, const OpAmpErrors& opamps) const;
 
  private:
   [[nodiscard]] double tolerance(std::size_t resistor) const {
@@ -198,7 +200,7 @@ Eigen::VectorXd Draws::changes() const {
   return as_eigen(std::span<const double>(seen)).cwiseQuotient(exact).array() - 1.0;
 }
 
-void Draws::predict(ToleranceResult& result) const {
+void Draws::predict(ToleranceResult& result, const OpAmpErrors& opamps) const {
   const FirstOrder first = first_order(reduction_);
   const Matrix each = reduction_.sensitivities(first.unknowns);
   const auto by_resistors = as_eigen(each);
@@ -213,6 +215,7 @@ void Draws::predict(ToleranceResult& result) const {
     moved += as_eigen(std::span(besides)).transpose();
     sum += first.squares(moved)(0);
   }
+  sum += std::pow(shares(opamps, 0, std::sqrt(first.size)).total, 2);
   result.predicted = std::sqrt(sum);
   if (!drawn_alone) return;
 
@@ -224,17 +227,6 @@ void Draws::predict(ToleranceResult& result) const {
                     [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
   for (std::size_t k = 0; k < most; ++k)
     result.worst.push_back({reduction_.resistors()[order[k]], share(order[k])});
-}
-
-/// One trial's balances; none: all are exact.
-std::vector<double> balances(const Reduction& reduction, const ToleranceOptions& options,
-                             std::size_t trial) {
-  std::vector<double> balance;
-  if (!options.balance) return balance;
-  for (std::size_t k = 0; k < reduction.complementary(); ++k)
-    balance.push_back(*options.balance *
-                      uniform(options.seed, trial, reduction.resistors().size() + k));
-  return balance;
 }
 
 }  // namespace
@@ -278,34 +270,47 @@ Trial try_out(const Reduction& reduction, std::span<const double> siemens,
       is_stable(reduction, equations), (v - nominal).norm() / nominal.norm(), {v.begin(), v.end()}};
 }
 
-ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options) {
+ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options,
+                         const OpAmpErrors& opamps) {
   check(options, reduction.resistors().size());
   const Equations nominal = reduction.equations();
   const Eigen::VectorXd v = outputs_of(reduction, nominal);
   if (v.norm() == 0.0) throw std::domain_error("without a load there is no answer to err from");
   if (!v.allFinite()) throw std::domain_error("the network has no unique answer");
 
-  ToleranceResult result{.trials = draws(options) ? options.trials : 1};
+  const bool random =
+      draws(options) || !opamps.offset.values.empty() || !opamps.bias_current.values.empty();
+  ToleranceResult result{.trials = random ? options.trials : 1};
   const Draws built(reduction, options);
+  const OpAmpDraws amplifiers(reduction, opamps, options.balance.value_or(0.0));
+  const std::vector<double> shifts = total_shift(opamps, 0, reduction.outputs());
+  const auto shift = as_eigen(std::span(shifts));
   std::vector<double> siemens;
   std::vector<double>& errors = result.errors;
   Equations equations;
   for (std::size_t trial = 0; trial < result.trials; ++trial) {
     built.draw(trial, siemens);
-    reduction.assemble(siemens, equations, balances(reduction, options, trial), built.paths());
+    reduction.assemble(siemens, equations, amplifiers.balances(options.seed, trial), built.paths());
     if (!is_stable(reduction, equations)) {
       errors.push_back(std::numeric_limits<double>::infinity());
       continue;
     }
     ++result.stable;
-    errors.push_back((outputs_of(reduction, equations) - v).norm() / v.norm());
+    const Eigen::VectorXd off =
+        outputs_of(reduction, equations) + amplifiers.of_inputs(options.seed, trial) + shift - v;
+    errors.push_back(off.norm() / v.norm());
     if (errors.back() <= options.accuracy) ++result.accurate;
   }
   std::sort(errors.begin(), errors.end());
   result.median = quantile(errors, 0.5);
   result.p95 = quantile(errors, 0.95);
-  built.predict(result);
+  built.predict(result, opamps);
   return result;
+}
+
+ToleranceResult tolerate(const NetworkCircuit& circuit, const ToleranceOptions& options) {
+  const std::vector<std::vector<CurrentSource>> own = {circuit.circuit().sources};
+  return tolerate(circuit.reduction(), options, opamp_errors(circuit.flat(), own));
 }
 
 }  // namespace tactile_net

@@ -32,6 +32,10 @@ struct ComplexSvd {
 /// Of a symmetric matrix, ascending; its lower triangle is read.
 [[nodiscard]] Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);
 
+/// Of a symmetric tridiagonal matrix, from its diagonal and the one beside it. O(rows^2).
+[[nodiscard]] double largest_tridiagonal_eigenvalue(const Eigen::VectorXd& diagonal,
+                                                    const Eigen::VectorXd& beside);
+
 [[nodiscard]] Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a);
 
 struct Eigenpairs {

@@ -8,7 +8,12 @@
 namespace tactile_net {
 
 Svd singular_value_decomposition(const Eigen::MatrixXd& a) {
-  const Eigen::BDCSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  constexpr int thin = Eigen::ComputeThinU | Eigen::ComputeThinV;
+#if EIGEN_MAJOR_VERSION < 5  // 3.4, whose type has no place for them
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd(a, thin);
+#else
+  const Eigen::BDCSVD<Eigen::MatrixXd, thin> svd(a);
+#endif
   return {svd.singularValues(), svd.matrixU(), svd.matrixV()};
 }
 

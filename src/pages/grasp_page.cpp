@@ -64,8 +64,8 @@ std::string grasp_report_html(const lab::GraspResult& grasp, const Made& made) {
   html += element("p",
                   "± is one standard deviation. Normal is into the pad and tangential along its y; "
                   "the distance to the friction cone's edge is a force.");
-  html += colophon("The hand, the files, the command", element("p", "Hand: " + hand.file + "."), {},
-                   made);
+  html += colophon("The hand, the files, the command",
+                   drawing::enclosed("p", "Hand: " + drawing::escaped(hand.file) + "."), {}, made);
   return page_html(hand.file + " - tactile-net grasp", html);
 }
 

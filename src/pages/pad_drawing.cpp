@@ -39,12 +39,10 @@ std::string words_below(const Scene& scene) {
   const auto length = [&](double value) {
     return report::in_unit(scene, Dimension::length, value);
   };
-  const Surface places = surface(scene);
-  const auto from_middle = [&](double y) { return length(places.centre + y); };
   const auto& layer = scene.material.layer;
-  return "<div class=\"pad-words\">" + element("span", "y = " + from_middle(-places.half_width())) +
-         element("span", places.centre == 0.0 ? "0" : from_middle(0.0)) +
-         element("span", from_middle(places.half_width())) + "</div><div class=\"pad-words\">" +
+  std::string ends;
+  for (const std::string& end : ends_of_surface(scene)) ends += element("span", end);
+  return "<div class=\"pad-words\">" + ends + "</div><div class=\"pad-words\">" +
          element("span", !layer ? "deep: a half plane"
                                 : length(layer->thickness) + " thick, " +
                                       (layer->base == Base::bonded ? "bonded to a rigid base"
@@ -53,6 +51,15 @@ std::string words_below(const Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<std::string> ends_of_surface(const Scene& scene) {
+  const Surface places = surface(scene);
+  const auto from_middle = [&](double y) {
+    return report::in_unit(scene, Dimension::length, places.centre + y);
+  };
+  return {"y = " + from_middle(-places.half_width()), places.centre == 0.0 ? "0" : from_middle(0.0),
+          from_middle(places.half_width())};
+}
 
 PadLayout pad_layout(const Scene& scene) {
   PadLayout layout;

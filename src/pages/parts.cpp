@@ -12,7 +12,9 @@ namespace tactile_net::pages {
 namespace {
 
 using drawing::element;
+using drawing::enclosed;
 using drawing::escaped;
+using drawing::words_html;
 
 struct Judgement {
   std::string_view word;
@@ -44,8 +46,8 @@ Judgement judgement(const std::string& word) {
 }  // namespace
 
 std::string heading(const std::string& title, const std::string& file, const std::string& words) {
-  return element("h1", title.empty() ? file : title) +
-         element("p", (title.empty() ? "" : file + ": ") + words, "quiet");
+  return enclosed("h1", escaped(title.empty() ? file : title)) +
+         enclosed("p", (title.empty() ? "" : escaped(file + ": ")) + words_html(words), "quiet");
 }
 
 std::string answer_box(const std::vector<report::Answer>& answers) {
@@ -69,7 +71,7 @@ std::string verdict_table(std::vector<std::vector<std::string>> rows) {
   for (auto& row : rows)
     std::rotate(row.begin() + 1, row.begin() + column, row.begin() + column + 1);
   std::string html = drawing::html_table(rows, [](std::size_t k, const std::string& text) {
-    return k == 1 ? verdict_mark(text) : escaped(drawing::typeset(text));
+    return k == 1 ? verdict_mark(text) : words_html(text);
   });
   std::vector<std::string> said;
   for (std::size_t i = 1; i < rows.size(); ++i) {

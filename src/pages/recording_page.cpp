@@ -21,7 +21,9 @@ namespace tactile_net::pages {
 namespace {
 
 using drawing::element;
+using drawing::enclosed;
 using drawing::escaped;
+using drawing::words_html;
 using lab::FrameGroup;
 using lab::RecordingOverview;
 using ValueOf = std::function<double(const FrameGroup&)>;
@@ -38,7 +40,7 @@ using report::TractionRange;
 /// A caption is text, and where the numbers of every picture are known (recording_csv.hpp).
 std::string framed(std::string_view picture, std::string_view caption,
                    std::string_view type = "whole-row") {
-  return drawing::figure_html("", picture, escaped(drawing::typeset(caption)), "shown.csv", type);
+  return drawing::figure_html("", picture, words_html(caption), "shown.csv", type);
 }
 
 /// A figure over time, with the cursor that the slider moves.
@@ -90,7 +92,7 @@ std::string heat_maps(const RecordingOverview& overview) {
   };
   const auto centre = column(overview, [&overview, y](const FrameGroup& group) {
     const auto place = group.resultant.centre();
-    return place && overview.loaded(group) && std::abs(*place) < y.high
+    return place && overview.loaded(group) && *place > y.low && *place < y.high
                ? *place
                : std::numeric_limits<double>::quiet_NaN();
   });
@@ -236,10 +238,6 @@ std::string one_frame(const RecordingOverview& overview) {
   const TractionRange tractions = traction_range(overview);
   const Range range{tractions.low, tractions.high};
   const std::size_t n = surface(scene).count;
-  const Range y = along_the_array(scene);
-  const auto length = [&](double place) {
-    return report::in_unit(scene, Dimension::length, place);
-  };
   const std::string lines =
       level_line(n, range, 0.0, "zero") +
       "<path class=\"normal-area\" id=\"normal-band\"/><path class=\"tangential-area\" "
@@ -255,8 +253,7 @@ std::string one_frame(const RecordingOverview& overview) {
          drawing::figure_html(
              "",
              stretched_picture(n, range, unit_of(scene, Dimension::stress, range),
-                               "Tractions of the chosen frame", "", lines,
-                               {"y = " + length(y.low), "0", length(y.high)}),
+                               "Tractions of the chosen frame", "", lines, ends_of_surface(scene)),
              "<span class=\"key-normal\">Normal</span>" +
                  std::string(overview.tangential()
                                  ? " and <span class=\"key-tangential\">tangential</span>"
@@ -284,17 +281,19 @@ std::string suspicions(const RecordingOverview& overview) {
 drawing::Page recording_page(const RecordingOverview& overview, const std::string& readings,
                              const std::vector<std::string>& notes, const Made& made) {
   const Scene& scene = overview.scene;
-  std::string html = element("h1", scene.title.empty() ? readings : scene.title);
+  std::string html = enclosed("h1", escaped(scene.title.empty() ? readings : scene.title));
   html += element("p", recording_in_words(overview), "quiet");
-  html += overview.groups.empty() ? element("p", readings + " holds no frame.", "bad")
+  html += overview.groups.empty() ? enclosed("p", escaped(readings) + " holds no frame.", "bad")
                                   : answer_box(answers(overview));
   html += suspicions(overview) + paragraphs(notes, "note");
   if (!overview.groups.empty())
     html += one_frame(overview) + heat_maps(overview) + forces(overview) + residuals(overview) +
             verdicts(overview);
   html += colophon("The scene, the method, the files",
-                   element("p", scene.file + ": " + sensor_in_words(scene) + "; " +
-                                    material_in_words(scene) + ". Readings: " + readings + "."),
+                   enclosed("p", escaped(scene.file) + ": " +
+                                     words_html(sensor_in_words(scene) + "; " +
+                                                material_in_words(scene) + ". Readings: ") +
+                                     escaped(readings) + "."),
                    {}, made);
   if (!overview.groups.empty())
     html += "<script type=\"application/json\" id=\"data\">" + recording_json(overview) +

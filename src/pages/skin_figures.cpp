@@ -224,10 +224,10 @@ std::string judgement(const lab::SkinExperiment& experiment) {
       element("h2", experiment.has_truth() ? "Found beside true" : "What was found") +
       drawing::html_table(report::found_cells(experiment));
   html += "<p>" + verdict_mark(std::string(name(answer.verdict))) + " " +
-          drawing::escaped(drawing::typeset("alpha " + brief(answer.alpha.value) + " (" +
-                                            std::string(source(answer.alpha)) + "), " +
-                                            report::grid_in_words(scene, experiment.grid) +
-                                            ". Data: " + report::data_word(answer.data) + ".")) +
+          drawing::escaped(drawing::typeset(
+              "alpha " + brief(answer.alpha.value) + " (" + std::string(source(answer.alpha)) +
+              "), " + report::grid_in_words(scene, experiment.grid) +
+              ". Data: " + report::data_word(answer.data, scene) + ".")) +
           "</p>\n";
   if (answer.cone)
     html += element("p", "Under the constraints " + std::to_string(answer.cone->sliding) +

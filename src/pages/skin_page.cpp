@@ -98,7 +98,7 @@ std::string frames_figure(const lab::SkinRecordingAnswer& recording) {
         report::in_unit(units, Dimension::point_force, frame.wrench.normal.value,
                         frame.wrench.normal.deviation) +
         (frame.verdict == lab::Verdict::ok ? "" : ", " + std::string(name(frame.verdict))) +
-        (frame.data.consistent() ? "" : ", data " + report::data_word(frame.data));
+        (frame.data.consistent() ? "" : ", data " + report::data_word(frame.data, recording.scene));
     html += std::string("<div class=\"frame\"") + (i == first ? ">" : " hidden>") +
             traction_map(recording.scene, grid, one.tractions, one.cells, scales, title) + "</div>";
   }
@@ -155,8 +155,8 @@ drawing::Page recording_page(const lab::SkinRecordingAnswer& recording, const st
   drawing::Page page;
   if (recording.answer) page.files = report::run_files(hardest);
   std::string html =
-      heading(scene.title, scene.file,
-              readings + ", " + std::to_string(recording.frames.size()) +
+      heading(scene.title, scene.file + ", " + readings,
+              std::to_string(recording.frames.size()) +
                   (recording.frames.size() == 1 ? " frame; " : " frames; ") +
                   report::sensor_in_words(scene) + "; " + report::material_in_words(scene));
   html += answer_box(report::answers(recording));

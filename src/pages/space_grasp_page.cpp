@@ -51,8 +51,8 @@ std::string grasp_report_html(const lab::SpaceGraspResult& grasp, const Made& ma
                   "± is one standard deviation. Normal is into the pad, y and z run along it; the "
                   "distance to the friction cone's edge is a force, with torsion over its radius "
                   "among the drags.");
-  html += colophon("The hand, the files, the command", element("p", "Hand: " + hand.file + "."), {},
-                   made);
+  html += colophon("The hand, the files, the command",
+                   drawing::enclosed("p", "Hand: " + drawing::escaped(hand.file) + "."), {}, made);
   return page_html(hand.file + " - tactile-net grasp", html);
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "realtime/estimator_state.hpp"
+#include "realtime/finite.hpp"
 
 namespace tactile_net {
 namespace {
@@ -37,10 +38,6 @@ Moments moments_of(std::span<const double> f) noexcept {
   }
   return moments;
 }
-
-/// A limit that never refuses, for input that was already compared with `Ready::limit`. Filled-in
-/// dead readings may exceed that limit and are checked where they are filled in.
-constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 }  // namespace
 
@@ -157,11 +154,13 @@ FrameStatus ContactEstimator::refused(std::span<const double> readings) const no
   input.saturated = false;
   for (std::size_t c = 0; c < ready.ranges.size(); ++c)
     for (std::size_t i = c * ready.line; i < (c + 1) * ready.line; ++i)
-      input.saturated |= scratch.weights[i] > 0.0 && !(readings[i] > ready.ranges[c].lowest &&
-                                                       readings[i] < ready.ranges[c].highest);
+      // The operators would raise an exception for NaN, which the product refuses, in silence.
+      input.saturated |=
+          scratch.weights[i] > 0.0 && !(std::isgreater(readings[i], ready.ranges[c].lowest) &&
+                                        std::isless(readings[i], ready.ranges[c].highest));
 
   if (!scratch.dead.empty()) {
-    fill_dead(x);
+    fill_dead(x);  // with what may itself be too large
     if (loops.largest(x, n) > std::bit_cast<std::uint64_t>(ready.limit))
       return FrameStatus::too_large;
   }
@@ -281,7 +280,7 @@ void ContactEstimator::fill_dead(double* x) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const std::size_t size = scratch.dead.size();
-  const std::size_t stride = most_dead_taxels * ready.channels;
+  const std::size_t stride = ready.most_dead;
   const std::size_t row = padded<double>(ready.readings());
   double* const u = scratch.filled.data();
   for (std::size_t i = size; i-- > 0;) {
@@ -297,7 +296,7 @@ bool ContactEstimator::eliminate(std::size_t reading) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const std::size_t n = ready.readings();
-  const std::size_t stride = most_dead_taxels * ready.channels;
+  const std::size_t stride = ready.most_dead;
   const std::size_t row_size = padded<double>(n);
   const std::size_t i = scratch.dead.size();
   if (i == stride) return false;
@@ -363,11 +362,15 @@ void ContactEstimator::revive() noexcept {
 
 FrameStatus ContactEstimator::set_baseline(std::span<const double> readings) noexcept {
   if (readings.size() != ready_->readings()) return FrameStatus::wrong_size;
+  FrameStatus status = FrameStatus::ok;
+  for (std::size_t i = 0; i < readings.size() && status != FrameStatus::not_finite; ++i) {
+    if (!(scratch_->weights[i] > 0.0) || is_baseline(readings[i])) continue;
+    status = std::isfinite(readings[i]) ? FrameStatus::too_large : FrameStatus::not_finite;
+  }
+  if (status != FrameStatus::ok) return status;
   for (std::size_t i = 0; i < readings.size(); ++i)
-    if (scratch_->weights[i] > 0.0 && !std::isfinite(readings[i])) return FrameStatus::not_finite;
-  for (std::size_t i = 0; i < readings.size(); ++i)
-    if (std::isfinite(readings[i])) scratch_->baseline[i] = readings[i];
-  return FrameStatus::ok;
+    if (is_baseline(readings[i])) scratch_->baseline[i] = readings[i];
+  return status;
 }
 
 }  // namespace tactile_net

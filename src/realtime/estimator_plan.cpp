@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "realtime/finite.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -41,6 +43,16 @@ void check_skin(const EstimatorPlan& plan) {
           "windows need one deviation >= 0 per cell, those of cells, and fit into the grid");
 }
 
+/// After its product. Its blocks are then as many as the unknowns, and the cells no more than in
+/// proportion to the factors' values.
+void check_cells_of_grid(const EstimatorPlan& plan) {
+  const GridBlocks& grid = plan.reconstruction.row_grid;
+  require(!has_reflections(plan.reconstruction.structure) ||
+              (grid.rows == plan.cells->rows && grid.columns == plan.cells->columns &&
+               grid.signs_y.size() == plan.unknowns),
+          "the grid of the tractions is not that of the cells, once for each unknown");
+}
+
 void check_fill(const EstimatorPlan& plan) {
   const Factor& fill = *plan.fill;
   const auto dead = std::count(plan.weights.begin(), plan.weights.end(), 0.0);
@@ -53,12 +65,15 @@ void check_fill(const EstimatorPlan& plan) {
 }  // namespace
 
 void check(const EstimatorPlan& plan) {
-  constexpr std::size_t most = std::size_t{1} << 31;  // taxels are counted in 32 bits
+  // Taxels are counted in 32 bits. Where addresses have no more, the 4 KB that an estimator takes
+  // at most for a reading must fit into them.
+  constexpr std::size_t most = std::size_t{1} << (sizeof(std::size_t) > 4 ? 31 : 19);
   const bool skin = plan.cells.has_value();
   require(plan.count >= (skin ? 1 : 2) && plan.count < most, "count must be >= 2");
   require(plan.channels >= 1 && plan.channels < most / plan.count, "channels must be >= 1");
-  require(std::all_of(plan.taxels.begin(), plan.taxels.end(),
-                      [&](std::uint32_t taxel) { return taxel < plan.count; }),
+  require(plan.taxels.size() < most &&
+              std::all_of(plan.taxels.begin(), plan.taxels.end(),
+                          [&](std::uint32_t taxel) { return taxel < plan.count; }),
           "taxels must be < count");
   require(skin || plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
   require(plan.values >= (skin ? 1 : 2) && plan.values < most, "values must be >= 2");
@@ -86,6 +101,7 @@ void check(const EstimatorPlan& plan) {
               plan.reconstruction.columns == plan.readings(),
           "the reconstruction is not of tractions x readings");
   check(plan.reconstruction);
+  if (skin) check_cells_of_grid(plan);
   require(plan.weights.size() == plan.readings() &&
               std::all_of(plan.weights.begin(), plan.weights.end(), not_negative) &&
               std::any_of(plan.weights.begin(), plan.weights.end(), positive),
@@ -112,8 +128,9 @@ void check(const EstimatorPlan& plan) {
         std::isfinite(range.lowest) && std::isfinite(range.highest) && range.lowest < range.highest,
         "a range needs lowest < highest");
   require(plan.baseline.empty() ||
-              (plan.baseline.size() == plan.readings() && all_finite(plan.baseline)),
-          "a baseline needs one finite value per reading");
+              (plan.baseline.size() == plan.readings() &&
+               std::all_of(plan.baseline.begin(), plan.baseline.end(), is_baseline)),
+          "a baseline needs one finite value per reading, of at most 2^969");
 }
 
 }  // namespace tactile_net

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,7 +40,7 @@ namespace tactile_net {
     double size = has_reflections(plan.structure) ? 8.0 : 2.0;  // sums of so many entries
     for (std::size_t k = 0; k < per_class; ++k) {
       size *= row_sum_norm(plan.factors[i + k]);
-      most = std::max({most, size, size * plan.scale});
+      most = std::max({most, size, size * plan.scale, plan.scale});
     }
   }
   if (plan.structure == Structure::fft)  // a sum over the circle there, and one back
@@ -81,6 +83,7 @@ struct ContactEstimator::Ready {
         loops(kernels(set)) {
     for (std::size_t i = 0; i < taxels.size(); ++i)
       taxels[i] = static_cast<std::uint32_t>(plan.taxel_of(i));
+    most_dead = most_dead_of(taxels);
     if (plan.reconstruction.precision == Precision::float64)
       product64.emplace(plan.reconstruction, loops.most_lines, loops.most_shared);
     else
@@ -118,6 +121,20 @@ struct ContactEstimator::Ready {
 
   [[nodiscard]] std::size_t readings() const noexcept { return taxels.size(); }
 
+  /// Readings of the taxels that have most.
+  [[nodiscard]] static std::size_t most_dead_of(std::vector<std::uint32_t> taxels) {
+    std::sort(taxels.begin(), taxels.end());
+    std::vector<std::size_t> counts;
+    for (std::size_t i = 0; i < taxels.size(); ++i) {
+      if (i == 0 || taxels[i] != taxels[i - 1]) counts.push_back(0);
+      ++counts.back();
+    }
+    std::sort(counts.begin(), counts.end(), std::greater<>());
+    counts.resize(std::min(counts.size(), most_dead_taxels));
+    return std::min(std::accumulate(counts.begin(), counts.end(), std::size_t{0}),
+                    most_dead_readings);
+  }
+
   std::string label;
   std::size_t count, channels, unknowns, values;
   double spacing, centre;
@@ -125,6 +142,7 @@ struct ContactEstimator::Ready {
   std::vector<ReadingRange> ranges;
   std::size_t line;                   // readings that each range is of
   std::vector<std::uint32_t> taxels;  // of every reading
+  std::size_t most_dead = 0;          // readings that `set_dead` leaves out at most
   std::vector<double> weights, leverages;
   double accuracy;  // of the prediction, relative to the weighted readings
   double noise_rms, outlier_limit, residual_limit;
@@ -165,7 +183,7 @@ struct ContactEstimator::Scratch {
       if (ready.weights[i] == 0.0) unread.push_back(i);
     unread.reserve(ready.readings());
     if (ready.prediction) {
-      const std::size_t most = most_dead_taxels * ready.channels;
+      const std::size_t most = ready.most_dead;
       dead.reserve(most);
       dead_rows = Aligned<double>(most * padded<double>(ready.readings()));
       cholesky = Aligned<double>(most * most);

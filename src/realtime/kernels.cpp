@@ -1,6 +1,5 @@
 #include "realtime/kernels.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -42,23 +41,24 @@ template <int Bytes>
   return std::bit_cast<std::uint64_t>(value) & 0x7fff'ffff'ffff'ffffU;
 }
 
-/// Sums and differences of x = a - b, class by class; see product_plan.hpp. Returns the bits of the
-/// largest |x|, as `largest_magnitude`.
+/// Whether an |x| is NaN or beyond a limit, the bits of a finite number: one that is carries into
+/// the sign. Cheaper than the largest: no comparison.
+[[gnu::always_inline]] inline bool is_beyond(Difference x, std::size_t n,
+                                             std::uint64_t limit) noexcept {
+  const std::uint64_t carrying = 0x7fff'ffff'ffff'ffffU - limit;
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < n; ++i) all |= magnitude_bits(x[i]) + carrying;
+  return all >> 63 != 0;
+}
+
+/// Sums and differences of x = a - b, class by class; see product_plan.hpp.
 template <int Bytes, class T>
-[[gnu::always_inline]] inline std::uint64_t split(const std::vector<std::int8_t>& signs,
-                                                  std::size_t n, Difference x, double factor,
-                                                  T* even, T* odd) noexcept {
+[[gnu::always_inline]] inline void split(const std::vector<std::int8_t>& signs, std::size_t n,
+                                         Difference x, double factor, T* even, T* odd) noexcept {
   constexpr std::size_t lanes = Bytes / sizeof(double);
   constexpr int stored = static_cast<int>(lanes * sizeof(T));
   using Stored = typename Vector<T, stored>::type;
-  using Bits = typename Vector<std::int64_t, Bytes>::type;
   const std::size_t half = n / 2;
-  Bits most{};
-  std::uint64_t rest = 0;
-  const auto compare = [&](auto v) {
-    const Bits bits = reinterpret_cast<Bits>(v) & 0x7fff'ffff'ffff'ffff;
-    most = bits > most ? bits : most;
-  };
   for (const std::int8_t sign : signs) {
     T* const sums = sign > 0 ? even : odd;
     T* const differences = sign > 0 ? odd : even;
@@ -66,34 +66,24 @@ template <int Bytes, class T>
     cover<lanes>(
         half,
         [&](std::size_t i, std::size_t) {
-          const auto front = values(i);
-          const auto back = values(n - i - lanes);
-          compare(front);
-          compare(back);
-          const auto a = front * factor;
-          const auto b = reversed(back * factor, std::make_index_sequence<lanes>());
+          const auto a = values(i) * factor;
+          const auto b =
+              reversed(values(n - i - lanes) * factor, std::make_index_sequence<lanes>());
           store<stored>(sums + i, __builtin_convertvector(a + b, Stored));
           store<stored>(differences + i, __builtin_convertvector(a - b, Stored));
         },
         [&](std::size_t i) {
-          rest = std::max({rest, magnitude_bits(x[i]), magnitude_bits(x[n - 1 - i])});
           const double a = x[i] * factor;
           const double b = x[n - 1 - i] * factor;
           sums[i] = static_cast<T>(a + b);
           differences[i] = static_cast<T>(a - b);
         });
-    if (n % 2 != 0) {
-      rest = std::max(rest, magnitude_bits(x[half]));
-      sums[half] = static_cast<T>(x[half] * factor);
-    }
+    if (n % 2 != 0) sums[half] = static_cast<T>(x[half] * factor);
     even += sign > 0 ? n - half : half;
     odd += sign > 0 ? half : n - half;
     x.a += n;
     x.b += n;
   }
-  for (std::size_t k = 0; k < lanes; ++k)
-    rest = std::max(rest, static_cast<std::uint64_t>(most[k]));
-  return rest;
 }
 
 /// The way back: y from its classes, and the moments of each block if they are wanted.
@@ -152,6 +142,7 @@ template <int Bytes, class T>
                                             T* scratch, double magnitude,
                                             std::span<Moments> moments, std::uint64_t limit,
                                             const auto& factor) noexcept {
+  if (limit != unlimited && is_beyond(x, a.columns, limit)) return false;
   T* const input = scratch;
   T* const middle = scratch + a.input_size;
   T* const output = middle + a.middle_size;
@@ -160,13 +151,7 @@ template <int Bytes, class T>
   const double grow = sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale;
   const bool low_rank = is_low_rank(a.structure);
   if (!has_parity(a.structure)) {
-    std::uint64_t largest = 0;
-    for (std::size_t i = 0; i < a.columns; ++i) {
-      const double value = x[i];
-      largest = std::max(largest, magnitude_bits(value));
-      input[i] = static_cast<T>(value * shrink);
-    }
-    if (largest > limit) return false;
+    for (std::size_t i = 0; i < a.columns; ++i) input[i] = static_cast<T>(x[i] * shrink);
     if (low_rank) factor(a.factors[0], input, middle);
     factor(a.factors[low_rank ? 1 : 0], low_rank ? middle : input, output);
     for (std::size_t i = 0; i < a.rows; ++i) y[i] = grow * static_cast<double>(output[i]);
@@ -175,8 +160,7 @@ template <int Bytes, class T>
   } else {
     T* const odd_input = input + a.even_input_size;
     T* const odd_output = output + a.even_output_size;
-    if (split<Bytes>(a.column_signs, a.column_block, x, shrink, input, odd_input) > limit)
-      return false;
+    split<Bytes>(a.column_signs, a.column_block, x, shrink, input, odd_input);
     if (low_rank) {
       factor(a.factors[0], input, middle);
       factor(a.factors[1], middle, output);
@@ -265,9 +249,7 @@ template <class T>
                                         void (*factor)(const Panels<T>&, const T*, T*) noexcept,
                                         void (*twice)(const Panels<T>&, const T*, const T*, T*,
                                                       T*) noexcept) noexcept {
-  std::uint64_t largest = 0;
-  for (std::size_t i = 0; i < a.columns; ++i) largest = std::max(largest, magnitude_bits(x[i]));
-  if (largest > limit) return false;
+  if (limit != unlimited && is_beyond(x, a.columns, limit)) return false;
   T* const input = scratch;
   T* const middle = scratch + a.input_size;
   T* const other_middle = middle + a.middle_size / 2;

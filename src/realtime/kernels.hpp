@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "realtime/folding.hpp"
@@ -13,6 +14,9 @@
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net {
+
+/// A limit that refuses nothing, for input that has been compared with one before.
+inline constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 struct Moments {
   double sum = 0.0;    // sum f_j
@@ -37,7 +41,9 @@ struct Kernels {
   std::uint64_t (*largest)(const double* x, std::size_t n) noexcept;
   /// y = A x; `magnitude`: 2^k >= |x| / 2 of every entry, by which float sums are scaled. Moments
   /// of as many blocks of y as there is room for: none or all. y may be the memory of x.
-  /// @return false, and y is untouched: an |x| is NaN or beyond `limit`, as `largest` has it
+  /// @return false, and y is untouched: an |x| is NaN or beyond `limit`, as `largest` has it; that
+  ///         is asked before the first sum, so that none of infinities or of too large numbers is
+  ///         taken: it would raise a floating-point exception
   bool (*multiply64)(const ReadyProduct<double>& a, Difference x, double* y, double* scratch,
                      double magnitude, std::span<Moments> moments, std::uint64_t limit) noexcept;
   bool (*multiply32)(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,

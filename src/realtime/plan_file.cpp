@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tactile_net {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::size_t checksum_size = 8;
 std::uint64_t checksum(std::span<const std::byte> bytes) {
   static const auto table = [] {
     std::array<std::uint64_t, 256> entries{};
-    for (std::uint64_t i = 0; i < entries.size(); ++i) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
       std::uint64_t value = i;
       for (int bit = 0; bit < 8; ++bit)
         value = (value >> 1) ^ ((value & 1) != 0 ? 0xC96C5795D7870F42U : 0U);
@@ -126,7 +127,11 @@ class Reader {
     if (value > rest_.size() / item_size) fail();
     return static_cast<std::size_t>(value);
   }
-  std::size_t size() { return static_cast<std::size_t>(integer<std::uint64_t>()); }
+  std::size_t size() {
+    const auto value = integer<std::uint64_t>();
+    if (!std::in_range<std::size_t>(value)) fail();  // a machine of 32 bits
+    return static_cast<std::size_t>(value);
+  }
   std::string text() {
     std::string value;
     for (const std::byte byte : take(length(1))) value += static_cast<char>(byte);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "realtime/finite.hpp"
 #include "realtime/folding.hpp"
 
 namespace tactile_net {
@@ -22,13 +25,14 @@ void check_signs(const std::vector<std::int8_t>& signs, std::size_t size) {
       "a block's sign must be 1 or -1");
 }
 
-/// @param may_be_empty  a class of a narrow grid may have no place
-void check_values(const Factor& factor, Precision precision, bool may_be_empty) {
-  const bool empty = factor.rows == 0 || factor.columns == 0;
-  require_of_product((empty && may_be_empty && factor.values.empty()) ||
-                         (!empty && factor.values.size() / factor.columns == factor.rows &&
-                          factor.values.size() % factor.columns == 0),
-                     "a factor needs rows x columns values, at least one");
+/// @param empty  of a class that a narrow grid has no place for
+void check_values(const Factor& factor, Precision precision, bool empty) {
+  require_of_product(
+      empty ? factor.values.empty()
+            : factor.rows > 0 && factor.columns > 0 &&
+                  factor.values.size() / factor.columns == factor.rows &&
+                  factor.values.size() % factor.columns == 0,
+      "a factor needs rows x columns values, at least one, and none in a class without places");
   for (const double value : factor.values) {
     require_of_product(std::isfinite(value), "a factor is not finite");
     if (precision == Precision::float32)
@@ -66,12 +70,14 @@ void check_convolution(const ProductPlan& plan) {
 }
 
 void check_grid(const GridBlocks& grid, std::size_t size) {
-  constexpr std::size_t most = std::size_t{1} << 32;  // places are counted in 32 bits
-  require_of_product(grid.rows > 0 && grid.columns > 0 && grid.rows < most && grid.columns < most &&
-                         size < most && !grid.signs_y.empty() &&
-                         grid.signs_y.size() == grid.signs_z.size(),
+  // Places are counted in 32 bits.
+  require_of_product(grid.rows > 0 && grid.columns > 0 && std::in_range<std::uint32_t>(size) &&
+                         !grid.signs_y.empty() && grid.signs_y.size() == grid.signs_z.size(),
                      "reflections need grids, and two signs for each block");
-  require_of_product(grid.rows * grid.columns <= size && grid.size() == size,
+  // By division: a product of sizes from a file may be beyond any integer.
+  require_of_product(grid.columns <= size / grid.rows &&
+                         grid.signs_y.size() <= size / (grid.rows * grid.columns) &&
+                         grid.size() == size,
                      "the grids do not fit the product's size");
   for (const auto* signs : {&grid.signs_y, &grid.signs_z}) check_signs(*signs, size);
   if (grid.partners.empty()) return;
@@ -171,15 +177,22 @@ void check(const ProductPlan& plan) {
   if (plan.structure == Structure::fft) check_convolution(plan);
   const std::size_t per_class = is_low_rank(plan.structure) ? 2 : 1;
   require_of_product(plan.factors.size() == in.size() * per_class, "wrong number of factors");
-  for (const Factor& factor : plan.factors)
-    check_values(factor, plan.precision, has_reflections(plan.structure));
+  bool has_values = false;
   for (std::size_t c = 0; c < in.size(); ++c) {
     const Factor& first = plan.factors[c * per_class];
     const Factor& last = plan.factors[c * per_class + per_class - 1];
+    const bool empty = has_reflections(plan.structure) && (in[c] == 0 || out[c] == 0);
+    for (std::size_t k = 0; k < per_class; ++k)
+      check_values(plan.factors[c * per_class + k], plan.precision, empty);
     require_of_product(first.columns == in[c] && last.rows == out[c] &&
                            (per_class == 1 || first.rows == last.columns),
                        "the factors' sizes do not fit");
+    // Whatever is made ready for a product is bounded by the values that it holds.
+    require_of_product(!empty || per_class == 1 || first.rows == 0,
+                       "two factors of a class without places must have rank 0");
+    has_values = has_values || !empty;
   }
+  require_of_product(has_values, "no class has places on both sides: nothing is multiplied");
 }
 
 std::size_t streamed_bytes(const ProductPlan& plan) noexcept {

@@ -72,30 +72,32 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
   estimate.contact = estimate.normal_force > 0.0 && (marks != nullptr || all > certain_force);
   estimate.pulls = all < lowest;
   estimate.implausible = std::abs(all) > highest;
+  if (unknowns > 1) {
+    estimate.tangential_y = area * sums.q_y;
+    estimate.tangential_z = area * sums.q_z;
+    estimate.tangential_force = std::hypot(estimate.tangential_y, estimate.tangential_z);
+    if (friction)
+      estimate.friction_margin = *friction * estimate.normal_force - estimate.tangential_force;
+  }
+  if (!estimate.contact) return;
   const double y = sums.y_p / sums.p;
   const double z = sums.z_p / sums.p;
-  if (estimate.contact) {
-    estimate.centre = cells.centre_y + y;
-    estimate.centre_z = cells.centre_z + z;
-  }
+  estimate.centre = cells.centre_y + y;
+  estimate.centre_z = cells.centre_z + z;
   if (unknowns == 1) return;
-  estimate.tangential_y = area * sums.q_y;
-  estimate.tangential_z = area * sums.q_z;
-  estimate.tangential_force = std::hypot(estimate.tangential_y, estimate.tangential_z);
-  if (friction)
-    estimate.friction_margin = *friction * estimate.normal_force - estimate.tangential_force;
-  if (!estimate.contact) return;
   estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
   estimate.torsion = area * (sums.torque - y * sums.q_z + z * sums.q_y);
-  if (!friction || !(*friction > 0.0)) return;
+  const double hold = friction ? *friction * estimate.normal_force : 0.0;
+  if (!(hold > 0.0)) return;
   double lever = 0.0;
   for_each_cell(cells, marks, [&](std::size_t cell, double at_y, double at_z) {
     const double from_y = at_y - y;
     const double from_z = at_z - z;
     lever += std::max(f[cell], 0.0) * std::sqrt(from_y * from_y + from_z * from_z);
   });
-  const double slide = estimate.tangential_force / (*friction * estimate.normal_force);
-  const double twist = lever > 0.0 ? estimate.torsion / (*friction * area * lever) : 0.0;
+  const double turn = *friction * area * lever;
+  const double slide = estimate.tangential_force / hold;
+  const double twist = turn > 0.0 ? estimate.torsion / turn : 0.0;
   estimate.slip_margin = 1.0 - std::hypot(slide, twist);
 }
 

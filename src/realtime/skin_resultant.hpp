@@ -21,7 +21,8 @@ struct CellMarks {
   Aligned<double> sums, along;  // over windows, where the plan has any
 };
 
-/// Fills in forces, centre, torsion, margins, contact and touching. O(cells); no allocation.
+/// Fills in forces, centre, torsion, margins, contact and touching. At the cost of `mark_touching`;
+/// no allocation.
 ///
 /// @param f                 tractions: normal, and with three unknowns tangential ones
 /// @param certain_force     from which the sum over all cells is a contact's, though no single cell

@@ -113,7 +113,8 @@ inline void widen(const TouchedGrid& grid, std::uint8_t* marks) noexcept {
 
 /// Marks the cells that touch with 1, others with 0: patches of cells, widened by the rim; then,
 /// of what is left, patches of windows, which tell of a contact of which no cell is certain: cells
-/// that are narrow for their depth share what is told of them. O(cells); no allocation.
+/// that are narrow for their depth share what is told of them. No allocation. O(cells) for patches,
+/// however many touch, and for the windows O(cells) times their rows and columns together.
 ///
 /// @param p           normal tractions, row after row
 /// @param deviations  of each

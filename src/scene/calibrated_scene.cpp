@@ -50,6 +50,14 @@ std::string calibration_table(const AnyScene& scene, const PressLog& log, const 
     text += "# " + std::string(tactile_net::name(fit.verdict)) + ": not to be trusted\n";
   text += "gains = " + list_of(raw.gains, raw.gain_sds) + '\n';
   text += "offsets = " + list_of(raw.offsets, raw.offset_sds) + '\n';
+  if (const auto& own = std::visit(
+          [](const auto& one) -> const std::optional<Calibration>& { return one.calibration; },
+          scene);
+      own && !own->missing.empty()) {
+    std::string codes;
+    for (const double code : own->missing) codes += (codes.empty() ? "" : ", ") + shortest(code);
+    text += "missing = [" + codes + "]\n";
+  }
   std::string name(from);
   std::erase_if(name,
                 [](char c) { return c == '"' || c == '\\' || static_cast<unsigned char>(c) < 32; });

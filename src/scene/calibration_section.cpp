@@ -181,6 +181,20 @@ void read_origin(Table& table) {
     }
 }
 
+/// Raw numbers that say that there is no value.
+std::vector<double> missing_codes(const Value& value) {
+  constexpr std::size_t most_codes = 16;  // each number of a recording is compared with all
+  std::vector<double> codes;
+  const auto list = value.list("numbers");
+  if (!list) return codes;
+  if (list->size() > most_codes)
+    value.problem("must have at most " + std::to_string(most_codes) + " numbers",
+                  "missing = [65535, -1]: what the recording has in place of a reading");
+  for (std::size_t i = 0; i < std::min(list->size(), most_codes); ++i)
+    if (const auto number = (*list)[i].number(any_number)) codes.push_back(*number);
+  return codes;
+}
+
 /// Coefficients in the columns of a file beside the scene.
 CalibrationColumns columns_of(const Value& value, const std::filesystem::path& folder,
                               std::span<const std::string> readings) {
@@ -230,6 +244,7 @@ std::optional<Calibration> read_calibration(const std::optional<Table>& given,
     else if (reader.known())
       reader.read(*value, coefficient, calibration.*coefficient.member);
   }
+  if (const auto codes = table.value("missing")) calibration.missing = missing_codes(*codes);
   if (const auto frames = table.value("baseline_frames")) {
     if (table.value("baseline") || from.contains("baseline"))
       frames->problem("and a given baseline exclude each other", "keep one of the two");

@@ -1,9 +1,9 @@
 #include "scene/csv_table.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <string_view>
 
+#include "numeric/csv_fields.hpp"
 #include "scene/document.hpp"
 #include "tactile_net/scene/bounded_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -13,16 +13,17 @@ namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 20;
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
+/// Without surrounding blanks; quotes stay.
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view around = " \t\r";
+  const std::size_t first = text.find_first_not_of(around);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  return text.substr(first, text.find_last_not_of(around) - first + 1);
 }
 
-/// What stands before the separator; the rest stays in `text`.
-std::string_view cut(std::string_view& text, char separator) {
-  const std::size_t end = text.find(separator);
+/// The next line; the rest stays in `text`.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = text.find('\n');
   const std::string_view part = text.substr(0, end);
   text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   return part;
@@ -31,9 +32,8 @@ std::string_view cut(std::string_view& text, char separator) {
 /// Spreadsheets of half the world write ; or tabs for they need the comma: a header without any is
 /// theirs.
 char separator_of(std::string_view header) {
-  if (header.find(',') != std::string_view::npos) return ',';
-  for (const char separator : {';', '\t'})
-    if (header.find(separator) != std::string_view::npos) return separator;
+  for (const char separator : {',', ';', '\t'})
+    if (count_outside_quotes(header, separator) > 0) return separator;
   return ',';
 }
 
@@ -46,14 +46,13 @@ void point_for_comma(std::string& field) {
   field[comma] = '.';
 }
 
-std::vector<std::string> fields_of(std::string_view line, char separator) {
-  std::vector<std::string> fields;
-  const auto separators = std::count(line.begin(), line.end(), separator);
-  for (std::ptrdiff_t i = 0; i <= separators; ++i) {
-    fields.emplace_back(trimmed(cut(line, separator)));
-    if (separator != ',') point_for_comma(fields.back());
+std::vector<std::string> texts_in(std::string_view line, char separator) {
+  std::vector<std::string> texts;
+  for (const std::string_view field : fields_of(line, {separator})) {
+    texts.push_back(unquoted(without_blanks(field)));
+    if (separator != ',') point_for_comma(texts.back());
   }
-  return fields;
+  return texts;
 }
 
 bool is_row(std::string_view content) { return !content.empty() && content.front() != '#'; }
@@ -78,8 +77,8 @@ std::vector<std::string> read_csv_header(const std::filesystem::path& path) {
   const std::string held = text_of(path);
   std::string_view text = without_byte_order_mark(held);
   while (!text.empty())
-    if (const auto content = cut(text, '\n'); is_row(trimmed(content)))
-      return fields_of(content, separator_of(content));
+    if (const auto content = take_line(text); is_row(without_blanks(content)))
+      return texts_in(content, separator_of(content));
   throw std::runtime_error(no_header);
 }
 
@@ -89,10 +88,10 @@ CsvTable read_csv_table(const std::filesystem::path& path) {
   CsvTable table;
   char separator = ',';
   for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::string_view content = cut(text, '\n');
-    if (!is_row(trimmed(content))) continue;
+    const std::string_view content = take_line(text);
+    if (!is_row(without_blanks(content))) continue;
     if (table.header.line == 0) separator = separator_of(content);
-    CsvTable::Row row{line, fields_of(content, separator)};
+    CsvTable::Row row{line, texts_in(content, separator)};
     if (table.header.line == 0)
       table.header = std::move(row);
     else if (row.fields.size() != table.header.fields.size())

@@ -11,8 +11,9 @@
 namespace tactile_net {
 
 /// Fields are separated by commas, or by semicolons or tabs where the header has no comma; a comma
-/// in a number is a decimal one then. Empty lines and those that begin with # are skipped. What is
-/// said of it never quotes what it holds: whoever wrote the scene would have chosen whose.
+/// in a number is a decimal one then. Quotes around a field are none of it. Empty lines and those
+/// that begin with # are skipped. What is said of it never quotes what it holds: whoever wrote the
+/// scene would have chosen whose.
 struct CsvTable {
   struct Row {
     std::size_t line = 0;  ///< from 1

@@ -33,12 +33,19 @@ std::optional<Unit> read_unit(const Value& value, const UnitKey& key) {
   for (const Unit& unit : units) names.push_back(unit.name);
   const auto text = value.text();
   if (!text) return std::nullopt;
-  const auto found = std::find(names.begin(), names.end(), *text);
-  if (found != names.end()) return units[static_cast<std::size_t>(found - names.begin())];
+  if (const auto unit = unit_named(key.dimension, *text)) return unit;
   const std::string_view near = nearest(*text, names);
+  const bool is_force_alone =
+      key.dimension == Dimension::stress && dimension_named(*text) == Dimension::point_force;
   value.problem(
       "names an unknown " + std::string{key.what} + ' ' + in_quotes(*text),
-      (near.empty() ? "" : "did you mean " + in_quotes(near) + "? ") + "one of " + listed(names));
+      is_force_alone
+          ? "readings are stresses: the area of a taxel makes newtons into them. Under "
+            "[calibration], "
+            "gain = 1 / area: 1 N on 16 mm^2 is 62.5 kPa; the unit of a stress is one of " +
+                listed(names)
+          : (near.empty() ? "" : "did you mean " + in_quotes(near) + "? ") + "one of " +
+                listed(names));
   return std::nullopt;
 }
 

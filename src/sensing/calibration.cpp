@@ -1,6 +1,7 @@
 #include "tactile_net/sensing/calibration.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 #include "numeric/finite.hpp"
@@ -16,10 +17,17 @@ void check(const Calibration& calibration, std::size_t readings) {
     throw std::invalid_argument("a gain must not be 0");
 }
 
+bool is_missing(const Calibration& calibration, double number) noexcept {
+  return std::find(calibration.missing.begin(), calibration.missing.end(), number) !=
+         calibration.missing.end();
+}
+
 void calibrate(const Calibration& calibration, std::span<double> numbers) noexcept {
   for (std::size_t i = 0; i < numbers.size(); ++i)
     numbers[i] =
-        calibration.gain[i] * (numbers[i] - calibration.baseline[i]) + calibration.offset[i];
+        is_missing(calibration, numbers[i])
+            ? std::numeric_limits<double>::quiet_NaN()
+            : calibration.gain[i] * (numbers[i] - calibration.baseline[i]) + calibration.offset[i];
 }
 
 void uncalibrate(const Calibration& calibration, std::span<double> numbers) noexcept {

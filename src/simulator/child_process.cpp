@@ -13,8 +13,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <optional>
+#include <stdexcept>
 #include <string_view>
-#include <system_error>
+#include <utility>
 
 #include "simulator/cell.hpp"
 #include "simulator/descriptor.hpp"
@@ -35,18 +37,23 @@ void set_limit(int resource, rlim_t value) noexcept {
   ::setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
 
-/// The caller's environment without the variables to hide.
-std::vector<char*> environment_without(const std::vector<std::string>& hidden) {
-  std::vector<char*> kept;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string_view text(*entry);
-    const bool hide = std::any_of(hidden.begin(), hidden.end(), [&](const std::string& name) {
-      return text.substr(0, text.find('=')) == name;
-    });
-    if (!hide) kept.push_back(*entry);
-  }
-  kept.push_back(nullptr);
-  return kept;
+std::string_view name_of(std::string_view variable) {
+  return variable.substr(0, variable.find('='));
+}
+
+/// The caller's environment without the variables to hide, and with those that it lacks.
+std::vector<char*> environment_of(const ProcessOptions& options) {
+  std::vector<char*> variables;
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    if (std::find(options.unset.begin(), options.unset.end(), name_of(*entry)) ==
+        options.unset.end())
+      variables.push_back(*entry);
+  for (const std::string& wanted : options.defaults)
+    if (std::none_of(variables.begin(), variables.end(),
+                     [&](const char* entry) { return name_of(entry) == name_of(wanted); }))
+      variables.push_back(const_cast<char*>(wanted.c_str()));
+  variables.push_back(nullptr);
+  return variables;
 }
 
 /// What the child needs, made before fork: after it nothing may be allocated.
@@ -65,7 +72,7 @@ Start start_of(const std::vector<std::string>& command, const ProcessOptions& op
   for (const std::string& argument : command)
     start.arguments.push_back(const_cast<char*>(argument.c_str()));
   start.arguments.push_back(nullptr);
-  start.environment = environment_without(options.unset);
+  start.environment = environment_of(options);
   if (options.confined) {
     start.program = program_file(command.front());
     start.folder = options.folder.string();
@@ -98,10 +105,45 @@ bool enter_cell(const Start& start, int report) noexcept {
   return listener < 0 || send_descriptor(report, listener);
 }
 
+/// Tells the parent why the program could not start, as errno says, and ends.
+[[noreturn]] void give_up(int report) noexcept {
+  const int reason = errno;
+  (void)!::write(report, &reason, sizeof reason);
+  ::_exit(127);
+}
+
+/// Whether a child's end may be collected by others than who waits for it: by the kernel where the
+/// caller ignores SIGCHLD, by the caller's handler.
+bool ends_are_collected() noexcept {
+  struct sigaction action {};
+  return ::sigaction(SIGCHLD, nullptr, &action) != 0 || action.sa_handler != SIG_DFL ||
+         (action.sa_flags & SA_NOCLDWAIT) != 0;
+}
+
+/// In a child: forks the program, and returns in it. The child itself stays here: it is the keeper,
+/// whose children nobody else collects. It sends how the program ended, as wait tells it, and is
+/// then killed with the group that it leads.
+void leave_to_keeper(Start& start, int report, int told) noexcept {
+  sigset_t all;
+  ::sigfillset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, nullptr);
+  ::signal(SIGCHLD, SIG_DFL);
+  if (!dies_with(start.parent)) give_up(report);
+  start.parent = ::getpid();
+  const pid_t program = ::fork();
+  if (program == 0) return;
+  if (program < 0 || ::dup2(told, STDIN_FILENO) < 0) give_up(report);
+  ::close_range(STDIN_FILENO + 1, ~0U, 0);
+  int status = 0;
+  while (::waitpid(program, &status, 0) < 0 && errno == EINTR) {
+  }
+  (void)::send(STDIN_FILENO, &status, sizeof status, MSG_NOSIGNAL);
+  for (;;) ::pause();
+}
+
 /// In the child, after fork: only calls that are safe there. Reports why it could not start.
 [[noreturn]] void become(const Start& start, const ProcessOptions& options,
                          const std::array<int, 3>& streams, int report) noexcept {
-  ::setpgid(0, 0);
   sigset_t none;
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -120,10 +162,64 @@ bool enter_cell(const Start& start, int report) noexcept {
   } else if (ready) {
     ::execvpe(start.arguments[0], start.arguments.data(), start.environment.data());
   }
-  const int reason = errno;
-  (void)!::write(report, &reason, sizeof reason);
-  ::_exit(127);
+  give_up(report);
 }
+
+/// The program as its parent sees it, with what it started: a process group.
+class Group {
+ public:
+  /// @param keeper  tells how the program ended; closed: the leader is the program itself
+  Group(pid_t leader, Descriptor keeper) noexcept
+      : leader_(leader), keeper_(std::move(keeper)), leftover_(leader) {}
+  ~Group() { kill(); }
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+
+  /// Whether the program has ended. @throw std::runtime_error  another has collected its end
+  [[nodiscard]] bool ended() {
+    if (status_) return true;
+    int status = 0;
+    if (keeper_.open()) {
+      const ssize_t got = ::recv(keeper_.get(), &status, sizeof status, MSG_DONTWAIT);
+      if (got < 0 && (errno == EAGAIN || errno == EINTR)) return false;
+      if (got != static_cast<ssize_t>(sizeof status)) status = SIGKILL;  // killed with its keeper
+    } else {
+      const pid_t got = ::waitpid(leader_, &status, WNOHANG);
+      if (got == 0 || (got < 0 && errno == EINTR)) return false;
+      if (got < 0)
+        throw std::runtime_error(
+            "how a program that was started ended is not known: another part of this process "
+            "waits for all children (waitpid(-1) or wait); let it wait for its own alone");
+    }
+    status_ = status;
+    return true;
+  }
+  /// Waits for the program's end; false if it still runs at the deadline.
+  [[nodiscard]] bool ends_by(Clock::time_point deadline) {
+    while (!ended()) {
+      if (Clock::now() >= deadline) return false;
+      ::usleep(500);
+    }
+    return true;
+  }
+  /// Kills what still runs of it, and what stayed behind after its end.
+  void kill() noexcept {
+    if (leader_ <= 0) return;
+    ::kill(-leader_, SIGKILL);
+    if (keeper_.open() || !status_)
+      while (::waitpid(leader_, nullptr, 0) < 0 && errno == EINTR) {
+      }
+    leader_ = 0;
+  }
+  /// How it ended, as wait tells it. @pre  ended()
+  [[nodiscard]] int status() const { return status_.value(); }
+
+ private:
+  pid_t leader_;
+  Descriptor keeper_;
+  LeftoverChild leftover_;
+  std::optional<int> status_{};
+};
 
 /// Reads what is there; closes the descriptor at its end.
 void drain(Descriptor& from, std::string& into) {
@@ -152,7 +248,7 @@ struct Streams {
 };
 
 /// Moves bytes until the child has closed its streams or ended, or a limit is reached.
-End converse(pid_t child, const Streams& streams, const ProcessOptions& options,
+End converse(Group& group, const Streams& streams, const ProcessOptions& options,
              Clock::time_point deadline, ProcessResult& result) {
   const auto& [input, output, errors, listener] = streams;
   constexpr int heartbeat_ms = 50;
@@ -171,10 +267,7 @@ End converse(pid_t child, const Streams& streams, const ProcessOptions& options,
     if (ready < 0 && errno != EINTR) fail_with_errno("poll");
     if (ready == 0) {
       // A grandchild may hold the streams open after the child's end: do not wait for it.
-      siginfo_t state{};
-      if (::waitid(P_PID, static_cast<id_t>(child), &state, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-          state.si_pid == child)
-        return End::exited;
+      if (group.ended()) return End::exited;
       continue;
     }
     if (ready < 0) continue;
@@ -191,17 +284,6 @@ End converse(pid_t child, const Streams& streams, const ProcessOptions& options,
   return End::exited;
 }
 
-/// Waits for the child until the deadline; false if it still runs then.
-bool reap(pid_t child, Clock::time_point deadline, int& status) {
-  for (;;) {
-    const pid_t ended = ::waitpid(child, &status, WNOHANG);
-    if (ended == child) return true;
-    if (ended < 0 && errno != EINTR) fail_with_errno("waitpid");
-    if (Clock::now() >= deadline) return false;
-    ::usleep(500);
-  }
-}
-
 }  // namespace
 
 ProcessResult run_process(const std::vector<std::string>& command, const ProcessOptions& options) {
@@ -212,14 +294,21 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   SocketPair errors = socket_pair(SOCK_STREAM);
   SocketPair report = socket_pair(SOCK_STREAM);
 
-  const Start what = start_of(command, options);
+  const bool kept = ends_are_collected();
+  SocketPair told = kept ? socket_pair(SOCK_STREAM) : SocketPair{Descriptor(), Descriptor()};
+
+  Start what = start_of(command, options);
   const pid_t child = ::fork();
   if (child < 0) fail_with_errno("fork");
-  if (child == 0)
+  if (child == 0) {
+    ::setpgid(0, 0);
+    if (kept) leave_to_keeper(what, report.theirs.get(), told.theirs.get());
     become(what, options, {input.theirs.get(), output.theirs.get(), errors.theirs.get()},
            report.theirs.get());
-  const LeftoverChild leftover(child);
+  }
   ::setpgid(child, child);  // in both, so that neither has to wait for the other
+  Group group(child, std::move(told.ours));
+  told.theirs.reset();
   input.theirs.reset();
   output.theirs.reset();
   errors.theirs.reset();
@@ -234,17 +323,10 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
   const bool started = reason == 0;
 
   result.end =
-      converse(child, {input.ours, output.ours, errors.ours, listener}, options, deadline, result);
+      converse(group, {input.ours, output.ours, errors.ours, listener}, options, deadline, result);
   input.ours.reset();
-  int status = 0;
-  if (result.end != End::exited || !reap(child, deadline, status)) {
-    if (result.end == End::exited) result.end = End::timed_out;
-    ::kill(-child, SIGKILL);
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-  } else {
-    ::kill(-child, SIGKILL);  // grandchildren that stayed behind
-  }
+  if (result.end == End::exited && !group.ends_by(deadline)) result.end = End::timed_out;
+  group.kill();
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!started) {
     if (reason != ENOENT && reason != EACCES && reason != ENOTDIR) {
@@ -254,6 +336,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const Process
     result.end = End::not_found;
     result.code = reason;
   } else if (result.end == End::exited) {
+    const int status = group.status();
     if (WIFSIGNALED(status)) result.end = End::signalled;
     result.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
   }

@@ -13,11 +13,13 @@ Ngspice::Ngspice(NgspiceOptions options) : options_(std::move(options)) {}
 Simulation Ngspice::run(const std::string& deck) {
   const PrivateFolder folder;
   write_file(folder.path() / "deck.cir", deck);
-  // -n: no .spiceinit of the user's.
+  // -n: no .spiceinit of the user's. HOME: ngspice 39 crashes where there is none, as services and
+  // containers have it.
   const ProcessResult process =
       run_process({options_.program, "-n", "-b", "-r", "result.raw", "deck.cir"},
                   {.folder = folder.path(),
                    .unset = {hidden_from_ngspice.begin(), hidden_from_ngspice.end()},
+                   .defaults = {"HOME=" + folder.path().string()},
                    .time_limit = options_.time_limit,
                    .output_limit = options_.output_limit,
                    .confined = true,

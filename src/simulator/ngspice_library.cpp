@@ -89,9 +89,10 @@ class NgspiceLibrary::Worker {
       result.end = reply.end;
       result.code = reply.code;
     } else {
-      const int status = stop();
-      result.end = WIFSIGNALED(status) ? End::signalled : End::exited;
-      result.code = WIFSIGNALED(status) ? WTERMSIG(status) : std::max(1, WEXITSTATUS(status));
+      const std::optional<int> status = stop();
+      const bool exited = status && WIFEXITED(*status);
+      result.end = exited ? End::exited : End::signalled;
+      result.code = exited ? std::max(1, WEXITSTATUS(*status)) : status ? WTERMSIG(*status) : 0;
     }
     result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     result.output = read_log(folder, output_limit_ + 1);
@@ -100,16 +101,17 @@ class NgspiceLibrary::Worker {
   [[nodiscard]] pid_t id() const noexcept { return id_; }
 
  private:
-  /// The status it ended with; killed if it has not ended.
-  int stop() noexcept {
-    int status = 0;
-    if (id_ <= 0) return status;
+  /// The status it ended with, unless another has collected it; killed if it has not ended.
+  std::optional<int> stop() noexcept {
+    if (id_ <= 0) return std::nullopt;
     leftover_.reset();
     ::kill(id_, SIGKILL);
-    while (::waitpid(id_, &status, 0) < 0 && errno == EINTR) {
-    }
+    int status = 0;
+    pid_t got = 0;
+    do got = ::waitpid(id_, &status, 0);
+    while (got < 0 && errno == EINTR);
     id_ = 0;
-    return status;
+    return got < 0 ? std::nullopt : std::optional(status);
   }
 
   PrivateFolder folder_;

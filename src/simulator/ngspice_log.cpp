@@ -87,7 +87,12 @@ Simulation accept_log(const PrivateFolder& folder, const ProcessResult& process,
          "ngspice printed more than " + std::to_string(output_limit) + " bytes and was stopped",
          log);
   if (process.end == End::signalled)
-    fail(folder, Cause::crashed, "ngspice crashed: " + std::string(::strsignal(process.code)), log);
+    fail(folder, Cause::crashed,
+         "ngspice crashed: " + std::string(process.code == 0
+                                               ? "by which signal is not known, since this process "
+                                                 "ignores SIGCHLD or collects all its children"
+                                               : ::strsignal(process.code)),
+         log);
   if (process.code != 0)
     fail(folder, cause_of(log), "ngspice failed with exit status " + std::to_string(process.code),
          log);

@@ -150,9 +150,9 @@ void limit_processors(std::chrono::milliseconds time_limit) noexcept {
 
 /// Nothing of the caller's is left: files, signal handlers, exit handlers, unwritten output,
 /// locale, rounding mode.
-void become_own_process(int socket, pid_t parent) noexcept {
+void become_own_process(const WorkerOptions& options) noexcept {
   ::setpgid(0, 0);
-  const int kept = ::fcntl(socket, F_DUPFD, channel_to_parent);
+  const int kept = ::fcntl(options.socket, F_DUPFD, channel_to_parent);
   const int null = ::open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::dup2(null, stream) < 0) ::_exit(1);
@@ -162,7 +162,7 @@ void become_own_process(int socket, pid_t parent) noexcept {
   (void)::on_exit([](int status, void*) { ::_exit(status); }, nullptr);
 
   for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
-  parent_of_worker = parent;
+  parent_of_worker = options.parent;
   ::signal(SIGALRM, check_parent);
   sigset_t none;
   ::sigemptyset(&none);
@@ -173,6 +173,7 @@ void become_own_process(int socket, pid_t parent) noexcept {
   const rlimit file_limit{ProcessOptions{}.file_limit, ProcessOptions{}.file_limit};
   ::setrlimit(RLIMIT_FSIZE, &file_limit);
   for (const char* name : hidden_from_ngspice) ::unsetenv(name);
+  ::setenv("HOME", options.folder, 0);  // only where there is none: ngspice crashes without
   std::setlocale(LC_ALL, "C");
   std::fesetenv(FE_DFL_ENV);
 }
@@ -189,7 +190,7 @@ void enter(const char* folder) noexcept {
 }  // namespace
 
 void serve_decks(const WorkerOptions& options) noexcept {
-  become_own_process(options.socket, options.parent);
+  become_own_process(options);
   if (confine({.folder = options.folder}) != 0) ::_exit(1);
   Deck deck;
   for (bool started = false;; started = true) {

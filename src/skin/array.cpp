@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "numeric/require.hpp"
+#include "skin/near_places.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -68,13 +70,17 @@ void check(const std::vector<SkinTaxel>& taxels) {
 
 /// The mean distance from a place to the nearest other one; the least depth if all are one place.
 double mean_distance(const std::vector<SkinTaxel>& taxels, double alone) {
+  const NearPlaces places{std::span(taxels)};
   double sum = 0.0;
   std::size_t count = 0;
-  for (const SkinTaxel& taxel : taxels) {
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const SkinTaxel& other : taxels)
-      if (const double distance = std::hypot(taxel.y - other.y, taxel.z - other.z); distance > 0.0)
-        nearest = std::min(nearest, distance);
+    places.around(
+        i, [&] { return nearest; },
+        [&](std::size_t k) {
+          const double distance = std::hypot(taxels[i].y - taxels[k].y, taxels[i].z - taxels[k].z);
+          if (distance > 0.0) nearest = std::min(nearest, distance);
+        });
     if (!std::isfinite(nearest)) continue;
     ++count;
     sum += (nearest - sum) / static_cast<double>(count);

@@ -27,7 +27,7 @@ static_assert(first_look % steps_between_checks == 0);
 struct ConeSearch::LeftOut {
   LeftOut(const ConeSystem& s, std::span<const std::size_t> taxels)
       : of_rest(s.problem().rows, taxels),
-        r(s.problem().kernel(of_rest.gone(), Eigen::all)),
+        r(s.problem().kernel(of_rest.gone(), Eigen::indexing::all)),
         z(solved(s, r)),
         metric(of_rest.metric()),
         root(of_rest.metric() - r * z) {

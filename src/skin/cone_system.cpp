@@ -84,7 +84,7 @@ ConeProblem::ConeProblem(const SkinProblem& scaled, const Constraints& limits,
       spectrum(stabiliser_spectrum(scaled)) {
   const Eigen::MatrixXd all = waves.sums(kernel.transpose());  // C' K'
   for (SkinClass& part : mirror_classes(scaled)) {
-    const Eigen::MatrixXd selected = all(part.waves, Eigen::all);
+    const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
     const Eigen::MatrixXd transposed = selected * part.readings.transpose();
     if (transposed.size() == 0) continue;
     Block block{.waves = std::move(part.waves)};

@@ -19,13 +19,6 @@ namespace {
 using Eigen::Index;
 using Cells = Eigen::Map<const RowMajor>;
 
-/// Of the second difference of wave m, Neumann.
-double difference(std::size_t m, std::size_t count) {
-  const double half =
-      std::sin(0.5 * std::numbers::pi * static_cast<double>(m) / static_cast<double>(count));
-  return 4.0 * half * half;
-}
-
 /// left X right', component by component, of every column.
 Eigen::MatrixXd along_both(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& left,
                            const Eigen::MatrixXd& right) {
@@ -71,7 +64,7 @@ Eigen::VectorXd stabiliser_spectrum(const SkinProblem& problem) {
       for (std::size_t n = 0; n < grid.columns; ++n)
         spectrum(at++) =
             problem.area * weight * weight *
-            (1.0 + y * y * difference(m, grid.rows) + z * z * difference(n, grid.columns));
+            (1.0 + y * y * roughness(m, grid.rows) + z * z * roughness(n, grid.columns));
   }
   return spectrum;
 }

@@ -26,4 +26,10 @@ Eigen::MatrixXd cosine_waves(std::size_t count, std::size_t waves) {
   return columns;
 }
 
+double roughness(std::size_t m, std::size_t count) {
+  const double half =
+      std::sin(0.5 * std::numbers::pi * static_cast<double>(m) / static_cast<double>(count));
+  return 4.0 * half * half;
+}
+
 }  // namespace tactile_net

@@ -13,4 +13,7 @@ namespace tactile_net {
 /// @param waves  the first so many, <= count
 [[nodiscard]] Eigen::MatrixXd cosine_waves(std::size_t count, std::size_t waves);
 
+/// The squared differences of neighbours in wave m, over its squared norm.
+[[nodiscard]] double roughness(std::size_t m, std::size_t count);
+
 }  // namespace tactile_net

@@ -71,15 +71,6 @@ double SkinCovariance::deviation(std::span<const double> weights) const {
   return deviations_of(one).front();
 }
 
-namespace {
-
-void check_weights(std::span<const double> weights, Index tractions) {
-  if (std::ssize(weights) != tractions)
-    throw std::invalid_argument("a sum of tractions needs one weight per traction");
-}
-
-}  // namespace
-
 /// Of each of several sums a column: what the readings tell of it, and what none shows.
 struct SkinCovariance::Sums {
   Eigen::MatrixXd known;
@@ -90,7 +81,7 @@ SkinCovariance::Sums SkinCovariance::sums(std::span<const std::vector<double>> w
   Eigen::MatrixXd all(factors_->coordinates->traction_count(), std::ssize(weights));
   for (Index k = 0; k < all.cols(); ++k) {
     const std::vector<double>& one = weights[static_cast<std::size_t>(k)];
-    check_weights(one, all.rows());
+    check_weights(one, static_cast<std::size_t>(all.rows()));
     all.col(k) = as_eigen(std::span(one));
   }
   const Eigen::MatrixXd coordinates = factors_->coordinates->sums(all);
@@ -152,7 +143,7 @@ std::vector<double> SkinCovariance::deviations_of(
   std::vector<std::vector<double>> others;  // over their largest weight
   std::vector<std::pair<std::size_t, double>> places;
   for (std::size_t k = 0; k < weights.size(); ++k) {
-    check_weights(weights[k], coordinates.traction_count());
+    check_weights(weights[k], static_cast<std::size_t>(coordinates.traction_count()));
     double largest = 0.0;
     for (const double weight : weights[k]) largest = std::max(largest, std::abs(weight));
     if (!(largest > 0.0)) continue;
@@ -192,8 +183,7 @@ std::vector<double> SkinCovariance::deviations_of(
 double residual_norm(const SkinProblem& problem, std::span<const double> readings,
                      std::span<const double> tractions) {
   const std::vector<double> rows = weighted(problem, readings);
-  if (tractions.size() != problem.kernel.columns)
-    throw std::invalid_argument("tractions need one value per column of the problem");
+  check_tractions(tractions, problem.kernel.columns);
   const auto g = as_eigen(std::span(rows));
   // Squares of what has been divided by its size are numbers in any unit.
   const Eigen::VectorXd left = as_eigen(problem.kernel) * as_eigen(tractions) - g;

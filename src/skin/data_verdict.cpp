@@ -39,8 +39,8 @@ constexpr double least_gain = 0.1;
 
 double largest_square(const SkinProblem& problem) {
   const SkinFamily family(problem);
-  const auto gammas = family.singular_values();
-  const double largest = *std::max_element(gammas.begin(), gammas.end());
+  double largest = 0.0;
+  for (const double gamma : family.singular_values()) largest = std::max(largest, gamma);
   return largest * largest;
 }
 
@@ -56,21 +56,31 @@ class Cones {
       : problem_(std::move(problem)), press_(press) {}
 
   [[nodiscard]] const SkinProblem& problem() const noexcept { return problem_; }
+  /// Whether a reading depends on any contact.
+  [[nodiscard]] bool are_read() {
+    const std::lock_guard lock(mutex_);
+    return square() > 0.0;
+  }
+  /// @pre  a reading depends on contacts
   [[nodiscard]] const ConeSearch& cone(std::size_t smoothing) {
     const std::lock_guard lock(mutex_);
-    if (!least_) least_ = largest_square(problem_);
     auto& cone = cones_[smoothing];
     if (cone) return *cone;
-    const double alpha = smoothings[smoothing] * *least_;
+    const double alpha = smoothings[smoothing] * square();
     for (const auto& other : cones_)
       if (other) return cone.emplace(other->with_alpha(alpha));
     return cone.emplace(problem_, alpha, press_);
   }
 
  private:
+  double square() {
+    if (!square_) square_ = largest_square(problem_);
+    return *square_;
+  }
+
   SkinProblem problem_;
   Constraints press_;
-  std::optional<double> least_{};  // smoothings stand for it
+  std::optional<double> square_{};  // smoothings are shares of it
   std::array<std::optional<ConeSearch>, smoothings.size()> cones_{};
   std::mutex mutex_{};
 };
@@ -88,9 +98,11 @@ double frame_strain(const SkinProblem& problem, const DataLimits& limits,
   if (limits.largest_traction)
     largest = std::abs(std::accumulate(tractions.begin(), tractions.begin() + cells, 0.0)) /
               static_cast<double>(cells) / *limits.largest_traction;
+  const std::vector<double> rows = weighted(problem, readings);
   for (std::size_t i = 0; i < limits.largest_readings.size(); ++i)
     if (problem.weights[i] > 0.0)
-      largest = std::max(largest, std::abs(readings[i]) / limits.largest_readings[i]);
+      largest =
+          std::max(largest, std::abs(rows[i]) / problem.weights[i] / limits.largest_readings[i]);
   return largest;
 }
 
@@ -180,6 +192,7 @@ Cones& SkinDataJudge::Parts::contacts() const {
 Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(std::span<const double> readings,
                                                       double enough) const {
   Cones& of = contacts();
+  if (!of.are_read()) return seen(readings);
   const double all = seen(readings).norm();
   Eigen::VectorXd best;
   for (std::size_t i = 0; i < smoothings.size(); ++i) {
@@ -213,6 +226,7 @@ double SkinDataJudge::Parts::least_left(std::span<const double> readings, double
     return of_rest(left(of.problem(), readings, tractions)).norm();
   };
   const double all = of_rest(seen(readings)).norm();
+  if (!of.are_read()) return all;
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < smoothings.size(); ++i) {
     std::optional<double> before;
@@ -285,9 +299,11 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
                                  std::span<const double> tractions) const {
   const Parts& p = *parts_;
   check_size(readings, p.problem.weights.size());
-  if (tractions.size() != p.problem.kernel.columns)
-    throw std::invalid_argument("tractions need one value per column of the problem");
+  check_tractions(tractions, p.problem.kernel.columns);
   DataVerdict verdict{.noise_known = p.limits.noise_rms.has_value()};
+  const double rms = p.unit / std::sqrt(p.rows);  // of a norm
+  const double most = p.limit(0.0);
+  if (verdict.noise_known) verdict.residual_limit = most * rms;
   verdict.strain = frame_strain(p.problem, p.limits, readings, tractions);
   if (verdict.strain > 1.0) {  // in which unit the rest would be judged nobody knows
     verdict.doubts.push_back(DataDoubt::implausible);
@@ -295,9 +311,6 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   }
   if (!verdict.noise_known) return verdict;
 
-  const double rms = p.unit / std::sqrt(p.rows);  // of a norm
-  const double most = p.limit(0.0);
-  verdict.residual_limit = most * rms;
   Eigen::VectorXd residual =
       p.left(p.problem, readings, pressing_part(p.problem, p.press.friction_limit, tractions));
   if (!(residual.norm() <= most)) {

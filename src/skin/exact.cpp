@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -135,17 +136,16 @@ class ExactSkinModel::Summation {
 ExactSkinModel::ExactSkinModel(const SkinArray& skin, const Material& material)
     : skin_(skin), material_(material) {
   check(skin, material);
+  std::map<double, std::size_t> depths;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> places;  // by depth and taxel
   for (std::size_t reading = 0; const SkinSite& site : sites(skin)) {
-    auto depth = std::find_if(depths_.begin(), depths_.end(),
-                              [&](const Depth& d) { return d.depth == site.depth; });
-    if (depth == depths_.end())
-      depth = depths_.insert(depth, {site.depth, SkinKernel(material, site.depth)});
-    auto place = std::find_if(depth->places.begin(), depth->places.end(),
-                              [&](const Place& p) { return p.taxel == site.taxel; });
-    if (place == depth->places.end())
-      place = depth->places.insert(place, {site.y, site.z, site.taxel});
-    place->quantities.push_back(site.quantity);
-    place->targets.push_back(reading++);
+    const auto [depth, is_new_depth] = depths.try_emplace(site.depth, depths_.size());
+    if (is_new_depth) depths_.push_back({site.depth, SkinKernel(material, site.depth)});
+    std::vector<Place>& own = depths_[depth->second].places;
+    const auto [place, is_new_place] = places.try_emplace({depth->second, site.taxel}, own.size());
+    if (is_new_place) own.push_back({site.y, site.z, site.taxel});
+    own[place->second].quantities.push_back(site.quantity);
+    own[place->second].targets.push_back(reading++);
   }
 }
 

@@ -27,7 +27,7 @@ SkinFamily::Factors::Factors(const SkinProblem& problem,
     : weighting(problem), coordinates(std::move(basis)), stabiliser_condition(condition) {
   const Eigen::MatrixXd all = coordinates->sums(as_eigen(problem.kernel).transpose());  // T' K' W
   for (SkinClass& part : classes) {
-    const Eigen::MatrixXd selected = all(part.waves, Eigen::all);
+    const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
     const Eigen::MatrixXd transposed = selected * part.readings.transpose();
     Block block{.part = std::move(part)};
     if (transposed.size() > 0) {
@@ -49,7 +49,7 @@ Eigen::MatrixXd SkinFamily::Factors::components(const Eigen::MatrixXd& from) con
   Index first = 0;
   for (const Block& block : blocks) {
     result.middleRows(first, block.gamma.size()) =
-        block.v.transpose() * from(block.part.waves, Eigen::all);
+        block.v.transpose() * from(block.part.waves, Eigen::indexing::all);
     first += block.gamma.size();
   }
   return result;
@@ -59,7 +59,8 @@ Eigen::MatrixXd SkinFamily::Factors::from_components(const Eigen::MatrixXd& from
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(coordinates->count(), from.cols());
   Index first = 0;
   for (const Block& block : blocks) {
-    result(block.part.waves, Eigen::all) = block.v * from.middleRows(first, block.gamma.size());
+    result(block.part.waves, Eigen::indexing::all) =
+        block.v * from.middleRows(first, block.gamma.size());
     first += block.gamma.size();
   }
   return result;
@@ -81,7 +82,7 @@ std::shared_ptr<const RowMajor> SkinFamily::Factors::roots() const {
   Index first = 0;
   for (const Block& block : blocks) {
     Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(coordinates->count(), block.gamma.size());
-    vectors(block.part.waves, Eigen::all) = block.v;
+    vectors(block.part.waves, Eigen::indexing::all) = block.v;
     const Eigen::MatrixXd own = coordinates->tractions(vectors);
     if (first == 0) made->resize(own.rows(), made->cols());
     made->middleCols(first, block.gamma.size()) = own;
@@ -129,8 +130,10 @@ std::size_t SkinFamily::classes() const noexcept { return factors_->blocks.size(
 
 double SkinFamily::condition(double alpha) const noexcept {
   const double root = std::sqrt(alpha);
-  const auto [least, most] = std::minmax_element(factors_->gamma.begin(), factors_->gamma.end());
-  const bool wide = factors_->coordinates->count() > std::ssize(factors_->gamma);
+  const std::vector<double>& gamma = factors_->gamma;
+  if (gamma.empty()) return 1.0;  // no reading depends on the tractions
+  const auto [least, most] = std::minmax_element(gamma.begin(), gamma.end());
+  const bool wide = factors_->coordinates->count() > std::ssize(gamma);
   return std::hypot(*most, root) / std::hypot(wide ? 0.0 : *least, root);
 }
 
@@ -172,6 +175,7 @@ double filter(double gamma, double root) {
 
 std::vector<double> SkinFamily::solve(const FilterFrame& frame, double alpha) const {
   check_alpha(alpha);
+  check_same_family(frame, factors_->gamma);
   const double root = std::sqrt(alpha);
   Eigen::VectorXd y(std::ssize(frame.beta));
   for (Index i = 0; i < y.size(); ++i) {
@@ -193,7 +197,7 @@ Reconstruction SkinFamily::reconstruction(double alpha) const {
     const Eigen::VectorXd filters =
         block.gamma.unaryExpr([=](double gamma) { return filter(gamma, root); });
     const Eigen::MatrixXd own = block.v * filters.asDiagonal() * block.u.transpose();
-    coordinates(block.part.waves, Eigen::all) =
+    coordinates(block.part.waves, Eigen::indexing::all) =
         factors.weighting.applied(Eigen::MatrixXd(own * block.part.readings));
   }
   return {from_eigen(factors.coordinates->tractions(coordinates)), stacked_condition(alpha)};

@@ -14,8 +14,8 @@
 #include "numeric/eigen.hpp"
 #include "numeric/require.hpp"
 #include "skin/cell_kernel.hpp"
-#include "skin/coordinates.hpp"
 #include "skin/problem_parts.hpp"
+#include "tactile_net/skin/stabiliser.hpp"
 
 namespace tactile_net {
 namespace {
@@ -150,10 +150,7 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
   SkinProblem problem = problem_without_kernel(skin, material, options);
   const std::size_t rows = problem.sites.size();
   const std::size_t columns = problem.components * problem.grid.count();
-  require(columns <= most_kernel_entries / rows,
-          std::to_string(rows) + " readings and " + std::to_string(columns) +
-              " unknown tractions are more than a dense solver takes: choose a wider spacing");
-  problem.kernel = Matrix{rows, columns, std::vector<double>(rows * columns)};
+  problem.kernel = make_kernel(rows, columns);
   CellKernels kernels(material, problem.grid);
   if (is_lattice(skin, problem.grid))
     add_lattice(skin, kernels, problem);
@@ -166,6 +163,7 @@ SkinProblem make_problem(const SkinArray& skin, const Material& material,
       "units");
   problem.kernel_error = kernel_error(kernels, problem);
   take_offsets_out(problem);
+  drop_kernel_of_rounding(problem);
   return problem;
 }
 
@@ -199,12 +197,9 @@ std::size_t independent_readings(const SkinProblem& problem) {
 }
 
 Matrix normal_matrix(const SkinProblem& problem, double alpha) {
-  check_alpha(alpha);
   const auto kernel = as_eigen(problem.kernel);
-  const CosineCoordinates waves(problem, Eigen::VectorXd::Ones(kernel.cols()));
-  const Eigen::VectorXd spectrum = alpha * stabiliser_spectrum(problem);
-  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(kernel.cols(), kernel.cols());
-  RowMajor p = waves.tractions(spectrum.asDiagonal() * waves.sums(identity));
+  const Matrix stabiliser = stabiliser_matrix(problem, alpha);
+  RowMajor p = as_eigen(stabiliser);
   p.selfadjointView<Eigen::Upper>().rankUpdate(kernel.transpose());
   p.triangularView<Eigen::StrictlyLower>() = p.transpose();
   return from_eigen(p);

@@ -42,7 +42,7 @@ class RestOfRows {
  private:
   RestOfRows(const RowLayout& whole, std::vector<Eigen::Index> gone)
       : gone_(std::move(gone)), rest_(without(whole, gone_)) {
-    Eigen::MatrixXd shares = Weighting(whole).constants()(gone_, Eigen::all);
+    Eigen::MatrixXd shares = Weighting(whole).constants()(gone_, Eigen::indexing::all);
     // Of a channel that goes as a whole no constant is left to change.
     for (Eigen::Index c = 0; c < shares.cols(); ++c)
       if (rest_.constants().col(c).squaredNorm() == 0.0) shares.col(c).setZero();

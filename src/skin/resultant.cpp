@@ -96,14 +96,16 @@ class Contact {
     for (const std::size_t cell : cells_) most = std::max(most, std::abs(p(cell)));
     if (!(most > 0.0)) return {};
     double all = 0.0;
+    double sizes = 0.0;
     SkinWrench::Centre sum;
     for (const std::size_t cell : cells_) {
       const double share = p(cell) / most;
       all += share;
+      sizes += std::abs(share);
       sum.y += share * grid_.y(cell / grid_.columns);
       sum.z += share * grid_.z(cell % grid_.columns);
     }
-    presses_ = all > 0.0;
+    presses_ = all > 1e-12 * sizes;  // pushes and pulls that cancel leave rounding, and no centre
     return presses_ ? SkinWrench::Centre{sum.y / all, sum.z / all} : SkinWrench::Centre{};
   }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
+
+#include "skin/near_places.hpp"
 
 namespace tactile_net {
 namespace {
@@ -24,12 +27,20 @@ std::vector<Neighbours> on_lattice(const SkinArray& skin) {
 
 /// Of a channel of an uneven one.
 std::vector<Neighbours> nearby(std::span<const SkinSite> sites, double pitch) {
+  const NearPlaces places(sites);
   std::vector<Neighbours> all;
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    for (std::size_t j = i + 1; j < sites.size(); ++j) {
-      const double distance = std::hypot(sites[i].y - sites[j].y, sites[i].z - sites[j].z);
-      if (distance > 0.0 && distance <= reach * pitch) all.push_back({i, j});
-    }
+  std::vector<std::size_t> later;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    later.clear();
+    places.around(
+        i, [&] { return reach * pitch; },
+        [&](std::size_t j) {
+          const double distance = std::hypot(sites[i].y - sites[j].y, sites[i].z - sites[j].z);
+          if (j > i && distance > 0.0 && distance <= reach * pitch) later.push_back(j);
+        });
+    std::sort(later.begin(), later.end());
+    for (const std::size_t j : later) all.push_back({i, j});
+  }
   return all;
 }
 

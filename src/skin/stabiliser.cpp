@@ -1,9 +1,10 @@
 #include "tactile_net/skin/stabiliser.hpp"
 
-#include <cmath>
-#include <stdexcept>
 #include <vector>
 
+#include "inverse/checks.hpp"
+#include "numeric/eigen.hpp"
+#include "skin/cosine_waves.hpp"
 #include "skin/sparse_stabiliser.hpp"
 
 namespace tactile_net {
@@ -40,8 +41,7 @@ void visit_stabiliser(const SkinProblem& problem, double alpha, const auto& add)
 }  // namespace
 
 Matrix stabiliser_matrix(const SkinProblem& problem, double alpha) {
-  if (!(alpha > 0.0 && std::isfinite(alpha)))
-    throw std::invalid_argument("alpha must be > 0 and finite");
+  check_alpha(alpha);
   const std::size_t size = problem.components * problem.grid.count();
   Matrix matrix{size, size, std::vector<double>(size * size)};
   visit_stabiliser(problem, alpha,
@@ -58,6 +58,32 @@ Eigen::SparseMatrix<double> sparse_stabiliser(const SkinProblem& problem) {
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
+}
+
+double prior_deviation(const SkinProblem& problem, std::span<const double> weights, double alpha) {
+  check_alpha(alpha);
+  const SkinGrid& grid = problem.grid;
+  if (weights.size() != problem.components * grid.count())
+    throw std::invalid_argument("a sum needs a weight for every traction");
+  const Eigen::MatrixXd down = cosine_waves(grid.rows, grid.rows);
+  const Eigen::MatrixXd across = cosine_waves(grid.columns, grid.columns);
+  const double y = std::pow(problem.smoothing_length / grid.spacing_y, 2);
+  const double z = std::pow(problem.smoothing_length / grid.spacing_z, 2);
+  double sum = 0.0;
+  for (std::size_t u = 0; u < problem.components; ++u) {
+    const Eigen::Map<const RowMajor> cells(weights.data() + u * grid.count(),
+                                           static_cast<Eigen::Index>(grid.rows),
+                                           static_cast<Eigen::Index>(grid.columns));
+    const Eigen::MatrixXd waves = down.transpose() * cells * across;
+    const double weight = u == 0 ? 1.0 : problem.tangential_weight;
+    for (std::size_t m = 0; m < grid.rows; ++m)
+      for (std::size_t n = 0; n < grid.columns; ++n) {
+        const double size =
+            waves(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(n)) / weight;
+        sum += size * size / (1.0 + y * roughness(m, grid.rows) + z * roughness(n, grid.columns));
+      }
+  }
+  return std::sqrt(sum / (alpha * problem.area));
 }
 
 }  // namespace tactile_net

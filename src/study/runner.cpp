@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,7 @@ class Runner {
     while (next_ < last_ && !observer_.stop()) {
       const std::size_t i = next_++;
       if (sections_[i]) continue;
+      begun_ = i;
       lock.unlock();
       StudySection section = jobs_[i].run();
       lock.lock();
@@ -109,12 +111,14 @@ class Runner {
     changed_.notify_one();
   }
 
-  /// Tells the observer how far the workers are until they have ended.
+  /// Tells the observer how far the workers are until they have ended. A stop may come, and this
+  /// thread may wake, before a worker has begun a job: then there is nothing to tell.
   void watch() {
     std::unique_lock lock(mutex_);
     while (running_ > 0) {
       changed_.wait_for(lock, std::chrono::milliseconds(200));
-      StudyProgress progress = pace_.progress(jobs_[std::min(next_, last_) - 1].job);
+      if (!begun_) continue;
+      StudyProgress progress = pace_.progress(jobs_[*begun_].job);
       progress.stopping = observer_.stop();
       observer_.progress(progress);
     }
@@ -130,7 +134,8 @@ class Runner {
   std::size_t next_ = 0;
   std::size_t last_ = 0;
   std::size_t running_ = 0;
-  std::exception_ptr failure_;  // of saving
+  std::optional<std::size_t> begun_;  // the job begun last
+  std::exception_ptr failure_;        // of saving
 };
 
 }  // namespace

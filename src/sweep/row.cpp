@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/csv_fields.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 
@@ -137,19 +138,8 @@ std::optional<Row> row_in(std::string_view line, std::size_t axes, const std::ve
 }
 
 std::vector<std::string> fields(std::string_view line) {
-  std::vector<std::string> all(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-      all.back() += line[++i];
-    else if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      all.emplace_back();
-    else
-      all.back() += c;
-  }
+  std::vector<std::string> all;
+  for (const std::string_view field : fields_of(line, {','})) all.push_back(unquoted(field));
   return all;
 }
 

@@ -124,7 +124,7 @@ const std::vector<Rule> rules{
      library},
 };
 
-constexpr std::ptrdiff_t most_lines = 400;
+constexpr std::ptrdiff_t most_lines = 600;  // a subject lives in one file, a file holds one subject
 const Names longer_files{
     "src/realtime/kernels.cpp"};  // one kernel per instruction set, of one shape
 
@@ -301,9 +301,9 @@ TEST_CASE("what one place alone may know is found elsewhere", "[rooms]") {
   CHECK(allows("src/simulator/child_process.cpp", "std::chrono::steady_clock::now();"));
 }
 
-TEST_CASE("a file of more than 400 lines is found", "[rooms]") {
-  CHECK(violations("src/lab/run.cpp", std::string(400, '\n')).empty());
-  CHECK_FALSE(violations("src/lab/run.cpp", std::string(401, '\n')).empty());
+TEST_CASE("a file of more than 600 lines is found", "[rooms]") {
+  CHECK(violations("src/lab/run.cpp", std::string(600, '\n')).empty());
+  CHECK_FALSE(violations("src/lab/run.cpp", std::string(601, '\n')).empty());
 }
 
 }  // namespace

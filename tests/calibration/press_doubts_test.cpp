@@ -166,6 +166,28 @@ TEST_CASE("a press that is stated wrongly is named in the other ways of options,
   check_wrong_press(true, PressQuantity::position, true);
 }
 
+TEST_CASE("a friction that is put aside no longer pulls") {
+  const double drag = 0.3;
+  SimulatedLog made =
+      simulated_log(41, {.reads = {Quantity::stress_x, Quantity::shear_xy}, .drag = drag});
+  for (Press& press : made.log.presses) press.friction = {.value = 0.0, .sd = 0.01};
+  const CalibrationOptions options{.robust = true};
+  const PressFit fit = fit_presses(made.model(), made.log, options);
+  for (const FittedPress& press : fit.presses) {
+    CAPTURE(press.number);
+    CHECK(press.put_aside ==
+          (press.number == 9 ? std::optional(PressQuantity::friction) : std::nullopt));
+  }
+  // As if nothing had been stated of it.
+  made.log.presses[8].friction = {};
+  const PressFit unknown = fit_presses(made.model(), made.log, options);
+  const ValueWithSd& found = fit.presses[8].friction;
+  CAPTURE(found.value, found.sd, unknown.presses[8].friction.value);
+  CHECK_THAT(found.value, WithinAbs(unknown.presses[8].friction.value, 0.5 * found.sd));
+  CHECK_THAT(found.sd, WithinRel(unknown.presses[8].friction.sd, 0.1));
+  CHECK_THAT(found.value, WithinAbs(drag, 4.0 * found.sd));
+}
+
 TEST_CASE(
     "readings that grow from press to press are seen in a short log, and quiet ones are not") {
   SimulatedLog made = simulated_log(38, {.presses = 12});

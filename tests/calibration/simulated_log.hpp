@@ -19,6 +19,7 @@ struct LogOptions {
   std::vector<Quantity> reads{Quantity::stress_x};
   bool layer = true;
   double depth = 1.5e-3;
+  double drag = 0.0;  ///< friction of the ninth press; what is stated of it is the test's
 };
 
 struct SimulatedLog {
@@ -60,6 +61,7 @@ inline SimulatedLog simulated_log(unsigned seed, const LogOptions& options = {})
   for (std::size_t p = 0; p < options.presses; ++p)
     presses.push_back({Shape::cylinder, std::log(uniform(50.0, 400.0)), uniform(-8e-3, 8e-3),
                        std::log(uniform(0.6e-3, 2e-3)), 0.0});
+  if (options.drag != 0.0) presses.at(8).friction = options.drag;
   const PressModel model(result.array, result.truth);
   const PressReadings readings = model.readings(model.nominal(), presses, false);
   const std::size_t n = model.sites().size();

@@ -67,7 +67,7 @@ TEST_CASE("no command replaces a file that it reads", "[cli]") {
   CHECK_FALSE(fs::exists(out));
 }
 
-TEST_CASE("two outputs need a file each; devices and standard output may be named twice", "[cli]") {
+TEST_CASE("two outputs need a file each; devices may be named twice", "[cli]") {
   const Inputs in;
   const ProcessResult same = run_tool({"solve", in.pad, "--readings", in.frames, "-o",
                                        in.folder / "a", "--json", in.folder / "b/../a"});
@@ -77,4 +77,50 @@ TEST_CASE("two outputs need a file each; devices and standard output may be name
   CHECK(
       run_tool({"solve", in.pad, "--readings", in.frames, "-o", "/dev/null", "--json", "/dev/null"})
           .code == 0);
+}
+
+TEST_CASE("standard output holds one document", "[cli]") {
+  const Inputs in;
+  const std::string log = scene("calibration/rod-layer.csv");
+  const std::string toml = scene("calibration/rod-layer.toml");
+  const std::string file = in.folder / "out";
+  const Words solve = {"solve", in.pad, "--readings", in.frames};
+  const Words plan = {"plan", in.pad};
+  const Words simulate = {"simulate", in.pad};
+  const Words calibrate = {"calibrate", log, "--scene", toml};
+  struct Case {
+    Words command;
+    Words first;   // an output on standard output
+    Words second;  // another
+  };
+  const Case cases[] = {
+      {simulate, {}, {"--truth", "-"}},
+      {simulate, {"-o", "-"}, {"--json", "-"}},
+      {simulate, {"-o", "-"}, {"--truth", "/dev/stdout"}},
+      {simulate, {"-o", file, "--truth", "-"}, {"--json", "-"}},
+      {solve, {}, {"--uncertainty", "-"}},
+      {solve, {}, {"--json", "-"}},
+      {solve, {"--out", file, "--json", "-"}, {"--uncertainty", "-"}},
+      {plan, {"-o", "-"}, {"--json", "-"}},
+      {calibrate, {"-o", "-"}, {"--json", "-"}},
+  };
+  for (const auto& [command, first, second] : cases) {
+    Words words = command;
+    words.insert(words.end(), first.begin(), first.end());
+    words.insert(words.end(), second.begin(), second.end());
+    CAPTURE(words);
+    const ProcessResult both = run_tool(words);
+    CHECK(both.code == 2);
+    CHECK(both.output.empty());
+    CHECK_THAT(both.errors, ContainsSubstring("one of the two") && ContainsSubstring("a file"));
+    CHECK_FALSE(fs::exists(file));
+  }
+  // As the message has it: a file for either, and there is no other document.
+  const std::string json = in.folder / "s.json";
+  CHECK(run_tool({"simulate", in.pad, "--json", json}).output ==
+        run_tool({"simulate", in.pad}).output);
+  CHECK(run_tool({"simulate", in.pad, "-o", file, "--json", "-"}).output == read_text(json));
+  CHECK(run_tool(
+            {"solve", in.pad, "--readings", in.frames, "--out", in.folder / "page", "--json", "-"})
+            .output.starts_with("{"));
 }

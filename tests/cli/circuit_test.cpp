@@ -201,7 +201,7 @@ TEST_CASE("certify lists what to order for an accuracy", "[cli]") {
   CHECK_THAT(result.output, ContainsSubstring("For 1 % in 95 of 100 builds: "));
   CHECK_THAT(read_text(out + "/parts.csv"),
              StartsWith("ohm,tolerance,quantity,references,part\n") &&
-                 ContainsSubstring(",op-amp with two outputs\n"));
+                 ContainsSubstring(",fully differential amplifier\n"));
   CHECK_THAT(read_text(out + "/report.html"), ContainsSubstring("What to order"));
   CHECK_THAT(run_tool({"certify", path, "--budget", "0.01", "--json", "-"}).output,
              ContainsSubstring("\"target\": 0.01"));

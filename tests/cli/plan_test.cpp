@@ -37,7 +37,7 @@ TEST_CASE("a controller that loads the plan finds what `solve` finds", "[cli][pl
                 "--json", folder / "plan.json"});
   CAPTURE(planned.errors);
   REQUIRE(planned.code == 0);
-  CHECK_THAT(planned.output, ContainsSubstring("parity") && ContainsSubstring("rgcv, the median"));
+  CHECK_THAT(planned.output, ContainsSubstring("parity") && ContainsSubstring("aicc, the median"));
   const auto json = nlohmann::json::parse(read_text(folder / "plan.json"));
   const EstimatorPlan plan = load_plan(folder / "pad.plan");
   CHECK(json.at("alpha") == plan.alpha);

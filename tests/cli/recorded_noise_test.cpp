@@ -59,6 +59,23 @@ TEST_CASE("the noise that a scene does not state is that of still frames", "[cli
   // Where something moves all the time nothing shows it.
   const std::string text = read_text(folder / "r.csv");
   std::ofstream(folder / "short.csv") << text.substr(0, text.find("\n0.03,") + 1);
-  REQUIRE(solve("silent.toml", folder / "short.csv").code == 0);
+  const ProcessResult not_taken = solve("silent.toml", folder / "short.csv");
+  REQUIRE(not_taken.code == 0);
+  CHECK_THAT(not_taken.errors, ContainsSubstring("short.csv: note: the scene states no noise"));
   CHECK(last_row(read_text(folder / "u.csv")).verdict == "noise_needed");
+
+  // Nor where the readings come once: the same is said, and the answers are the same.
+  const std::string in_file = read_text(folder / "f.csv");
+  const ProcessResult piped =
+      run_tool({"solve", folder / "silent.toml", "--readings", "-", "-o", folder / "p.csv"},
+               read_text(folder / "short.csv"));
+  REQUIRE(piped.code == 0);
+  CHECK_THAT(piped.errors, ContainsSubstring("note: the scene states no noise"));
+  CHECK(read_text(folder / "p.csv") == in_file);
+
+  // What is wrong with the recording is said once, by who solves it.
+  std::ofstream(folder / "bad.csv") << text << "3.0,1,2,x,4,5,6,7,8,9\n";
+  const ProcessResult bad = solve("silent.toml", folder / "bad.csv");
+  CHECK(bad.code == 2);
+  CHECK_THAT(bad.errors, ContainsSubstring("bad.csv:") && ContainsSubstring("frames before it"));
 }

@@ -212,7 +212,7 @@ TEST_CASE("a plan that is not the scene's is refused, and what plans do not have
   plan_refused(with({"--plan", plan, "--share-alpha", "5"}), "one alpha for all frames");
   plan_refused(with({"--plan", plan, "--uncertainty", folder / "u.csv"}), "has no bands");
   plan_refused(with({"--plan", plan, "--out", folder / "out"}), "has no bands");
-  plan_refused(with({"--plan", plan, "--json", "-"}), "has no verdicts");
+  plan_refused(with({"--plan", plan, "--json", folder / "j.json"}), "has no verdicts");
   plan_refused(with({"--plan", plan, "--method", "dft"}), "its own product");
   CHECK(!std::filesystem::exists(folder / "out"));
   CHECK(!std::filesystem::exists(folder / "c.csv"));

@@ -250,6 +250,55 @@ TEST_CASE("a job file of --slurm is one that a shell reads, and nothing is compu
   CHECK(run_process({"sh", "-n", sweep.folder.write("job.sh", result.output)}).code == 0);
   CHECK(sweep.run({"--slurm", "0"}).code == 2);
   CHECK(sweep.run({"--slurm", "8", "--time", "1h; rm -rf /"}).code == 2);
+  CHECK_THAT(sweep.run({"--slurm", "8", "--shard", "1/2"}).errors, ContainsSubstring("--shard: "));
+  CHECK_THAT(sweep.run({"--time", "90"}).errors, ContainsSubstring("it needs --slurm"));
+}
+
+TEST_CASE("a task of a job file does what the sweep would with the same options", "[cli][sweep]") {
+  const Folder folder;
+  for (const char* name : {"pads", "my studies", "bin"}) fs::create_directory(folder / name);
+  (void)folder.write("pads/pad.toml", swept_pad);
+  const std::string file =
+      folder.write("my studies/a;b.toml",
+                   replaced(depth_study, "scene = \"pad.toml\"", "scene = \"../pads/pad.toml\""));
+  const std::string ngspice = folder / "my ngspice";
+  const auto sweep = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"sweep",        file,      "-o",        folder / out,
+                                      "--jobs",       "2",       "--force",   "--allow-outside",
+                                      "--simulator",  "process", "--ngspice", ngspice,
+                                      "--time-limit", "7.5"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_tool(words);
+  };
+  const ProcessResult script = sweep("out's", {"--slurm", "2"});
+  REQUIRE(script.code == 0);
+  CHECK_THAT(script.output, ContainsSubstring("#SBATCH --cpus-per-task=2\n"));
+  const std::string job = folder.write("job.sh", script.output);
+  // In the program's place one that says which words it is given.
+  const std::string fake = folder.write("bin/tactile-net", "#!/bin/sh\nprintf '%s\\n' \"$@\"\n");
+  fs::permissions(fake, fs::perms::owner_all);
+  for (const char* task : {"1", "2"}) {
+    const ProcessResult said =
+        run_process({"env", "PATH=" + (folder / "bin") + ":" + std::getenv("PATH"),
+                     std::string("SLURM_ARRAY_TASK_ID=") + task, "sh", job});
+    REQUIRE(said.code == 0);
+    const std::vector<std::string> words = lines_of(said.output);
+    for (const std::string& word :
+         {std::string("--force"), std::string("--allow-outside"), ngspice, std::string("7.5")})
+      CHECK(std::count(words.begin(), words.end(), word) == 1);
+    CHECK(run_tool(words).code == 0);
+  }
+  CHECK(run_tool({"merge", folder / "out's"}).code == 0);
+  CHECK(sweep("whole", {}).code == 0);
+  CHECK(read_text(folder / "out's/results.csv") == read_text(folder / "whole/results.csv"));
+
+  // The line that a part of a sweep ends with is one that a shell reads, whatever the folder's
+  // name.
+  const ProcessResult part = sweep("a part", {"--shard", "1/2"});
+  const std::string line = part.output.substr(part.output.find("tactile-net merge"));
+  const ProcessResult typed = run_process(
+      {"env", "PATH=" + (folder / "bin") + ":" + std::getenv("PATH"), "sh", "-c", line});
+  CHECK(lines_of(typed.output) == std::vector<std::string>{"merge", folder / "a part"});
 }
 
 TEST_CASE("what sweep and merge cannot do is said, with status 2", "[cli][sweep]") {

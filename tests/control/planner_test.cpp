@@ -1,5 +1,6 @@
 #include "tactile_net/control/planner.hpp"
 
+#include "src/control/planner_parts.hpp"
 #include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tests/catch.hpp"
@@ -52,4 +53,18 @@ TEST_CASE("every planned path keeps its accuracy, on random readings and on cont
                 (structure == Structure::dense ? std::max(accuracy, 1e-9) : accuracy));
       }
     }
+}
+
+TEST_CASE("a dear way that is accurate is better than a cheap one that is not", "[planner]") {
+  const Candidate dear{.cost = 9.0, .error_bound = 1e-8, .accurate = true};
+  const Candidate cheap{.cost = 1.0, .error_bound = 1e-6, .accurate = false};
+  CHECK(is_better(dear, cheap));
+  CHECK_FALSE(is_better(cheap, dear));
+  const Candidate cheaper{.cost = 8.0, .error_bound = 5e-8, .accurate = true};
+  CHECK(is_better(cheaper, dear));
+  CHECK_FALSE(is_better(dear, dear));
+  // Where none is accurate, the one that errs less: whoever asks for its structure has the best.
+  const Candidate coarse{.cost = 0.5, .error_bound = 1e-5, .accurate = false};
+  CHECK(is_better(cheap, coarse));
+  CHECK_FALSE(is_better(coarse, cheap));
 }

@@ -97,6 +97,17 @@ TEST_CASE("every element and card of the list is taken, in any case and indented
     CHECK_THAT(deck, !ContainsSubstring(text));
 }
 
+TEST_CASE("commands behind the end are left out, and nothing else may stand there", "[deck]") {
+  const std::string whole = head + circuit + ".op\n.end\n";
+  const std::string commands =
+      ".control\nset numdgt=17\nrun\nprint v(a)\nshell `ls`\nquit 0\n.endc\n";
+  CHECK(passed(whole + commands) == passed(whole));
+  CHECK(passed(whole + "\n  .Control\r\nrun\r\n.ENDC\r\n* more\n" + commands) == passed(whole));
+  CHECK_THAT(refused(whole + commands + "R2 a 0 1\n"), ContainsSubstring("behind .end"));
+  CHECK_THAT(refused(head + circuit + ".op\n.control\nrun\n.endc\n.end\n"),
+             ContainsSubstring("commands to ngspice"));
+}
+
 TEST_CASE("cards that read files or run commands are refused with what to do", "[deck]") {
   CHECK_THAT(with(".include /etc/passwd"),
              ContainsSubstring("x.cir:5:1: error: '.include' reads another file") &&

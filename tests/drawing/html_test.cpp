@@ -36,6 +36,12 @@ TEST_CASE("what only looks like a number or a unit stays as it is", "[html]") {
   }
 }
 
+TEST_CASE("words are typeset, names and a page's title are not", "[html]") {
+  const std::string name = "run1e+03 5 us.csv";
+  CHECK(element("p", name) == enclosed("p", escaped(typeset(name))));
+  CHECK_THAT(html_page(name, "", ""), ContainsSubstring("<title>" + name + "</title>"));
+}
+
 TEST_CASE("nothing in a text can end its element", "[html]") {
   CHECK(element("p", "<b a=\"1\">&") == "<p>&lt;b a=&quot;1&quot;&gt;&amp;</p>\n");
   const std::string table = html_table({{"<a>", "b\""}, {"<i>", "2 us"}});

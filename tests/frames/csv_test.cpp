@@ -91,4 +91,9 @@ TEST_CASE("a field in quotes keeps its own doubled", "[frames]") {
   CHECK(csv_quoted("") == "\"\"");
   CHECK(csv_quoted("a,b") == "\"a,b\"");
   CHECK(csv_quoted("say \"a\"") == "\"say \"\"a\"\"\"");
+  std::istringstream in("\"say \"\"a, b\"\"\",b,c\n\"x \"\",\"\" y\",2,3\n");
+  CsvFrames frames(in, "f.csv", {.names = {"b"}});
+  std::vector<double> values(1);
+  REQUIRE(frames.next(values));
+  CHECK(values[0] == 2.0);
 }

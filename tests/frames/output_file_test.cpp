@@ -80,6 +80,61 @@ TEST_CASE("what is not whole stands under a name that says so", "[frames][output
   CHECK(out.str() == "half");
 }
 
+TEST_CASE("who writes a file while another does has its own, and the last one stands",
+          "[frames][output]") {
+  const Folder folder;
+  const fs::path path = folder.path / "f.txt";
+  OutputFile one(path);
+  OutputFile two(path);
+  one.stream() << "one";
+  two.stream() << "the other";
+  one.commit();
+  CHECK(text_of(path) == "one");
+  two.commit();
+  CHECK(text_of(path) == "the other");
+  CHECK(names_in(folder.path) == std::vector<std::string>{"f.txt"});
+}
+
+TEST_CASE("a file that is replaced keeps who may read and write it", "[frames][output]") {
+  const Folder folder;
+  const fs::path out = folder.path / "out";
+  const auto permissions = [](const fs::path& path) { return fs::status(path).permissions(); };
+  {
+    OutputFolder first(out);
+    first.write("f.csv", "1");
+    CHECK(first.commit().empty());
+  }
+  write_file(folder.path / "new", "");
+  std::ofstream(folder.path / "own") << "";
+  CHECK(permissions(folder.path / "new") == permissions(folder.path / "own"));
+  CHECK(permissions(out / "f.csv") == permissions(folder.path / "own"));
+
+  for (const unsigned mode : {0600U, 0640U, 0444U, 0664U}) {
+    CAPTURE(mode);
+    const auto stated = static_cast<fs::perms>(mode);
+    fs::permissions(out / "f.csv", stated);
+    fs::create_symlink("f.csv", out / "link");
+    for (const fs::path& name : {out / "f.csv", out / "link"}) {
+      OutputFile file(name);
+      file.stream() << "secret" << std::flush;
+      // Nor is it open to more while it is being written.
+      for (const std::string& there : names_in(out))
+        CHECK((permissions(out / there) & ~stated & ~fs::perms::owner_all) == fs::perms::none);
+      file.commit();
+      CHECK(permissions(out / "f.csv") == stated);
+    }
+    OutputFile half(out / "f.csv");
+    (void)half.commit_partial();
+    CHECK(permissions(out / "f.csv.partial") == stated);
+    fs::remove(out / "f.csv.partial");
+    fs::remove(out / "link");
+    OutputFolder again(out);
+    again.write("f.csv", "2");
+    CHECK(again.commit().empty());
+    CHECK(permissions(out / "f.csv") == stated);
+  }
+}
+
 TEST_CASE("standard output is the stream that is passed", "[frames][output]") {
   std::ostringstream out;
   for (const char* path : {"-", ""}) {

@@ -1,5 +1,6 @@
 // What people's own files look like: each is either understood, with a note where something was
 // taken for granted, or refused in words that say what was found and what to do.
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -73,6 +74,15 @@ TEST_CASE("the same frames are read however the text is laid out", "[frames][rea
       "\"stress_x_0\",\"stress_x_1\",\"stress_x_2\",\"stress_x_3\"\n\"1.5\",2,-3,4e3\n5,6,7,8\n",
       "\"a, b\",stress_x_0,stress_x_1,stress_x_2,stress_x_3\n\"1, 2\",1.5,2,-3,4e3\n,5,6,7,8\n",
       "\n" + plain + "\n\n",
+      "stress_x_0,stress_x_1,stress_x_2,stress_x_3\nkPa,kPa,kPa,kPa\n" + plain_rows,
+      "stress_x_0,stress_x_1,stress_x_2,stress_x_3\n[kPa],[kPa],,(kPa)\nch0,left,zeroed,\n" +
+          plain_rows,
+      "Logger 3000\nSerial number: 0007\nStart: 2026-01-05 10:11:12\n\n" + plain,
+      "Rate,100\nRange,50\n" + plain,
+      "a rig of ours,,,\n" + plain,
+      "stress_x,,,\n0,1,2,3\n" + plain_rows,
+      "name,stress_x_0,stress_x_1,stress_x_2,stress_x_3\npad,1.5,2,-3,4e3\npad,5,6,7,8\n",
+      "%name,stress_x_0,stress_x_1,stress_x_2,stress_x_3\npad,1.5,2,-3,4e3\npad,5,6,7,8\n",
   }));
   CAPTURE(text);
   CHECK(read_csv(text).frames == two_frames);
@@ -171,6 +181,130 @@ TEST_CASE("columns are read where --columns says that they stand", "[frames][rea
   CHECK(read_csv("t,b,c,d,e,f\n" + rows, "3-6").has_time);  // by its name
 }
 
+TEST_CASE("a row of numbers beside a word is a frame, not a header", "[frames][reading]") {
+  const Recording recording = read_csv("7,pad,1.5,2,-3,4e3\n8,pad,5,6,7,8\n", "t=1,3-6");
+  CHECK(recording.frames == two_frames);
+  CHECK(recording.times == Names{"7", "8"});
+  // Where the word's column holds numbers below, it names them.
+  CHECK(read_csv("t,10,20,35,50\n7,1.5,2,-3,4e3\n8,5,6,7,8\n", "2-5").frames == two_frames);
+}
+
+TEST_CASE("numbers of columns below their names are no frame, and that is said",
+          "[frames][reading]") {
+  std::string names;
+  std::string numbers;
+  std::string row;
+  for (int i = 0; i < 9; ++i) {
+    const std::string comma = i > 0 ? "," : "";
+    names += comma + (i < 4 ? "stress_x_" : "other_") + std::to_string(i);
+    numbers += comma + std::to_string(i);
+    row += comma + std::to_string(10 - i) + ".5";
+  }
+  const Recording recording = read_csv(names + "\n" + numbers + "\n" + row + "\n");
+  CHECK(recording.frames == std::vector<std::vector<double>>{{10.5, 9.5, 8.5, 7.5}});
+  REQUIRE(recording.notes.size() == 1);
+  CHECK_THAT(recording.notes[0], ContainsSubstring("line 2"));
+}
+
+TEST_CASE("a file that is named has its frames counted from its first row", "[frames][reading]") {
+  const std::string before = GENERATE("", "a logger of ours\n", "# made by hand\n\n");
+  const std::string below = GENERATE("", "kPa,kPa,kPa,kPa\n");
+  const auto lines = static_cast<int>(std::count(before.begin(), before.end(), '\n') +
+                                      std::count(below.begin(), below.end(), '\n'));
+  const std::string text = before + plain.substr(0, 44) + below + plain_rows + "1,2,x,4\n";
+  CAPTURE(text);
+  CHECK_THAT(csv_refusal(text), StartsWith("f.csv:" + std::to_string(lines + 4) + ":5"));
+}
+
+TEST_CASE("decimal commas, thousands and a matrix row a line are named", "[frames][reading]") {
+  const std::string head = plain.substr(0, 44);
+  const auto [text, hint] = GENERATE_COPY(table<std::string, std::string>({
+      {head + "1,50,-2,00,3,10,4,00\n", "decimal commas"},
+      {"1,50,-2,00,3,10,4,00\n", "decimal commas"},
+      {head + "\"1,5\",\"2\",\"3\",\"4\"\n", "decimal comma"},
+      {head + "\"1,234.5\",2,3,4\n", "thousands"},
+      {"stress_x_0;stress_x_1;stress_x_2;stress_x_3\n1.234,5;2;3;4\n", "thousands"},
+  }));
+  CAPTURE(text);
+  CHECK_THAT(csv_refusal(text), ContainsSubstring(hint));
+  std::istringstream matrix("0.5,1\n2,3\n\n4,5\n6,7\n");
+  const auto open = [&] {
+    CsvFrames(matrix, "f.csv", {.names = stress_columns, .taxels = 4, .rows = 2});
+  };
+  CHECK_THROWS_WITH(open(), ContainsSubstring("join the 2 lines of a frame"));
+}
+
+namespace {
+
+/// The seconds of every frame, and whether they are known to be seconds.
+struct Clock {
+  std::vector<double> seconds;
+  Names times;
+  bool known = true;
+};
+
+Clock clock_of(const std::string& text, const std::string& places = {}) {
+  std::istringstream in(text);
+  CsvFrames source(in, "f.csv", {.names = stress_columns, .places = places});
+  Clock clock;
+  std::vector<double> values(stress_columns.size());
+  while (source.next(values)) {
+    clock.seconds.push_back(source.seconds().value_or(-1.0));
+    clock.times.emplace_back(source.time());
+  }
+  clock.known = source.time_unit_known();
+  return clock;
+}
+
+}  // namespace
+
+TEST_CASE("times are seconds by the unit in their name or by their size", "[frames][reading]") {
+  const auto [name, first, second, step] =
+      GENERATE(table<std::string, std::string, std::string, double>({
+          {"t", "0", "0.25", 0.25},
+          {"time_ms", "0", "10", 0.01},
+          {"t [us]", "100", "350", 250e-6},
+          {"timestamp_us", "100", "350", 250e-6},
+          {"header.stamp_ns", "100", "350", 250e-9},
+          {"timestamp", "1712345678950350000", "1712345678960350000", 0.01},
+          {"timestamp", "1712345678950350", "1712345678960350", 0.01},
+          {"time", "1712345678950", "1712345678960", 0.01},
+          {"time", "1712345678.95", "1712345678.96", 0.01},
+      }));
+  CAPTURE(name, first);
+  const Clock clock =
+      clock_of(name + ',' + plain.substr(0, 44) + first + ",1,2,3,4\n" + second + ",1,2,3,4\n");
+  CHECK(clock.known);
+  CHECK(clock.times == Names{first, second});  // every digit
+  REQUIRE(clock.seconds.size() == 2);
+  CHECK_THAT(clock.seconds[1] - clock.seconds[0], WithinAbs(step, 5e-7) || WithinRel(step, 1e-9));
+}
+
+TEST_CASE("whole numbers of no stated unit are not called seconds", "[frames][reading]") {
+  CHECK_FALSE(clock_of("t," + plain.substr(0, 44) + "0,1,2,3,4\n10,1,2,3,4\n").known);
+  CHECK(clock_of("t [s]," + plain.substr(0, 44) + "0,1,2,3,4\n10,1,2,3,4\n").known);
+}
+
+TEST_CASE("seconds and nanoseconds in two columns are one time", "[frames][reading]") {
+  const Names both{"1712345678.950000000", "1712345679.000000007"};
+  const std::string rows = "1712345678,950000000,1.5,2,-3,4e3\n1712345679,7,5,6,7,8\n";
+  for (const char* names : {"secs,nsecs,", "header.stamp.sec,header.stamp.nanosec,"}) {
+    const Clock clock = clock_of(names + plain.substr(0, 44) + rows);
+    CHECK(clock.times == both);
+    CHECK(clock.known);
+  }
+  CHECK(clock_of(rows, "t=1+2,3-6").times == both);
+  CHECK_THAT(csv_refusal("secs,nsecs," + plain.substr(0, 44) + "1,2000000000,1,2,3,4\n"),
+             StartsWith("f.csv:2:3"));
+}
+
+TEST_CASE("a counter of 32 bits that begins anew is named", "[frames][reading]") {
+  const std::string head = "timestamp_us," + plain.substr(0, 44);
+  const Recording wraps = read_csv(head + "4294960000,1,2,3,4\n2704,1,2,3,4\n");
+  CHECK(wraps.closing.size() == 2);
+  CHECK(read_csv(head + "4000,1,2,3,4\n2704,1,2,3,4\n").closing.size() == 1);
+}
+
 TEST_CASE("a list of columns that does not fit is refused in words", "[frames][reading]") {
   const auto [places, message] = GENERATE(table<std::string, std::string>({
       {"1-3", "names 3 columns of readings, and 4 are read"},
@@ -182,6 +316,8 @@ TEST_CASE("a list of columns that does not fit is refused in words", "[frames][r
       {"t=1,t=2,2-5", "two columns of times"},
       {"a,b,c,x", "the file has no column 'x'"},
       {"1,,2,3", "an item is empty"},
+      {"t=1+2,2-5", "column 2 stands twice"},
+      {"t=1+,2-5", "no column ''"},
       {"1-99999999999999999999", "no column"},
       {"", ""},
   }));

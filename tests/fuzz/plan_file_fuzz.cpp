@@ -1,5 +1,5 @@
 // libFuzzer: any bytes are a plan or a runtime_error; what is a plan is written again as the same
-// bytes, and its estimator answers frames without fault.
+// bytes, and its estimator is made in memory of the plan's order and answers frames without fault.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -78,6 +78,28 @@ void run_frames(const EstimatorPlan& plan, InstructionSet set) {
   }
 }
 
+/// Puts one size in place of another wherever it stands twice: factors share the rank between them,
+/// grids a length, and one alone would only contradict the other.
+void change_two_sizes(std::uint8_t* payload, std::size_t size, std::minstd_rand& random) {
+  constexpr std::size_t width = sizeof(std::uint64_t);
+  if (size < 2 * width) return;
+  const auto number_at = [&](std::size_t at) {
+    std::uint64_t number = 0;  // little-endian, as the machines that fuzz
+    std::memcpy(&number, payload + at, width);
+    return number;
+  };
+  const std::size_t first = random() % (size - width + 1);
+  if (number_at(first) > 64) return;
+  std::vector<std::size_t> others;
+  for (std::size_t at = 0; at + width <= size; ++at)
+    if ((at >= first + width || first >= at + width) && number_at(at) == number_at(first))
+      others.push_back(at);
+  if (others.empty()) return;
+  const std::uint64_t number = std::uint64_t{1} << random() % 64;
+  for (const std::size_t at : {first, others[random() % others.size()]})
+    std::memcpy(payload + at, &number, width);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -141,8 +163,11 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     }
   }
   if (size <= header + checksum || random() % 16 == 0) return LLVMFuzzerMutate(data, size, most);
-  const std::size_t payload =
-      LLVMFuzzerMutate(data + header, size - header - checksum, most - header - checksum);
+  std::size_t payload = size - header - checksum;
+  if (random() % 4 == 0)
+    change_two_sizes(data + header, payload, random);
+  else
+    payload = LLVMFuzzerMutate(data + header, payload, most - header - checksum);
   const std::size_t length = header + payload + checksum;
   sign(std::as_writable_bytes(std::span(data, length)));
   return length;

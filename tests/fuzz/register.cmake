@@ -19,6 +19,6 @@ add_test(NAME "fuzz: plan file"
     --build-and-test ${CMAKE_CURRENT_LIST_DIR} ${CMAKE_CURRENT_BINARY_DIR}/fuzz
     --build-generator ${CMAKE_GENERATOR} --build-project tactile_net_fuzz
     --build-options -DCMAKE_CXX_COMPILER=${TACTILE_NET_CLANG}
-    --test-command plan_file_fuzz -seed=1 -max_total_time=20 -runs=200000 -max_len=8192 -timeout=20
+    --test-command plan_file_fuzz -seed=1 -max_total_time=20 -runs=200000 -max_len=8192 -timeout=20 -malloc_limit_mb=256
       -artifact_prefix=${CMAKE_CURRENT_BINARY_DIR}/)
 set_tests_properties("fuzz: plan file" PROPERTIES LABELS fuzz TIMEOUT 600 COST 900)

@@ -277,3 +277,17 @@ TEST_CASE("a memory of the frames before changes no doubt", "[data_verdict]") {
   }
   CHECK(doubted == 12);
 }
+
+TEST_CASE("whatever is doubted, what a contact leaves is a number beside its limit",
+          "[data_verdict]") {
+  const Bench bench = GENERATE(Bench{}, Bench::two_tractions());
+  std::vector<double> turned = bench.frame(contact_at(0.3), 1);
+  for (double& reading : turned) reading = -reading;
+  const DataVerdict data = bench.judge(turned);
+  REQUIRE(data.has(DataDoubt::pulls));
+  CHECK(data.residual_limit > 0.0);
+  CHECK(data.residual_rms > data.residual_limit);
+  // The limit is the noise's alone.
+  CHECK(bench.judge(bench.frame(contact_at(0.3), 1)).residual_limit == data.residual_limit);
+  CHECK(bench.judge(std::vector<double>(turned.size())).residual_limit == data.residual_limit);
+}

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"
@@ -92,4 +94,28 @@ TEST_CASE("an impossible problem is refused with its reason", "[problem]") {
   CHECK_THROWS_AS(normal_matrix(problem, std::numeric_limits<double>::infinity()),
                   std::invalid_argument);
   CHECK_THROWS_AS(normal_right_side(problem, std::vector<double>(20)), std::invalid_argument);
+}
+
+TEST_CASE("where no reading depends on the tractions no rule finds an alpha, and none is made up",
+          "[problem]") {
+  // One taxel is left, and what it reads is its offset.
+  InverseProblem problem =
+      make_problem({5, 1.0, {1.0}, {Quantity::stress_x}}, pad, {.unknown_offsets = true});
+  leave_out(problem, std::vector<std::size_t>{0, 1, 3, 4});
+  CHECK(problem.kernel.values == std::vector<double>(25, 0.0));
+
+  const TikhonovFamily family(problem);
+  const FilterFrame frame = family.analyse(std::vector{1.0, -2.0, 0.3, 0.0, 7.0});
+  CHECK(family.condition(1e-3) == 1.0);
+  CHECK(family.solve(frame, 1e-3) == std::vector<double>(5, 0.0));
+  const AlphaChoice choice = choose_alone(frame, AlphaRule::aicc);
+  CHECK(choice.verdict == AlphaVerdict::no_root);
+  CHECK_THROWS_WITH(family.solve(frame, choice.alpha), ContainsSubstring("no reading depends"));
+}
+
+TEST_CASE("a matrix that no memory should be asked for is refused before it is", "[problem]") {
+  const SensorArray long_array{20000, 0.5, {1.5}, {Quantity::stress_x}};
+  const ProblemOptions hats{.surface = {.basis = SurfaceBasis::hats}};
+  CHECK_THROWS_AS(make_problem(long_array, pad, hats), std::invalid_argument);
+  CHECK_THROWS_WITH(make_problem(long_array, pad, hats), ContainsSubstring("20000 readings"));
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
@@ -163,4 +165,49 @@ TEST_CASE("what cannot be shared is refused", "[shared_alpha]") {
   other.gamma = {2.0};
   SharedAlpha shared(tables(), AlphaRule::gml, 3);
   CHECK_THROWS_AS(shared.push(other), std::invalid_argument);
+}
+
+TEST_CASE("a rule that lacks what it needs is refused by its name, whoever asks",
+          "[shared_alpha][alpha]") {
+  FilterFrame frame = TikhonovFamily(Stream().problem()).analyse(Stream().frame(0));
+  frame.periodogram.reset();  // as a skin's
+  const auto tables = [&] { return AlphaTables(frame.gamma, frame.rows); };
+  const auto refused = [](const auto& ask, AlphaRule rule) {
+    CHECK_THROWS_AS(ask(), std::invalid_argument);
+    CHECK_THROWS_WITH(ask(), ContainsSubstring(std::string(name(rule))));
+  };
+  refused([&] { return choose_alpha(frame, AlphaRule::ncp); }, AlphaRule::ncp);
+  refused([&] { return choose_alone(frame, AlphaRule::ncp); }, AlphaRule::ncp);
+  refused([&] { return SharedAlpha(tables(), AlphaRule::ncp, 2).push(frame); }, AlphaRule::ncp);
+  for (const AlphaRule rule : {AlphaRule::evidence, AlphaRule::discrepancy}) {
+    refused([&] { return choose_alpha(frame, rule); }, rule);
+    refused([&] { return choose_alone(frame, rule); }, rule);
+    refused([&] { return SharedAlpha(tables(), rule, 2); }, rule);
+  }
+  for (const AlphaSweep::Curve& curve : sweep_alpha(frame).curves)
+    CHECK_FALSE((needs_noise(curve.rule) || needs_periodogram(curve.rule)));
+}
+
+TEST_CASE("frames that are not whole, or of another family, are refused", "[shared_alpha][alpha]") {
+  const TikhonovFamily family(Stream().problem());
+  const TikhonovFamily shorter(sample_problems().front().problem);
+  FilterFrame frame = family.analyse(Stream().frame(0));
+  CHECK(family.solve(frame, 1e-3).size() == Stream().problem().kernel.columns);
+  CHECK_THROWS_AS(shorter.solve(frame, 1e-3), std::invalid_argument);
+  CHECK_THROWS_AS(family.solve(FilterFrame{}, 1e-3), std::invalid_argument);
+  frame.beta.pop_back();
+  CHECK_THROWS_AS(family.solve(frame, 1e-3), std::invalid_argument);
+  CHECK_THROWS_AS(choose_alone(frame, AlphaRule::aicc), std::invalid_argument);
+}
+
+TEST_CASE("a frame's periodogram outlives its family, and is that of another one of the problem",
+          "[shared_alpha][alpha]") {
+  const InverseProblem problem = Stream().problem();
+  const std::vector<double> readings = Stream().frame(0);
+  const FilterFrame left = TikhonovFamily(problem).analyse(readings);
+  const TikhonovFamily family(problem);
+  const AlphaChoice early = choose_alone(family.analyse(readings), AlphaRule::ncp);
+  const AlphaChoice again = choose_alone(family.analyse(readings), AlphaRule::ncp);
+  CHECK(choose_alone(left, AlphaRule::ncp).alpha == early.alpha);
+  CHECK(again.alpha == early.alpha);
 }

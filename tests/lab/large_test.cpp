@@ -8,6 +8,7 @@
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/scene/reader.hpp"
+#include "tactile_net/simulator/ngspice.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net::lab {
@@ -66,6 +67,32 @@ TEST_CASE("a large array is answered as a decomposition would", "[lab][large]") 
                                       covariance.degrees_of_freedom(), 1e-3)
                            .residual_rms,
                        1e-4));
+}
+
+TEST_CASE("run answers a large array as its solver and its bands do, without a verdict on the data",
+          "[lab][large]") {
+  const Scene scene = strip(1100,
+                            "[reconstruct]\nsurface = \"taxels\"\nalpha = 1e-2\n"
+                            "methods = [\"tikhonov\"]\n");
+  const SceneProblem problem(scene);
+  REQUIRE(problem.is_large());
+  const SceneFrame frame(problem, simulate(scene).readings);
+  const auto solver = make_solver(problem, Method::tikhonov, 1e-2);
+  std::vector<double> f(solver->tractions());
+  const FrameResult expected = solver->solve(frame.readings(), f);
+  const FrameUncertainty bands = uncertainty(frame, f, expected);
+
+  Ngspice unused;
+  const Experiment experiment = run(scene, unused);
+  REQUIRE(experiment.succeeded());
+  const MethodResult& result = experiment.results.front();
+  CHECK(result.verdict == expected.verdict);
+  CHECK(result.normal.traction == f);
+  CHECK(result.normal.deviation == bands.deviation);
+  REQUIRE(result.resultant);
+  CHECK(result.resultant->normal.value == bands.resultant.normal.value);
+  CHECK(result.resultant->normal.deviation == bands.resultant.normal.deviation);
+  CHECK_FALSE(result.data);
 }
 
 TEST_CASE("nothing changes where arrays become large", "[lab][large]") {

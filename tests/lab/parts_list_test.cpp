@@ -1,10 +1,20 @@
 #include "tactile_net/lab/parts_list.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "tactile_net/lab/recommendation.hpp"
+#include "tactile_net/network/board.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
+#include "tactile_net/network/state_space.hpp"
 #include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -22,19 +32,25 @@ lab::SceneCircuit board_circuit() {
 TEST_CASE("the list to order is stable with the scene's op-amps, and its draws meet the target",
           "[parts_list][long]") {
   const lab::SceneCircuit circuit = board_circuit();
+  // As a board is: with strays at its inputs and its residuals, which it bears by its own poles.
+  REQUIRE(circuit.options().parts.opamp.input_capacitance);
+  REQUIRE(circuit.options().parts.node_capacitance);
+  CHECK(circuit.network().poles().front().real() < 0.0);
   const lab::PartsList list = lab::parts_list(circuit, 3e-3);
   REQUIRE(list.choice);
   const auto& chosen = list.chosen();
   CHECK(chosen.realization == Realization::lattice);
-  CHECK(chosen.stable);
+  CHECK(chosen.stable());
   CHECK(chosen.p95.value() <= 3e-3);
+  CHECK(chosen.opamps_alone.offset > 0.0);
+  CHECK(chosen.opamps_p95 < 3e-3);
   CHECK(chosen.resistors_price <= 1.01 * chosen.resistors_bound);
   // What is recommended without second poles does not settle with them.
   bool seen = false;
   for (const auto& one : list.candidates)
     if (one.realization == Realization::least_squares) {
       seen = true;
-      CHECK_FALSE(one.stable);
+      CHECK_FALSE(one.stable());
       CHECK_FALSE(one.p95);
     }
   CHECK(seen);
@@ -52,7 +68,53 @@ TEST_CASE("the list to order is stable with the scene's op-amps, and its draws m
   }
   CHECK(counted + chosen.pairs == ordered);
   CHECK_THAT(report::in_words(list), StartsWith("For 0.3 % in 95 of 100 builds: lattice"));
-  CHECK_THAT(report::order_csv(list), StartsWith("ohm,tolerance,quantity,references,part\n"));
+
+  // What is ordered, the bill and the board are of the same parts.
+  const auto rows_of = [](const std::string& csv) {
+    std::vector<std::vector<std::string>> rows;
+    std::istringstream lines(csv);
+    for (std::string line; std::getline(lines, line);) {
+      std::vector<std::string>& row = rows.emplace_back(1);
+      for (const char one : line)
+        if (one == ',')
+          row.emplace_back();
+        else
+          row.back() += one;
+    }
+    return rows;
+  };
+  const auto bill = rows_of(report::bill_csv(list));
+  CHECK(bill.at(0) == std::vector<std::string>{"Comment", "Designator", "Footprint", "MPN",
+                                               "Tolerance", "Element", "Pair partner", "Note"});
+  std::map<std::string, std::vector<std::string>> by_designator;
+  for (std::size_t row = 1; row < bill.size(); ++row) {
+    REQUIRE(bill[row].size() == bill[0].size());
+    CHECK(by_designator.emplace(bill[row][1], bill[row]).second);
+  }
+  for (const auto& [designator, row] : by_designator)
+    if (!row[6].empty()) CHECK(by_designator.at(row[6])[6] == designator);
+  std::size_t on_board = 0;
+  for (const Footprint& one : board_of(list.choice->soldered).footprints) {
+    if (one.kind == Footprint::Kind::pin) continue;
+    ++on_board;
+    const std::vector<std::string>& row = by_designator.at(one.reference());
+    CHECK(row[0] == one.value);
+    CHECK(one.library.ends_with(':' + row[2]));
+    CHECK(row[4] == one.tolerance);
+    CHECK(row[5] == one.element);
+    CHECK(row[7].empty() != one.overloaded());
+  }
+  CHECK(on_board == by_designator.size());
+  std::size_t quantity = 0;
+  const auto order = rows_of(report::order_csv(list));
+  for (std::size_t row = 1; row < order.size(); ++row) {
+    std::istringstream references(order[row].at(3));
+    std::size_t named = 0;
+    for (std::string one; references >> one; ++named) CHECK(by_designator.contains(one));
+    CHECK(std::to_string(named) == order[row].at(2));
+    quantity += named;
+  }
+  CHECK(quantity == by_designator.size());
 }
 
 TEST_CASE("a list whose draws miss the target is made anew for a smaller one", "[parts_list]") {
@@ -74,6 +136,96 @@ TEST_CASE("a list whose draws miss the target is made anew for a smaller one", "
     CHECK(own.choice->soldered.parts.size() ==
           own.chosen().list.class_of.size() + own.chosen().pairs);
   }
+}
+
+namespace {
+
+/// Nine taxels, with the lines of [network] that a test is about.
+lab::SceneCircuit small_circuit(const std::string& network) {
+  return lab::simulated_circuit(
+      parse_scene("[sensor]\ncount = 9\npitch = 0.5\ndepth = 1.5\nreads = [\"strain_x\"]\n"
+                  "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+                  "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2.0\nforce = 1.0\n"
+                  "[reconstruct]\nalpha = 1e-3\nsmoothing_length = 1.0\n[network]\n" +
+                      network,
+                  "small.toml"));
+}
+
+bool decays(const NetworkCircuit& circuit) {
+  return poles(state_space(FlatCircuit(
+                   realize(circuit.realization(), circuit.problem(), circuit.options()))))
+             .front()
+             .real() < 0.0;
+}
+
+}  // namespace
+
+TEST_CASE("what is recommended and bought decays by its own poles, strays and all",
+          "[parts_list][recommendation]") {
+  for (const std::string strays :
+       {"opamp = { gain = 1e6, bandwidth = 10e6 }\nparasitic = { node = 5e-12 }\n",
+        "opamp = { gain = 1e6, bandwidth = 10e6, second_pole = 20e6 }\n"
+        "parasitic = { node = 2e-11, input = 1e-11 }\n",
+        "opamp = { gain = 1e6, bandwidth = 10e6, second_pole = 3e6 }\n"
+        "parasitic = { input = 3e-11 }\n"}) {
+    CAPTURE(strays);
+    const lab::SceneCircuit circuit = small_circuit("realization = \"lattice\"\n" + strays);
+    const lab::Recommendation advice = lab::recommend(circuit);
+    const lab::PartsList list = lab::parts_list(circuit, 1e-2);
+    REQUIRE(list.candidates.size() == circuit.candidates().size());
+    std::size_t unstable = 0;
+    for (const auto& built : circuit.candidates()) {
+      const bool ladder = has_ladder(built->realization(), built->options());
+      CAPTURE(name(built->realization()), ladder);
+      const bool expected = decays(*built);
+      unstable += expected ? 0 : 1;
+      const auto same = [&](const auto& one) {
+        return one.realization == built->realization() && one.ladder == ladder;
+      };
+      const auto advised = std::find_if(advice.candidates.begin(), advice.candidates.end(), same);
+      REQUIRE(advised != advice.candidates.end());
+      CHECK(advised->stable() == expected);
+      const auto offered = std::find_if(list.candidates.begin(), list.candidates.end(), same);
+      REQUIRE(offered != list.candidates.end());
+      CHECK(offered->stable() == expected);
+    }
+    CHECK(unstable > 0);
+    if (advice.choice) CHECK(advice.chosen().stable());
+    CHECK(advice.choice.has_value() == (unstable < list.candidates.size()));
+    if (list.choice) CHECK(list.chosen().stable());
+  }
+}
+
+TEST_CASE("no resistors are ordered where op-amps alone err by more", "[parts_list]") {
+  const double target = 5e-3;
+  const auto list_with = [&](double offset) {
+    const lab::SceneCircuit circuit = small_circuit(
+        "realization = \"lattice\"\nvolts = 1.0\nopamp = { gain = 1e6, bandwidth = 10e6, offset "
+        "= " +
+        shortest(offset) + " }\n");
+    return lab::own_parts_list(circuit, target);
+  };
+  const lab::PartsList exact = list_with(1e-5);
+  REQUIRE(exact.choice);
+  CHECK_FALSE(exact.opamps_too_coarse());
+  // In proportion to the offset, in the root mean square and in the draws.
+  const double per_volt = exact.chosen().opamps_alone.offset / 1e-5;
+  const lab::PartsList coarse = list_with(2.0 * target / per_volt);
+  CHECK_FALSE(coarse.choice);
+  CHECK(coarse.opamps_too_coarse());
+  CHECK_THAT(coarse.candidates[0].opamps_alone.offset, WithinRel(2.0 * target, 1e-3));
+  CHECK(coarse.candidates[0].opamps_p95 > target);
+  // Half of the target's square: the resistors have to be as much better.
+  const lab::PartsList shared =
+      list_with(std::sqrt(0.5) * target / (exact.chosen().opamps_p95 / 1e-5));
+  REQUIRE(shared.choice);
+  CHECK(shared.chosen().p95.value() <= target);
+  CHECK(shared.chosen().within >= 95 * shared.chosen().builds / 100);
+  CHECK(shared.chosen().resistors_price > exact.chosen().resistors_price);
+  const auto [least, most] = shared.chosen().interval();
+  CHECK(least <
+        static_cast<double>(shared.chosen().within) / static_cast<double>(shared.chosen().builds));
+  CHECK(most > 0.95);
 }
 
 TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_list][long]") {

@@ -50,7 +50,7 @@ TEST_CASE("a controller's alpha is given, its contact's, or the median of a reco
   const auto of_contact = plan_alpha(ruled);
   REQUIRE(of_contact);
   CHECK(of_contact->source == PlanAlpha::Source::contact);
-  CHECK(of_contact->rule == AlphaRule::rgcv);  // of dense arrays
+  CHECK(of_contact->rule == AlphaRule::aicc);  // of dense arrays
   CHECK(of_contact->value == SceneFrame(ruled, simulate(ruled.scene()).readings).alpha().value);
 
   const auto of_frames = plan_alpha(ruled, recording(ruled));

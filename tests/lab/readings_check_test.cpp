@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 
@@ -244,6 +245,69 @@ TEST_CASE("each planted defect is found", "[lab][check]") {
   CHECK(names.contains(defect.expected));
   for (const std::string& one : defect.also) names.erase(one);
   CHECK(names == (defect.also.contains(defect.expected) ? Names{} : Names{defect.expected}));
+}
+
+TEST_CASE("codes for missing values are told from readings, and from gaps", "[lab][check]") {
+  const std::uint64_t seed = GENERATE(1u, 2u);
+  const std::string contact = GENERATE(presses, slides, holds, idles);
+  CAPTURE(seed, contact);
+  RecordedLine recording = recorded_line(line_pad(41, "\"stress_x\"", contact, seed));
+  const std::size_t count = count_of(recording);
+  recording.scene.calibration = Calibration{.gain = std::vector<double>(count, 25.0),
+                                            .baseline = std::vector<double>(count, 500.0),
+                                            .offset = std::vector<double>(count, 0.0)};
+  const auto reading = [](double number) { return 25.0 * (number - 500.0); };
+  for (auto& frame : recording.frames)
+    for (double& value : frame) value = reading(std::round(value / 25.0 + 500.0));
+  CHECK_FALSE(kinds(check(recording)).contains("codes_for_missing"));
+
+  RecordedLine gaps = recording;
+  std::map<double, std::size_t> planted;
+  const auto plant = [&](std::size_t frame, std::size_t taxel, double number) {
+    recording.frames[frame][taxel] = reading(number);
+    gaps.frames[frame][taxel] = std::numeric_limits<double>::quiet_NaN();
+    ++planted[number];
+  };
+  std::mt19937 random(static_cast<unsigned>(seed));
+  for (std::size_t k = 0; k < recording.frames.size(); ++k) {
+    if (k % 100 == 33) {
+      for (std::size_t i = 0; i < count; ++i) plant(k, i, -1.0);
+      continue;
+    }
+    if (random() % 4 == 0) plant(k, 4 + random() % (count - 4), 65535.0);
+    if (k >= 100 && k < 120) plant(k, 3, 30000.0);
+  }
+  const lab::ReadingsCheck result = check(recording);
+  REQUIRE(kinds(result) == Names{"codes_for_missing"});
+  std::map<double, std::size_t> told;
+  for (const auto& code : std::get<lab::finding::CodesForMissing>(result.findings.at(0)).codes) {
+    told[code.number] = code.fields;
+    CHECK(code.frames == (code.number == -1.0 ? 4 : 0));
+  }
+  CHECK(told == planted);
+  const Names of_gaps = kinds(check(gaps));
+  CHECK(of_gaps.contains("values_missing"));
+  CHECK_FALSE(of_gaps.contains("codes_for_missing"));
+}
+
+TEST_CASE("the rate is that of the steps forwards, in a known unit", "[lab][check]") {
+  const RecordedLine recording = recorded_line(line_pad(11, "\"stress_x\"", idles, 1));
+  const auto clock_with = [&](auto time_of, bool unit_known) {
+    lab::ReadingsChecker checker(recording.scene);
+    for (std::size_t k = 0; k < 100; ++k)
+      checker.add(time_of(static_cast<double>(k)), recording.frames[k]);
+    if (!unit_known) checker.times_without_unit();
+    return checker.result_without_loads().clock;
+  };
+  const double count = std::ldexp(1e-6, 32);  // of microseconds [s]
+  const auto wraps = [&](double k) { return std::fmod(count - 0.5 + 0.01 * k, count); };
+  const auto forwards = [](double k) { return 0.01 * k; };
+  CHECK_THAT(*clock_with(forwards, true).rate(), WithinRel(100.0, 1e-9));
+  const lab::RecordingClock wrapped = clock_with(wraps, true);
+  CHECK_THAT(*wrapped.rate(), WithinRel(100.0, 1e-9));
+  CHECK(wrapped.backwards == 1);
+  CHECK(wrapped.rollovers == 1);
+  CHECK_FALSE(clock_with(forwards, false).rate());
 }
 
 TEST_CASE("columns in the other order are found by what shears say", "[lab][check]") {

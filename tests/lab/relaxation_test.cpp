@@ -156,7 +156,7 @@ TEST_CASE("a recommendation says which, or what it would take", "[lab][recommend
   const lab::Recommendation rough = recommend(circuit_of(scene));
   CHECK(rough.outcome == none_reaches);
   for (const auto& candidate : rough.candidates)
-    CHECK(rough.chosen().tolerance.p95 <= candidate.tolerance.p95);
+    if (candidate.stable()) CHECK(rough.chosen().tolerance.p95 <= candidate.tolerance.p95);
 
   scene.contacts.clear();
   const lab::Recommendation idle = recommend(circuit_of(scene));

@@ -225,7 +225,7 @@ TEST_CASE("a baseline that is no reading of a contact makes no frame doubtful",
   SkinScene units = problem.scene();
   units.units.emplace();
   lab::SkinExperiment experiment{.scene = units};
-  experiment.answer = lab::solve(problem, readings);
+  experiment.answer = lab::solve(lab::SkinSceneProblem(units), readings);
   const std::vector<std::string> said = report::warnings(experiment);
   CHECK(std::any_of(said.begin(), said.end(), [](const std::string& warning) {
     return warning.find("offset that is not known") != std::string::npos &&

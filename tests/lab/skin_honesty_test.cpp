@@ -67,6 +67,9 @@ TEST_CASE("taxels at the end of a skin's range are left out and named", "[lab][s
   REQUIRE(clipped);
   CHECK(clipped->left_out);
   CHECK(clipped->taxels == beyond(honest, 5.0));
+  REQUIRE(clipped->names.size() == clipped->taxels.size());
+  for (std::size_t i = 0; i < clipped->names.size(); ++i)
+    CHECK(clipped->names[i] == taxel_name(scene.sensor, clipped->taxels[i]));
   // Taken for what they say they make it 0.3 of that, or less.
   CHECK(answer.wrench.normal.value > 600.0);
   CHECK(answer.wrench.normal.value < 1300.0);

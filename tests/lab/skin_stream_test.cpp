@@ -1,6 +1,8 @@
 // A skin's recording solved by several threads: the same answers in the same order as by one.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -103,6 +105,38 @@ TEST_CASE("a recording's answers are the same bits by any number of threads",
                                     "[saturation]\nrange = [-1.0, 0.02]\n");
   CAPTURE(more);
   check_threads(sliding(more));
+}
+
+TEST_CASE("what frames share is one for all threads, and is not kept for threads that have ended",
+          "[lab][skin][stream][threads]") {
+  const lab::SkinSceneProblem problem(sliding("[reconstruct]\nfriction_limit = 0.8\n"));
+  std::vector<std::weak_ptr<const SkinCone>> cones;
+  std::vector<std::weak_ptr<const lab::SkinSceneProblem>> rests;
+  const auto ask = [&](double alpha, std::size_t taxel) {
+    std::thread thread([&] {
+      cones.push_back(problem.cone(alpha));
+      rests.push_back(problem.left_with({taxel}));
+    });
+    thread.join();
+  };
+  for (std::size_t k = 0; k < 5; ++k) ask(1e-3 * static_cast<double>(k + 1), k);
+  const auto gone = [](const auto& one) { return one.expired(); };
+  CHECK(std::count_if(cones.begin(), cones.end(), gone) == 4);
+  CHECK(std::count_if(rests.begin(), rests.end(), gone) == 4);
+  const auto cone = cones.back().lock();
+  const auto rest = rests.back().lock();
+  REQUIRE(cone);
+  REQUIRE(rest);
+  ask(5e-3, 4);
+  CHECK(cones.back().lock() == cone);
+  CHECK(rests.back().lock() == rest);
+
+  // What is in use is nobody else's to take away.
+  ask(7e-3, 7);
+  CHECK_FALSE(cones.back().expired());
+  ask(5e-3, 4);
+  CHECK(cones.back().lock() == cone);
+  CHECK(rests.back().lock() == rest);
 }
 
 TEST_CASE("threads do not change a larger skin's answers, nor those of an alpha under friction",

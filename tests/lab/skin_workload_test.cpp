@@ -50,7 +50,8 @@ TEST_CASE("what is said of a skin's work is what its run does", "[lab][skin][wor
       CHECK_FALSE(does(SkinComputation::report));
       const SkinWorkload::Task& rule = work.task(SkinComputation::alpha_rule);
       CHECK((rule.why == SkinReason::prior_by_rule) == !answer.alpha.rule.has_value());
-      if (answer.alpha.rule) CHECK(rule.rule == answer.alpha.rule);
+      CHECK(rule.rule == scene.reconstruct.alpha_rule);
+      if (rule.rule) CHECK(rule.rule == answer.alpha.rule);
       CHECK(work.task(SkinComputation::tikhonov).cost == SkinCost::classes);
       CHECK(work.task(SkinComputation::tikhonov).count == answer.tractions.size());
       CHECK(work.task(SkinComputation::tikhonov).rows == experiment.frame.readings.size());

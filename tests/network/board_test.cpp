@@ -58,7 +58,7 @@ Expression read(std::istream& in) {
 
 using Pads = std::map<std::string, std::string>;  // a pad's net, by its name
 
-/// Footprints' pads by their reference, of the file's text alone.
+/// Footprints' pads by their element, of the file's text alone.
 std::map<std::string, Pads> pads_in(const std::string& file) {
   std::istringstream in(file);
   const Expression board = read(in).list.at(0);
@@ -66,11 +66,19 @@ std::map<std::string, Pads> pads_in(const std::string& file) {
   std::map<std::string, std::string> nets;
   for (const Expression* net : board.all("net")) nets[net->list.at(1).atom] = net->list.at(2).atom;
   std::map<std::string, Pads> result;
+  std::set<std::string> references;
   for (const Expression* footprint : board.all("footprint")) {
-    std::string reference;
-    for (const Expression* text : footprint->all("fp_text"))
-      if (text->list.at(1).atom == "reference") reference = text->list.at(2).atom;
-    CHECK_FALSE(result.contains(reference));
+    std::string element;
+    for (const Expression* property : footprint->all("property"))
+      if (property->list.at(1).atom == "Element") element = property->list.at(2).atom;
+    CHECK_FALSE(result.contains(element));
+    for (const Expression* text : footprint->all("fp_text")) {
+      if (text->list.at(1).atom != "reference") continue;
+      CHECK(references.insert(text->list.at(2).atom).second);
+      CHECK(text->all("layer").at(0)->list.at(1).atom == "F.SilkS");
+    }
+    REQUIRE(footprint->all("fp_rect").size() == 1);
+    CHECK(footprint->all("fp_rect")[0]->all("layer").at(0)->list.at(1).atom == "F.CrtYd");
     for (const Expression* pad : footprint->all("pad")) {
       const auto net = pad->all("net");
       std::string name;
@@ -78,9 +86,10 @@ std::map<std::string, Pads> pads_in(const std::string& file) {
         name = net[0]->list.at(2).atom;
         CHECK(nets.at(net[0]->list.at(1).atom) == name);
       }
-      result[reference][pad->list.at(1).atom] = name;
+      result[element][pad->list.at(1).atom] = name;
     }
   }
+  CHECK(references.size() == result.size());
   return result;
 }
 
@@ -138,27 +147,82 @@ TEST_CASE("every pad of the board has the net that the deck's node is", "[board]
         ++known;
       }
       for (const CurrentSource& i : circuit.sources) {
-        CHECK(pads.at("J" + i.name).at("1") == net_of(circuit, i.into));
+        CHECK(pads.at(i.name).at("1") == net_of(circuit, i.into));
         ++known;
       }
       CHECK(pads.size() == known + circuit.outputs.size() + 3);
     }
 }
 
+TEST_CASE("designators are a letter and a number, each once, in the deck's order", "[board]") {
+  const SolderedCircuit built = soldered_network(Realization::crossbar, true);
+  std::set<std::string> seen;
+  std::size_t amplifiers = 0;
+  for (const Footprint& one : board_of(built).footprints) {
+    CAPTURE(one.element);
+    CHECK(seen.insert(one.reference()).second);
+    CHECK(one.reference().substr(1) == std::to_string(one.number));
+    if (one.kind == Footprint::Kind::resistor) {
+      const std::size_t r = one.number - 1;
+      CHECK(one.reference().front() == 'R');
+      CHECK(one.element == built.circuit.resistors.at(r).name);
+      // "4.99k" reads back as its ohms.
+      const double unit = std::map<char, double>{{'R', 1.0}, {'k', 1e3}, {'M', 1e6}, {'G', 1e9}}.at(
+          one.value.back());
+      CHECK_THAT(unit * std::stod(one.value), WithinRel(built.parts.at(r).ohm, 1e-6));
+    } else if (one.kind == Footprint::Kind::amplifier) {
+      CHECK(one.reference().front() == 'U');
+      CHECK(one.element == built.circuit.instances.at(amplifiers++).name);
+      CHECK(one.value == "fully differential amplifier");
+    } else {
+      CHECK(one.reference().front() == 'J');
+    }
+  }
+  CHECK(seen.contains("R" + std::to_string(built.circuit.resistors.size())));
+  CHECK(amplifiers == built.circuit.instances.size());
+}
+
+TEST_CASE("a resistor's power is its own, and grows with the square of the sources", "[board]") {
+  SolderedCircuit alone;
+  const Node a = add_node(alone.circuit, "n0");
+  alone.circuit.outputs = {a};
+  alone.circuit.resistors = {{"R0", a, 0, 1e-3}, {"R1", a, 0, 3e-3}};
+  alone.circuit.sources = {{"I0", a, 40e-3}};
+  alone.parts = {{1e3, 0.01}, {1e3 / 3.0, 0.01}};
+  alone.partner = {0, 1};
+  std::size_t resistors = 0;
+  for (const Footprint& one : board_of(alone).footprints) {
+    if (one.kind != Footprint::Kind::resistor) continue;
+    ++resistors;
+    // 10 V across both.
+    CHECK_THAT(one.watt, WithinRel(one.number == 1 ? 0.1 : 0.3, 1e-12));
+    CHECK(one.rated_watt == 0.0625);  // an 0402
+    CHECK(one.overloaded());
+  }
+  CHECK(resistors == 2);
+
+  SolderedCircuit built = soldered_network(Realization::lattice, false);
+  const Board weak = board_of(built);
+  for (CurrentSource& source : built.circuit.sources) source.ampere *= 3.0;
+  const Board strong = board_of(built);
+  for (std::size_t k = 0; k < weak.footprints.size(); ++k)
+    CHECK_THAT(strong.footprints[k].watt, WithinRel(9.0 * weak.footprints[k].watt, 1e-6) ||
+                                              WithinAbs(9.0 * weak.footprints[k].watt, 1e-15));
+}
+
 TEST_CASE("nothing stands upon another part, or beyond the board's edge", "[board]") {
   const Board board = board_of(soldered_network(Realization::lattice, true));
-  std::vector<const BoardPad*> pads;
   struct Box {
     double left, right, top, bottom;
   };
   std::vector<Box> boxes;
   for (const Footprint& one : board.footprints) {
-    Box box{1e9, -1e9, 1e9, -1e9};
+    // Its courtyard, and above it room for the designator.
+    const Box box{one.x - 0.5 * one.width, one.x + 0.5 * one.width, one.y - 0.5 * one.height - 0.95,
+                  one.y + 0.5 * one.height};
     for (const BoardPad& pad : one.pads) {
-      box.left = std::min(box.left, one.x + pad.x - 0.5 * pad.width);
-      box.right = std::max(box.right, one.x + pad.x + 0.5 * pad.width);
-      box.top = std::min(box.top, one.y + pad.y - 0.5 * pad.height);
-      box.bottom = std::max(box.bottom, one.y + pad.y + 0.5 * pad.height);
+      CHECK(std::abs(pad.x) + 0.5 * pad.width < 0.5 * one.width);
+      CHECK(std::abs(pad.y) + 0.5 * pad.height < 0.5 * one.height);
     }
     CHECK((box.left > 0.0 && box.right < board.width));
     CHECK((box.top > 0.0 && box.bottom < board.height));
@@ -168,7 +232,7 @@ TEST_CASE("nothing stands upon another part, or beyond the board's edge", "[boar
     for (std::size_t b = a + 1; b < boxes.size(); ++b) {
       const bool apart = boxes[a].right < boxes[b].left || boxes[b].right < boxes[a].left ||
                          boxes[a].bottom < boxes[b].top || boxes[b].bottom < boxes[a].top;
-      if (!apart) FAIL(board.footprints[a].reference << " on " << board.footprints[b].reference);
+      if (!apart) FAIL(board.footprints[a].element << " on " << board.footprints[b].element);
     }
 }
 
@@ -177,7 +241,7 @@ TEST_CASE("better parts are larger and say so; entries stand in rows and columns
   std::map<std::string, const Footprint*> by_name;
   std::set<std::string> kinds;
   for (const Footprint& one : board.footprints) {
-    by_name[one.reference] = &one;
+    by_name[one.element] = &one;
     if (one.tolerance == "0.1 %") kinds.insert(one.library);
   }
   CHECK(kinds == std::set<std::string>{"Resistor_SMD:R_0603_1608Metric"});

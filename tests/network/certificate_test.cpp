@@ -118,6 +118,26 @@ TEST_CASE("only amplifiers can be slow", "[certificate]") {
       certify(Realization::nic, network.problem, {.opamp = one_pole}).margin_for_any_bandwidth);
 }
 
+TEST_CASE("beside second poles and capacitance no margin is proven", "[certificate]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  OpAmp two_poles = one_pole;
+  two_poles.second_pole = 2e7;
+  OpAmp with_input = one_pole;
+  with_input.input_capacitance = 1e-13;
+  for (const Realization one : {Realization::nic, Realization::crossbar, Realization::lattice})
+    for (const OpAmp& opamp : {two_poles, with_input}) {
+      CAPTURE(name(one));
+      const Certificate c = certify(one, network.problem, {.opamp = opamp});
+      CHECK(c.theorem.holds());
+      CHECK_FALSE(c.tolerance_margin);
+      CHECK_FALSE(c.margin_for_any_bandwidth);
+    }
+  const Certificate c = certify(Realization::lattice, network.problem,
+                                {.opamp = one_pole, .node_capacitance = 1e-12});
+  CHECK(c.theorem.holds());
+  CHECK_FALSE(c.tolerance_margin);
+}
+
 TEST_CASE("an eigenvalue that rounding made proves nothing", "[certificate]") {
   for (const double alpha : {1e-6, 1e-9, 1e-12, 1e-18}) {
     CAPTURE(alpha);
@@ -190,8 +210,14 @@ TEST_CASE("conditions of theorems are checked one by one", "[certificate]") {
   CHECK(unmet(Realization::lattice, {.opamp = two_poles, .node_capacitance = 1e-9})
             .value()
             .condition == one_lag);
-  CHECK(unmet(Realization::lattice, {.opamp = with_input}).value().condition ==
-        no_input_capacitance);
+  CHECK_FALSE(unmet(Realization::lattice, {.opamp = with_input}));
+  both.second_pole = 2e7;
+  CHECK_FALSE(unmet(Realization::lattice, {.opamp = both}));
+  both.second_pole = 1.99e7;
+  CHECK(unmet(Realization::lattice, {.opamp = both}).value().condition ==
+        second_pole_beyond_twice_bandwidth);
+  CHECK_FALSE(unmet(Realization::lattice, {.opamp = both, .bandwidth_ratio = 0.99}));
+  CHECK(unmet(Realization::rail, {.opamp = with_input}).value().condition == no_input_capacitance);
   CHECK(unmet(Realization::lattice, {.opamp = one_pole, .inverters = true}).value().condition ==
         complementary_outputs);
   CHECK_FALSE(unmet(Realization::crossbar, {.opamp = with_input}));
@@ -221,6 +247,80 @@ TEST_CASE("a certificate is the same whoever made the circuit", "[certificate]")
     if (mine.dynamics) CHECK(mine.dynamics->poles == its.dynamics->poles);
     CHECK(&circuit.flat() == &circuit.flat());
   }
+}
+
+TEST_CASE("a circuit that is too large for its poles, and of no theorem, is not called stable",
+          "[certificate][stability]") {
+  const auto problem = std::make_shared<const NetworkProblem>(array_network(41, 1e-3).problem);
+  OpAmp opamp = one_pole;
+  opamp.second_pole = 2.5e7;
+  opamp.input_capacitance = 4e-12;
+  const NetworkCircuit circuit(Realization::nic, problem, {.opamp = opamp});
+  REQUIRE(count_states(circuit.flat()) > most_states);
+  const StabilityVerdict verdict = stability_of(circuit);
+  CHECK(verdict.stability == Stability::not_modelled);
+  CHECK(verdict.unknown == UnknownStability::too_many_states);
+}
+
+TEST_CASE("stability alone is the certificate's, with everything that is stated",
+          "[certificate][stability]") {
+  const auto problem = std::make_shared<const NetworkProblem>(array_network(9, 1e-3).problem);
+  OpAmp real = one_pole;
+  real.second_pole = 2e7;
+  real.input_capacitance = 1e-11;
+  for (const Realization one : realizations)
+    for (const OpAmp& opamp : {OpAmp{}, real})
+      for (const bool ladder : {false, true}) {
+        if (ladder && one != Realization::least_squares) continue;
+        CAPTURE(name(one), ladder, opamp.second_pole.has_value());
+        const NetworkCircuit circuit(one, problem,
+                                     {.opamp = opamp, .ladder = ladder, .node_capacitance = 2e-11});
+        const StabilityVerdict verdict = stability_of(circuit);
+        const Certificate c = certify(circuit);
+        CHECK(verdict.stability == c.stability);
+        CHECK(verdict.unknown == c.unknown);
+        CHECK(verdict.unknown.has_value() == (c.stability == Stability::not_modelled));
+        if (takes_time(one, circuit.options()))
+          CHECK((verdict.stability == Stability::stable) ==
+                (poles(state_space(circuit.flat())).front().real() < 0.0));
+      }
+}
+
+TEST_CASE("capacitance at outputs that have a resistance leaves no verdict",
+          "[certificate][stability]") {
+  const auto problem = std::make_shared<const NetworkProblem>(array_network(9, 1e-3).problem);
+  OpAmp opamp = one_pole;
+  opamp.output_resistance = 150.0;
+  const double farad = 5e-10;
+  const auto kinds = [](const Certificate& c) {
+    std::vector<Kind> all;
+    for (const CircuitRemark& remark : c.remarks) all.push_back(remark.kind);
+    return all;
+  };
+  for (const Realization one : {Realization::crossbar, Realization::least_squares}) {
+    CAPTURE(name(one));
+    const NetworkCircuit unloaded(one, problem, {.opamp = opamp});
+    CHECK(stability_of(unloaded).stability == Stability::stable);
+    CHECK(kinds(certify(unloaded)) == std::vector<Kind>{Kind::outputs_without_load});
+    const NetworkCircuit loaded(one, problem, {.opamp = opamp, .node_capacitance = farad});
+    const Certificate c = certify(loaded);
+    CHECK(c.stability == Stability::not_modelled);
+    CHECK(c.unknown == UnknownStability::loaded_outputs);
+    CHECK_FALSE(c.dynamics);
+    CHECK(kinds(c) == std::vector<Kind>{Kind::loaded_outputs});
+    // Without a resistance the same capacitance does nothing.
+    const Certificate stiff =
+        certify(one, *problem, {.opamp = one_pole, .node_capacitance = farad});
+    CHECK(stiff.stability == Stability::stable);
+    CHECK(kinds(stiff) == std::vector<Kind>{Kind::capacitance_at_outputs});
+  }
+  // What it would do: the loops of least squares grow.
+  Circuit lines = realize(Realization::least_squares, *problem, {.opamp = opamp});
+  std::vector<Node> outputs;
+  for (const Instance& x : lines.instances) outputs.insert(outputs.end(), {x.pins[2], x.pins[3]});
+  for (const Node output : outputs)
+    lines.capacitors.push_back({"C" + lines.nodes[output], output, 0, farad});
+  CHECK(poles(state_space(FlatCircuit(lines))).front().real() > 0.0);
 }
 
 TEST_CASE("without a bandwidth theorems speak, and what is lossless never settles",

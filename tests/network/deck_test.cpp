@@ -1,14 +1,20 @@
 #include "tactile_net/network/deck.hpp"
 
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <random>
+#include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/subcircuits.hpp"
 #include "tests/catch.hpp"
+#include "tests/network/opamps.hpp"
 
 using namespace tactile_net;
 
@@ -28,6 +34,27 @@ std::string deck(const Circuit& circuit, const DeckHeader& header = {.title = "t
   std::ostringstream out;
   write_deck(out, circuit, header, answer);
   return out.str();
+}
+
+/// Of elements, nodes apart: simulators know no case, and each sub-circuit has names of its own.
+std::optional<std::string> name_that_stands_twice(const std::string& deck) {
+  std::set<std::pair<std::string, std::string>> seen;  // each in its sub-circuit
+  std::string inside;
+  std::istringstream lines(deck);
+  std::string line;
+  std::getline(lines, line);  // the title
+  while (std::getline(lines, line)) {
+    for (char& one : line) one = static_cast<char>(std::tolower(static_cast<unsigned char>(one)));
+    std::istringstream words(line);
+    std::string first;
+    std::string second;
+    words >> first >> second;
+    if (first == ".subckt") inside = second;
+    if (first == ".ends") inside.clear();
+    if (std::isalpha(static_cast<unsigned char>(first[0])) == 0) continue;
+    if (!seen.emplace(inside, first).second) return first + " of '" + inside + "'";
+  }
+  return std::nullopt;
 }
 
 void check_refused(const Circuit& circuit, const char* reason,
@@ -51,11 +78,13 @@ TEST_CASE("three elements make this deck, to the letter", "[deck]") {
         ".end\n");
 }
 
-TEST_CASE("only comments to other simulators make ngspice print the answer", "[deck]") {
+TEST_CASE("what makes ngspice print the answer stands behind the end", "[deck]") {
   const std::string plain = deck(divider());
   const std::string printed = deck(divider(), {.title = "t"}, Answer::printed);
   REQUIRE(printed.substr(0, plain.size()) == plain);
-  CHECK(printed.substr(plain.size()) == "*# set numdgt=17\n*# run\n*# print v(n0)\n*# quit 0\n");
+  REQUIRE(plain.substr(plain.size() - 6) == "\n.end\n");
+  CHECK(printed.substr(plain.size()) ==
+        ".control\nset numdgt=17\nrun\nprint v(n0)\nquit 0\n.endc\n");
 }
 
 TEST_CASE("a nic brings its sub-circuits, each once, and its cards", "[deck]") {
@@ -253,6 +282,41 @@ TEST_CASE("an op-amp's sub-circuit holds what is asked for, and nothing else", "
   CHECK_THROWS_AS(text({.gain = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(text({.second_pole = 1e6}), std::invalid_argument);
   CHECK_THROWS_AS(text({.rail = 0.5}), std::invalid_argument);
+}
+
+TEST_CASE("no name stands twice in a deck or a sub-circuit, of any set of an op-amp's keys",
+          "[deck][opamp]") {
+  const NetworkProblem two{.matrix = {2, 2, {2, -1, -1, 2}}, .right_side = {1.0, 0.0}};
+  for (unsigned set = 0; set < 1U << further_keys.size(); ++set) {
+    const OpAmp opamp = opamp_with(set);
+    for (const Realization one : {Realization::nic, Realization::crossbar}) {
+      const std::optional<std::string> twice =
+          name_that_stands_twice(deck(realize(one, two, {.opamp = opamp})));
+      if (!twice) continue;
+      FAIL_CHECK(name(one) << ", set " << set << ": " << *twice << " stands twice");
+      return;
+    }
+  }
+}
+
+TEST_CASE("names that a simulator would take for one, or for a card, are refused", "[deck]") {
+  Circuit circuit = divider();
+  circuit.resistors[1].name = "r0";
+  check_refused(circuit, "element r0: the name stands twice");
+  for (const char* name : {"", "R0 n0 0 1", "R2\nV1", "R=3"}) {
+    circuit.resistors[1].name = name;
+    check_refused(circuit, "one word");
+  }
+  for (const char* name : {"N0", "0", "GND"}) {
+    circuit = divider();
+    (void)add_node(circuit, name);
+    check_refused(circuit, "another node of the circuit has that name");
+  }
+  for (const char* name : {"", "n1 n2", "n1\n.end", "v(n1)"}) {
+    circuit = divider();
+    (void)add_node(circuit, name);
+    check_refused(circuit, "a node's name must be one word");
+  }
 }
 
 TEST_CASE("every number reads back as the same double", "[deck][property]") {

@@ -3,6 +3,7 @@
 usage: kicad_test.py COMMAND PYTHON SCENE
 """
 
+import csv
 import pathlib
 import subprocess
 import sys
@@ -13,7 +14,8 @@ import json, sys
 import pcbnew
 board = pcbnew.LoadBoard(sys.argv[1])
 pads = [[f.GetReference(), p.GetNumber(), p.GetNetname()] for f in board.GetFootprints() for p in f.Pads()]
-print(json.dumps({"nets": board.GetNetCount(), "pads": pads}))
+silent = [f.GetReference() for f in board.GetFootprints() if not f.Reference().IsVisible() or len(list(f.GraphicalItems())) == 0]
+print(json.dumps({"nets": board.GetNetCount(), "pads": pads, "silent": silent}))
 """
 
 
@@ -48,13 +50,18 @@ def main(command, python, scene):
             [python, "-c", PADS, str(out / "board.kicad_pcb")], check=True, capture_output=True, text=True
         ).stdout
         found = json.loads(text.splitlines()[-1])
+        assert not found["silent"], found["silent"]
+        with open(out / "BOM.csv", newline="") as file:
+            element = {row["Designator"]: row["Element"] for row in csv.DictReader(file)}
+        on_board = {reference for reference, _, _ in found["pads"] if not reference.startswith("J")}
+        assert on_board == set(element), on_board ^ set(element)
         pads = {}
         for reference, number, net in found["pads"]:
-            pads.setdefault(reference, {})[number] = net
+            pads.setdefault(element.get(reference, reference), {})[number] = net
         assert expected, "the deck has no resistors"
         for name, (first, second) in expected.items():
             assert pads[name] == {"1": first, "2": second}, (name, pads.get(name), first, second)
-        resistors = [name for name in pads if name.startswith("R")]
+        resistors = [name for name in element if name.startswith("R")]
         assert len(resistors) == len(expected), (len(resistors), len(expected))
         names = {net for one in pads.values() for net in one.values()}
         assert found["nets"] == len(names | {""}), (found["nets"], len(names))

@@ -7,7 +7,9 @@
 #include "network/output_current.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
+#include "tactile_net/network/soldered_error.hpp"
 #include "tactile_net/network/static_errors.hpp"
+#include "tactile_net/network/tolerance.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
 
@@ -209,13 +211,85 @@ TEST_CASE("a certificate proposes the scale at which its own numbers are what it
 
   options.opamp.rail.reset();
   options.scale = {};
-  CHECK(said().proposal->volts_by == ScaleProposal::Bound::ten_volts);
-  CHECK(said().proposal->volts * said().largest_voltage <= 10.0 * options.scale.volts * 1.001);
+  // No rail is stated: no more than amplifiers of 5 V in all give.
+  CHECK(said().proposal->volts_by == ScaleProposal::Bound::supply);
+  CHECK(said().proposal->volts * said().largest_voltage <= 2.0 * options.scale.volts * 1.001);
   options.opamp.slew = 1e6;
   CHECK(said().proposal->volts_by == ScaleProposal::Bound::slew);
   options.opamp = {.gain = 1e6, .bandwidth = 1e7};
   CHECK_FALSE(said().proposal);
   CHECK_FALSE(said().errors);
+}
+
+TEST_CASE("op-amps are in every build, each with errors of its own", "[opamp_errors][tolerance]") {
+  const auto problem = std::make_shared<const NetworkProblem>(array_network(9, 1e-3).problem);
+  const Realization one = GENERATE(Realization::nic, Realization::crossbar,
+                                   Realization::least_squares, Realization::lattice);
+  CAPTURE(name(one));
+  const NetworkCircuit circuit(one, problem,
+                               {.opamp = {.gain = 1e4,
+                                          .bandwidth = 1e7,
+                                          .offset = 2e-3,
+                                          .common_mode_rejection = 1e3,
+                                          .output_resistance = 100.0}});
+  const Reduction& reduction = circuit.reduction();
+  // By circuits of which one op-amp alone has an offset, and one of which none has.
+  Circuit none = circuit.flat().circuit();
+  std::vector<AmplifierModel> models = none.amplifiers;
+  for (AmplifierModel& model : none.amplifiers) model.opamp.offset.reset();
+  const std::vector<double> base = operating_voltages(FlatCircuit(none));
+  const std::size_t outputs = base.size();
+  double squares = 0.0;
+  for (std::size_t k = 0; k < none.instances.size(); ++k) {
+    Circuit alone = none;
+    for (const AmplifierModel& model : models)
+      if (model.name == none.instances[k].subcircuit)
+        alone.amplifiers.push_back({"own", model.opamp, model.outputs});
+    alone.instances[k].subcircuit = "own";
+    const std::vector<double> moved = operating_voltages(FlatCircuit(alone));
+    for (std::size_t i = 0; i < outputs; ++i) squares += std::pow(moved[i] - base[i], 2);
+  }
+  std::vector<double> off = array_network(9, 1e-3).direct;
+  const double size = norm(off);
+  for (std::size_t i = 0; i < outputs; ++i) off[i] = base[i] - off[i];
+  const double expected = std::sqrt(squares + std::pow(norm(off), 2)) / size;
+
+  const std::vector<Load> loads = {reduction.equations().right_side};
+  const std::vector<std::vector<CurrentSource>> sources = {circuit.circuit().sources};
+  const LoadedNetwork built(reduction, loads, {opamp_errors(circuit.flat(), sources), 0.0});
+  const OpAmpShares alone = built.opamp_shares();
+  CHECK_THAT(alone.offset, WithinRel(std::sqrt(squares) / size, 1e-5));
+  CHECK_THAT(alone.total, WithinRel(expected, 1e-5));
+  CHECK(alone.balance == 0.0);
+
+  const auto mean_square = [](const std::vector<double>& errors) {
+    return std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0) /
+           static_cast<double>(errors.size());
+  };
+  const std::vector<double> exact(reduction.resistors().size(), 0.0);
+  const std::vector<double> drawn = built.builds(reduction.siemens(), exact, 1000, 3);
+  CHECK_THAT(std::sqrt(mean_square(drawn)), WithinRel(expected, 0.1));
+  // The yield of a certificate counts them in the same way.
+  const ToleranceResult yield =
+      tolerate(circuit, {.relative = 1e-6, .trials = 1000, .accuracy = 0.5 * expected});
+  CHECK_THAT(yield.predicted, WithinRel(expected, 1e-3));
+  CHECK_THAT(std::sqrt(mean_square(yield.errors)), WithinRel(expected, 0.1));
+  CHECK(yield.yield() < 0.5);
+}
+
+TEST_CASE("balance in a build is what it is in a draw", "[opamp_errors][tolerance]") {
+  const ArrayNetwork network = array_network(9, 1e-3);
+  const Reduction reduction(realize(Realization::lattice, network.problem));
+  const std::vector<Load> loads = {reduction.equations().right_side};
+  const LoadedNetwork built(reduction, loads, {{}, 1e-3});
+  const double predicted = tolerate(reduction, {.balance = 1e-3, .trials = 1}).predicted;
+  CHECK_THAT(built.opamp_shares().balance, WithinRel(predicted, 1e-9));
+  CHECK_THAT(built.opamp_shares().total, WithinRel(predicted, 1e-9));
+  const std::vector<double> exact(reduction.resistors().size(), 0.0);
+  const std::vector<double> errors = built.builds(reduction.siemens(), exact, 50, 1);
+  const ToleranceResult drawn = tolerate(reduction, {.balance = 1e-3, .trials = 50, .seed = 1});
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    CHECK_THAT(errors[k], WithinRel(drawn.errors[k], 1e-9));
 }
 
 TEST_CASE("a certificate knows what outputs carry, and names the one that carries too much",
@@ -279,6 +353,33 @@ TEST_CASE("a scale is proposed at which outputs carry no more than they can",
   const Certificate after = certify(Realization::lattice, network.problem, options);
   CHECK_THAT(after.output_current->largest, WithinRel(1e-3, 1e-2));
   CHECK_THAT(after.noise->relative, WithinRel(before.proposal->noise, 1e-3));
+}
+
+TEST_CASE("no scale is proposed at which strays would make the circuit grow",
+          "[opamp_errors][certificate]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  RealizationOptions options{.scale = {.siemens = 1e-2},
+                             .opamp = {.gain = 1e6,
+                                       .bandwidth = 1e7,
+                                       .second_pole = 2.5e7,
+                                       .input_capacitance = 12e-12,
+                                       .noise_voltage = 30e-9},
+                             .node_capacitance = 20e-12};
+  const auto said = [&] { return certify(Realization::lattice, network.problem, options); };
+  const Certificate before = said();
+  REQUIRE(before.stability == Stability::stable);
+  REQUIRE(before.proposal);
+  options.scale.volts = before.proposal->volts;
+  options.scale.siemens = before.proposal->siemens;
+  const Certificate after = said();
+  CHECK(after.stability == Stability::stable);
+  CHECK_THAT(after.noise.value().relative, WithinRel(before.proposal->noise, 1e-2));
+  // What the op-amps' noise alone would ask for: the resistors' is a small part of it.
+  CHECK(before.noise->thermal < 0.1);
+  options.scale.siemens = 1e-2 * before.noise->thermal / (1.0 - before.noise->thermal);
+  const Certificate smaller = said();
+  CHECK(smaller.stability == Stability::unstable);
+  CHECK_FALSE(smaller.proposal);
 }
 
 TEST_CASE("a theorem that does not know output resistances says so", "[opamp_errors][theorem]") {

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/reduction.hpp"
 #include "tactile_net/network/subcircuits.hpp"
@@ -106,6 +107,42 @@ TEST_CASE("currents and scales that make no circuit are refused", "[realization]
                   std::invalid_argument);
   CHECK_THROWS_AS(realize(Realization::ideal, mixed, {.scale = {.volts = -1.0}}),
                   std::invalid_argument);
+}
+
+TEST_CASE("names that simulators would read as another node or card are refused",
+          "[realization][deck]") {
+  const ArrayNetwork network = array_network(3, 1e-3);
+  const auto refuses = [](Realization one, const NetworkProblem& problem, const std::string& says) {
+    CAPTURE(name(one), says);
+    CHECK_THROWS_WITH(realize(one, problem), ContainsSubstring(says));
+    CHECK_THROWS_AS(realize(one, problem), std::invalid_argument);
+  };
+  const auto named = [&](const char* name) {
+    NetworkProblem problem = network.problem;
+    problem.names = {name, "n1", "n2"};
+    return problem;
+  };
+  for (const Realization one : realizations) {
+    for (const char* bad : {"n2", "N1", "0", "gnd", "", "n 0", "n\t0", "n\n0", "n0\nR9 n0 0 1",
+                            "n;0", "n(0)", "n=0", "n\xc3\xa9"})
+      refuses(one, named(bad), "is named");
+    refuses(one, named("n\nR9"), "'n\\x0aR9'");
+    CHECK(realize(one, named("p_0.1")).nodes[realize(one, named("p_0.1")).outputs[0]] == "p_0.1");
+  }
+  // Nodes that a realisation has besides.
+  refuses(Realization::crossbar, named("s0"), "'s0'");
+  refuses(Realization::crossbar, named("R2"), "'r2'");
+  refuses(Realization::least_squares, named("e0"), "'e0'");
+  refuses(Realization::lattice, named("u1"), "'u1'");
+  CHECK_NOTHROW(realize(Realization::ideal, named("s0")));
+
+  // The deck sees to circuits that others made.
+  Circuit circuit = realize(Realization::ideal, network.problem);
+  circuit.nodes[1] = "n2";
+  std::ostringstream deck;
+  CHECK_THROWS_AS(write_deck(deck, circuit, {.title = "t"}, Answer::raw_file),
+                  std::invalid_argument);
+  CHECK(deck.str().empty());
 }
 
 TEST_CASE("what is said of a sub-circuit is what its text holds", "[subcircuits]") {

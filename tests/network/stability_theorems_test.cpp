@@ -1,5 +1,7 @@
 // Theorems inside their conditions, on random networks; and one network outside of each.
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <random>
 
 #include "tactile_net/network/certificate.hpp"
@@ -127,6 +129,40 @@ TEST_CASE("T1: converters bear capacitance at their inputs up to 1/(2 W r)",
             .stability == Stability::unstable);
 }
 
+TEST_CASE("T1: with finite gain the bound is where a converter ceases to be positive real",
+          "[theorems]") {
+  const NetworkProblem problem = array_network(3, 1e-3).problem;
+  for (const double gain : {1.0, 10.0, 1e6}) {
+    CAPTURE(gain);
+    OpAmp real = opamp(std::nullopt, 1e-12);
+    real.gain = gain;
+    const auto holds = [&](double divider) {
+      return certify(Realization::nic, problem, {.opamp = real, .divider = divider})
+          .theorem.holds();
+    };
+    // In units of 1/(W c).
+    const double unit = 1.0 / (angular_bandwidth * 1e-12);
+    double inside = 0.1;
+    double outside = 1.0;
+    REQUIRE(holds(inside * unit));
+    REQUIRE_FALSE(holds(outside * unit));
+    while (outside - inside > 1e-4) {
+      const double middle = 0.5 * (inside + outside);
+      (holds(middle * unit) ? inside : outside) = middle;
+    }
+    // Re Y(jw) - Y(0) of docs/circuits.md, W = 1: over w^2 at small w, where it is least.
+    const auto real_part = [&](double x, double k) {
+      const std::complex<double> s(0.0, 1e-3);
+      const auto admittance = [&](std::complex<double> at) {
+        return 1.0 - (k + x * at) / (1.0 + (k + x * at) * (at + 1.0 / gain));
+      };
+      return (admittance(s).real() - admittance(0.0).real()) / 1e-6;
+    };
+    for (const double k : {1.0, 2.0, 3.0}) CHECK(real_part(0.99 * inside, k) > 0.0);
+    CHECK(real_part(1.01 * outside, 1.0) < 0.0);
+  }
+}
+
 TEST_CASE("T6: least squares bears the lag that its number allows", "[theorems][property]") {
   Random random(3);
   unsigned spoken = 0;
@@ -175,10 +211,47 @@ TEST_CASE("T7: a lattice bears any second poles, or any capacitance at its resid
                     {.opamp = opamp(std::nullopt, std::nullopt),
                      .node_capacitance = random.decades(1e-14, 1e-8)}));
   }
-  // Capacitance at the inputs is outside, and with as much at the residuals unstable.
+  // Capacitance at the inputs and as much at the residuals is outside, and unstable.
   CHECK(certify(Realization::lattice, array_network(21, 1e-3).problem,
                 {.opamp = opamp(bandwidth, 1e-9), .node_capacitance = 1e-9})
             .stability == Stability::unstable);
+}
+
+TEST_CASE("T7: a lattice bears any capacitance at its inputs, with second poles of 2 W or more",
+          "[theorems][property]") {
+  Random random(6);
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    const std::size_t columns = 1 + seed % 5;
+    const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
+    OpAmp real = opamp(bandwidth * random.decades(2.0, 20.0), random.decades(1e-14, 1e-9));
+    real.gain = random.decades(1e2, 1e9);
+    CHECK(certified(Realization::lattice, problem, {.opamp = real}));
+    real.second_pole.reset();
+    CHECK(certified(Realization::lattice, problem, {.opamp = real}));
+  }
+  // The factor 2 is sharp: one reading of one traction.
+  const NetworkProblem one{.matrix = {1, 1, {1.1}},
+                           .right_side = {1.0},
+                           .kernel = {1, 1, {1.0}},
+                           .stabiliser = {1, 1, {0.1}},
+                           .readings = {1.0}};
+  const auto at = [&](double poles, double farad) {
+    return certify(Realization::lattice, one, {.opamp = opamp(poles * bandwidth, farad)});
+  };
+  CHECK(at(2.0, 1e-8).theorem.holds());
+  CHECK(at(2.0, 1e-8).stability == Stability::stable);
+  CHECK_FALSE(at(1.9, 1e-8).theorem.holds());
+  CHECK(at(1.9, 1e-8).stability == Stability::unstable);
+  // From C = d/(2 W - W2) on, d = k: the answer's own conductance, c/(1 + c) b + w R.
+  double least = 1e-12;
+  double most = 1e-8;
+  while (most > 1.0001 * least) {
+    const double middle = std::sqrt(least * most);
+    (at(1.5, middle).stability == Stability::stable ? least : most) = middle;
+  }
+  const double d = 1e-3 * 0.8 * 1.1;
+  CHECK_THAT(most, WithinRel(d / (0.5 * angular_bandwidth), 1e-3));
 }
 
 TEST_CASE(

@@ -13,4 +13,14 @@ TEST_CASE("a word is quoted only where a shell would read it otherwise", "[text]
   CHECK(shell_word("Anna's.csv") == "'Anna'\\''s.csv'");
 }
 
+TEST_CASE("joined parts are split into the same parts, empty ones too", "[text]") {
+  for (const std::vector<std::string>& parts :
+       {std::vector<std::string>{"", "a"}, {"", "", ""}, {"a", "", "b"}, {"a"}, {""}}) {
+    const std::string text = join(parts, ",");
+    std::vector<std::string> again;
+    for (const std::string_view part : split(text, ',')) again.emplace_back(part);
+    CHECK(again == parts);
+  }
+}
+
 }  // namespace tactile_net

@@ -62,7 +62,7 @@ check "Fedora, as a user" 0 "sudo"
 mv "$folder/bin/sudo" "$folder/sudo"
 check "no sudo" 1 "these packages need root: dnf install catch-devel"
 system 'ID=arch'
-check "another system" 1 "Eigen 3.4, Boost 1.74" libfoo-dev
+check "another system" 1 "Eigen 3.4 or 5, Boost 1.74" libfoo-dev
 check "another system's own" 1 "by Debian's names: libfoo-dev" libfoo-dev
 rm "$OS_RELEASE"
 check "a system without a name" 1 "please install"

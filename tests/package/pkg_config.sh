@@ -6,6 +6,10 @@ compiler=$1 modules=$3 source=$4 program=$5
 PKG_CONFIG_PATH=$2
 export PKG_CONFIG_PATH
 shift 5
-# shellcheck disable=SC2086,SC2046  # several modules, several options
-"$compiler" -std=c++20 "$source" $(pkg-config --cflags --libs $modules) -o "$program"
+(
+  # Folders may have blanks, which pkg-config writes for a shell.
+  # shellcheck disable=SC2086  # several modules
+  eval "set -- $(pkg-config --cflags --libs $modules)"
+  "$compiler" -std=c++20 "$source" "$@" -o "$program"
+)
 "$program" "$@"

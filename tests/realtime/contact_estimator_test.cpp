@@ -260,6 +260,10 @@ TEST_CASE("the baseline is subtracted, and a bad one leaves the old", "[contact_
   bad[3] = infinite;
   CHECK(estimator.set_baseline(bad) == FrameStatus::not_finite);
   CHECK(estimator.set_baseline(std::span(baseline).subspan(1)) == FrameStatus::wrong_size);
+  bad[3] = -1e300;  // the largest double less this is none
+  CHECK(estimator.set_baseline(bad) == FrameStatus::too_large);
+  bad[5] = not_a_number;
+  CHECK(estimator.set_baseline(bad) == FrameStatus::not_finite);
   CHECK(answer(estimator, loaded).bits() == plain);
 
   REQUIRE(estimator.set_baseline(std::vector<double>(g.size(), 0.0)) == FrameStatus::ok);

@@ -194,6 +194,21 @@ TEST_CASE("what set_dead refuses leaves everything as it was, to the bit", "[dea
   CHECK_FALSE(pair.set_dead(1));
 }
 
+TEST_CASE("taxels of very many readings die until there is no more room for them",
+          "[dead_taxels]") {
+  // Room is made for what the plan's size allows, not for its square.
+  const std::size_t channels = ContactEstimator::most_dead_readings / 2 + 1;
+  ContactEstimator estimator(
+      made_plan({.count = 3, .channels = channels, .structure = Structure::low_rank}));
+  const std::vector<double> g = random_values(estimator.readings(), 4);
+  REQUIRE(estimator.set_dead(0));
+  const Frame one = frame(estimator, g);
+  CHECK_FALSE(estimator.set_dead(1));
+  CHECK(frame(estimator, g).tractions == one.tractions);
+  estimator.revive();
+  CHECK(estimator.set_dead(1));
+}
+
 TEST_CASE("taxels that the plan leaves out may read anything", "[dead_taxels]") {
   const auto all = cases();
   const Case& one = all.at(3);

@@ -72,6 +72,8 @@ TEST_CASE("an estimator's plan is checked, rule by rule", "[estimator_plan]") {
        [](Plan& p) {
          p.ranges[1] = {-infinite, 1.0};
        }},
+      {"a baseline needs one finite value", [](Plan& p) { p.baseline.assign(13, 0.0); }},
+      {"a baseline needs one finite value", [](Plan& p) { p.baseline.assign(14, -1e300); }},
       {"friction coefficient must be >= 0", [](Plan& p) { p.friction_coefficient = -0.5; }},
       {"friction coefficient must be >= 0",
        [](Plan& p) { p.friction_coefficient = not_a_number; }}};

@@ -6,11 +6,13 @@
 #include <limits>
 
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
 #include "tests/realtime/plan_bytes.hpp"
 #include "tests/realtime/plans.hpp"
+#include "tests/realtime/skin_plans.hpp"
 
 using namespace tactile_net;
 
@@ -36,6 +38,26 @@ EstimatorPlan full_plan(Structure structure, Precision precision) {
   plan.ranges = {{-0.0, 1.0}, {-2.0, std::numeric_limits<double>::denorm_min()}};
   plan.weights[3] = 0.0;
   return plan;
+}
+
+/// Of a skin of one row, so that classes that negate rows have no places; low rank, no diagnostics.
+EstimatorPlan narrow_skin_plan() {
+  return made_skin_plan({.rows = 1,
+                         .columns = 3,
+                         .margin = 0,
+                         .unknowns = 1,
+                         .structure = Structure::reflections_low_rank,
+                         .diagnostics = false});
+}
+
+void put(std::vector<std::byte>& bytes, std::size_t at, std::uint64_t value) {
+  for (std::size_t i = 0; i < 8; ++i) bytes[at + i] = static_cast<std::byte>(value >> (8 * i));
+}
+std::uint64_t number_at(const std::vector<std::byte>& bytes, std::size_t at) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < 8; ++i)
+    value |= std::to_integer<std::uint64_t>(bytes[at + i]) << (8 * i);
+  return value;
 }
 
 void check_same(const std::vector<double>& a, const std::vector<double>& b) {
@@ -227,7 +249,7 @@ TEST_CASE("a signed plan that breaks a rule is refused with the rule", "[plan_fi
   const std::size_t count = 20 + 8 + plan.label.size();  // header, the label and its length
   const auto with = [&](std::size_t at, std::uint64_t value) {
     std::vector<std::byte> changed = bytes;
-    for (std::size_t i = 0; i < 8; ++i) changed[at + i] = static_cast<std::byte>(value >> (8 * i));
+    put(changed, at, value);
     sign(changed);
     return refusal(changed);
   };
@@ -255,7 +277,10 @@ TEST_CASE("a signed plan that breaks a rule is refused with the rule", "[plan_fi
 }
 
 TEST_CASE("sizes that no file can hold allocate nothing", "[plan_file]") {
-  const std::vector<std::byte> good = encode_plan(made_plan({.diagnostics = false}));
+  const bool skin = GENERATE(false, true);
+  CAPTURE(skin);
+  const std::vector<std::byte> good =
+      encode_plan(skin ? narrow_skin_plan() : made_plan({.diagnostics = false}));
   // Every eight bytes of the payload in turn as a length: 2^31, 2^61 and the largest.
   int refused = 0;
   int tried = 0;
@@ -263,17 +288,38 @@ TEST_CASE("sizes that no file can hold allocate nothing", "[plan_file]") {
        {std::uint64_t{1} << 31, std::uint64_t{1} << 61, ~std::uint64_t{0}})
     for (std::size_t at = 20; at + 16 <= good.size(); ++at) {
       std::vector<std::byte> bytes = good;
-      for (std::size_t i = 0; i < 8; ++i) bytes[at + i] = static_cast<std::byte>(size >> (8 * i));
+      put(bytes, at, size);
       sign(bytes);
       ++tried;
       try {
         const EstimatorPlan plan = decode_plan(bytes);
         CHECK(encode_plan(plan) == bytes);  // it hit a number that may be so
+        CHECK_NOTHROW(ContactEstimator(plan));
       } catch (const std::runtime_error&) {
         ++refused;  // bad_alloc and length_error are none of these
       }
     }
   CHECK(refused > tried / 4);
+}
+
+TEST_CASE("two factors of a class without places have nothing between them", "[plan_file]") {
+  const std::vector<std::byte> good = encode_plan(narrow_skin_plan());
+  REQUIRE_NOTHROW(ContactEstimator(decode_plan(good)));
+  // Sizes of two empty factors, rank x columns and rows x rank: wherever two numbers may be a rank
+  // of 0, another one in both.
+  int refused = 0;
+  for (const std::uint64_t rank : {std::uint64_t{1}, std::uint64_t{1} << 60})
+    for (std::size_t at = 20; at + 40 <= good.size(); ++at) {
+      if (number_at(good, at) != 0 || number_at(good, at + 24) != 0) continue;
+      std::vector<std::byte> bytes = good;
+      put(bytes, at, rank);
+      put(bytes, at + 24, rank);
+      sign(bytes);
+      const std::string text = refusal(bytes);
+      if (text == "accepted") CHECK(encode_plan(decode_plan(bytes)) == bytes);
+      if (text.find("must have rank 0") != std::string::npos) ++refused;
+    }
+  CHECK(refused >= 2);
 }
 
 TEST_CASE("a plan is loaded from its file, and what cannot be is named", "[plan_file]") {

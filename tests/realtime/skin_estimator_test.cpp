@@ -396,6 +396,33 @@ TEST_CASE("a skin's plan that does not fit together is refused", "[skin]") {
   refused([](EstimatorPlan& plan) { plan.reconstruction.row_grid.partners = {0, 1, 2}; });
   refused([](EstimatorPlan& plan) { plan.reconstruction.row_grid.partners.clear(); });
   refused([](EstimatorPlan& plan) { plan.reconstruction.column_grid.partners = {0, 2, 3}; });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.row_grid.rows = std::size_t{1} << 62; });
+  refused([](EstimatorPlan& plan) { plan.reconstruction.row_grid.signs_y.resize(7, 1); });
   refused([](EstimatorPlan& plan) { plan.reconstruction.factors.pop_back(); });
   refused([](EstimatorPlan& plan) { plan.reconstruction.structure = Structure::dense; });
+}
+
+TEST_CASE("a product whose classes are all without places on one side is refused", "[skin]") {
+  // One reading that y and z negate, and a row of tractions that neither does: no factor has a
+  // value, however many cells there are.
+  EstimatorPlan plan =
+      made_skin_plan({.rows = 1, .columns = 1, .margin = 0, .unknowns = 1, .diagnostics = false});
+  CHECK_NOTHROW(check(plan));
+  plan.cells->columns = plan.values = plan.reconstruction.rows = std::size_t{1} << 30;
+  plan.reconstruction.row_grid.columns = plan.values;
+  plan.reconstruction.column_grid.signs_y = plan.reconstruction.column_grid.signs_z = {-1};
+  plan.reconstruction.factors.clear();
+  const std::vector<std::size_t> widths = class_sizes(plan.reconstruction.column_grid);
+  const std::vector<std::size_t> heights = class_sizes(plan.reconstruction.row_grid);
+  for (std::size_t c = 0; c < widths.size(); ++c)
+    plan.reconstruction.factors.push_back({heights[c], widths[c], {}});
+  CHECK_THROWS_WITH(check(plan), ContainsSubstring("nothing is multiplied"));
+}
+
+TEST_CASE("reflections are those of the cells' own grid", "[skin]") {
+  EstimatorPlan plan = made_skin_plan({.rows = 4, .columns = 4, .margin = 0, .unknowns = 1});
+  CHECK_NOTHROW(check(plan));
+  plan.cells->rows = 2;
+  plan.cells->columns = 8;  // as many
+  CHECK_THROWS_WITH(check(plan), ContainsSubstring("is not that of the cells"));
 }

@@ -2,6 +2,7 @@
 /// Plans of skins made by hand, and their products by the words of product_plan.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -84,7 +85,8 @@ inline EstimatorPlan made_skin_plan(const SkinPlanShape& shape, unsigned seed = 
     product.factors.push_back(std::move(factor));
   };
   for (std::size_t c = 0; c < heights.size(); ++c) {
-    const std::size_t rank = 1 + std::min(heights[c], widths[c]) / 2;
+    const std::size_t least = std::min(heights[c], widths[c]);
+    const std::size_t rank = least == 0 ? 0 : 1 + least / 2;  // 0: a class without places
     if (is_low_rank(shape.structure)) add(rank, widths[c]);
     add(heights[c], is_low_rank(shape.structure) ? rank : widths[c]);
   }

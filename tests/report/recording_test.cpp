@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/csv/recording_csv.hpp"
 #include "tactile_net/report/json/recording_json.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -94,6 +97,66 @@ TEST_CASE("a suspicion about the readings is said before the first picture",
   CHECK(html.find("indices = [7]") < html.find("<svg"));  // what to do about it
   CHECK_THAT(html, !ContainsSubstring("nothing speaks against them"));
   CHECK(answers(overview).back().doubtful);
+}
+
+TEST_CASE("names stand in a page as they are, however they look", "[report][recording]") {
+  const std::string title = "run 1e+03: 5 +- 2, 3 us";
+  const std::string readings = "run1e+03 5 us.csv";
+  const std::string page =
+      pages::recording_page(press(3, lab::Verdict::ok, title), readings, {}, {}).html;
+  CHECK_THAT(page, ContainsSubstring("<h1>" + title + "</h1>") &&
+                       ContainsSubstring("<title>" + readings + " - ") &&
+                       ContainsSubstring("Readings: " + readings + "."));
+  const std::string empty =
+      pages::recording_page(press(0, lab::Verdict::ok, title), readings, {}, {}).html;
+  CHECK_THAT(empty, ContainsSubstring(">" + readings + " holds no frame"));
+}
+
+TEST_CASE("a picture along the array has the array's own ends below it, wherever it lies",
+          "[report][recording]") {
+  const auto overview_at = [](double first) {
+    std::string positions = std::to_string(first);
+    for (int i = 1; i < 9; ++i) positions += ", " + std::to_string(first + i);
+    const lab::SceneProblem problem(
+        parse_scene("[sensor]\npositions = [" + positions +
+                        "]\ndepth = 1.0\nreads = [\"stress_x\"]\n[material]\nyoungs_modulus = "
+                        "1.0\npoisson_ratio = 0.45\n[noise]\nrms = 1e-3\n[reconstruct]\n"
+                        "alpha = 1e-3\n",
+                    "pad.toml"));
+    const auto solver = lab::make_solver(problem, Method::tikhonov);
+    lab::Recording recording(problem, Method::tikhonov);
+    std::vector<double> readings(9);
+    std::vector<double> tractions(solver->tractions());
+    for (int k = 0; k < 4; ++k) {
+      for (int i = 0; i < 9; ++i)
+        readings[static_cast<std::size_t>(i)] = 0.1 * (k + 1) * std::exp(-0.3 * std::pow(i - 5, 2));
+      const lab::FrameResult result = solver->solve(readings, tractions);
+      recording.add(0.01 * k, problem, readings, tractions, result);
+    }
+    return recording.overview();
+  };
+  /// Where the line of the centre of pressure runs in its picture.
+  const auto line_of_centre = [](const std::string& page) {
+    const std::string_view begin = "<path class=\"centre\" d=\"";
+    const std::size_t at = page.find(begin) + begin.size();
+    return page.substr(at, page.find('"', at) - at);
+  };
+  std::string before;
+  for (const double first : {2.0, -4.0, -10.0}) {
+    CAPTURE(first);
+    const lab::RecordingOverview overview = overview_at(first);
+    const std::string page = pages::recording_page(overview, "press.csv", {}, {}).html;
+    // The pad in section and the tractions of the chosen frame have one axis.
+    const std::vector<std::string> ends = pages::ends_of_surface(overview.scene);
+    CHECK(ends[1] == in_unit(overview.scene, Dimension::length, first + 4.0));
+    std::string below;
+    for (const std::string& end : ends) below += "<span>" + end + "</span>\n";
+    CHECK(count(page, below) == 2);
+    const std::string line = line_of_centre(page);
+    CHECK_THAT(line, StartsWith("M"));
+    if (!before.empty()) CHECK(line == before);
+    before = line;
+  }
 }
 
 TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {

@@ -109,6 +109,22 @@ TEST_CASE("gain and offset are in the unit of the reading, the baseline is not",
   CHECK(calibration_of(in_kilopascals).gain == Numbers{1000, 1000, 1000, 1, 1, 1});
 }
 
+TEST_CASE("codes for missing values are raw numbers, and become none", "[calibration]") {
+  Calibration calibration = calibration_of(
+      in_kilopascals + "[calibration]\ngain = 0.5\nbaseline = 512\nmissing = [65535, -1]\n");
+  CHECK(calibration.missing == Numbers{65535, -1});
+  Numbers numbers{65535, 513, -1, 512, 65534, -1};
+  calibrate(calibration, numbers);
+  CHECK(std::isnan(numbers[0]));
+  CHECK(std::isnan(numbers[2]));
+  CHECK(std::isnan(numbers[5]));
+  calibration.missing.clear();
+  Numbers others{513, 512, 65534};
+  calibrate({.gain = {500, 500, 0.5}, .baseline = Numbers(3, 512.0), .offset = Numbers(3, 0.0)},
+            others);
+  CHECK(others == Numbers{numbers[1], numbers[3], numbers[4]});
+}
+
 TEST_CASE("a calibration that does not fit is refused at its place", "[calibration]") {
   const auto [more, words] = GENERATE(table<std::string, std::string>(
       {{"gain = 0", "calibration.gain must not be 0 (got 0)"},
@@ -121,6 +137,9 @@ TEST_CASE("a calibration that does not fit is refused at its place", "[calibrati
        {"gian = 1", "did you mean gain?"},
        {"gains = 0", "calibration.gains must not be 0"},
        {"gains = 2\ngain = 1", "calibration.gain exclude each other"},
+       {"missing = 65535", "calibration.missing must be"},
+       {"missing = [\"x\"]", "must be a number"},
+       {"missing = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17]", "at most 16"},
        {"baseline_frames = [0]", "must be two frame numbers"},
        {"baseline_frames = [9, 0]", "must begin with the earlier frame"},
        {"baseline_frames = [0, 1398101]", "calibration.baseline_frames must be from 0 to 1398100"},

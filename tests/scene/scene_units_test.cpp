@@ -181,7 +181,7 @@ TEST_CASE("a unit that is none is refused with those there are", "[scene][units]
       {{"length = \"inch\"", "unknown unit of length \"inch\""},
        {"length = \"kPa\"", "one of \"nm\", \"um\", \"µm\", \"mm\", \"cm\", \"m\""},
        {"stress = \"kpa\"", "did you mean \"kPa\"?"},
-       {"stress = \"bars\"", "\"psi\", \"N/cm^2\", \"bar\""},
+       {"stress = \"bars\"", "\"kgf/cm^2\", \"bar\""},
        {"modulus = \"N\"", "unknown unit of stress \"N\""},
        {"force = \"N\"", "unknown unit of force per unit of depth \"N\""},
        {"force = 1.0", "units.force must be text (got 1.0)"},

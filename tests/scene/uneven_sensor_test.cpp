@@ -108,6 +108,20 @@ TEST_CASE("taxels from a file, each with what it reads", "[scene][uneven]") {
   CHECK(in_millimetres.sensor.taxels[3].y == 3e-3);
 }
 
+TEST_CASE("a file of taxels is the same with quotes around its fields", "[scene][uneven]") {
+  const auto names_of_file = [](const std::string& text) {
+    const Scene scene = TaxelFile(text).read();
+    std::vector<std::string> all = reading_names(scene.sensor);
+    for (const Taxel& taxel : scene.sensor.taxels) all.push_back(std::to_string(taxel.y));
+    return all;
+  };
+  const auto plain = names_of_file("y,depth,reads\n-2.5,1.5,stress_x shear_xy\n3,1.5,stress_x\n");
+  CHECK(names_of_file("\"y\",\"depth\",\"reads\"\n-2.5,\"1.5\",\"stress_x shear_xy\"\n"
+                      "\"3\",1.5,\"stress_x\"\n") == plain);
+  CHECK(names_of_file("\"y\";\"depth\";\"reads\"\n\"-2,5\";1,5;\"stress_x shear_xy\"\n"
+                      "3;1,5;stress_x\n") == plain);
+}
+
 TEST_CASE("the scene says what the file leaves out", "[scene][uneven]") {
   const TaxelFile file("y [mm]\n-2\n0\n3\n");
   const Scene scene =

@@ -1,8 +1,14 @@
 #include "tactile_net/simulator/child_process.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <string>
 
 #include "tests/catch.hpp"
 
@@ -19,6 +25,47 @@ ProcessResult shell(const std::string& script, const ProcessOptions& options = {
 std::ptrdiff_t open_descriptors() {
   return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
 }
+
+/// What a caller does with the ends of its children, while this lives.
+class Ends {
+ public:
+  explicit Ends(void (*handler)(int)) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    ::sigaction(SIGCHLD, &action, &before_);
+  }
+  ~Ends() { ::sigaction(SIGCHLD, &before_, nullptr); }
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
+
+ private:
+  struct sigaction before_ {};
+};
+
+void collect_all(int) {
+  const int saved = errno;
+  while (::waitpid(-1, nullptr, WNOHANG) > 0) {
+  }
+  errno = saved;
+}
+
+/// The process without an environment variable, while this lives.
+class Without {
+ public:
+  explicit Without(const char* name) : name_(name) {
+    if (const char* value = std::getenv(name)) value_ = value;
+    ::unsetenv(name);
+  }
+  ~Without() {
+    if (value_) ::setenv(name_, value_->c_str(), 1);
+  }
+  Without(const Without&) = delete;
+  Without& operator=(const Without&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> value_{};
+};
 
 }  // namespace
 
@@ -79,6 +126,51 @@ TEST_CASE("the folder and the environment are as asked", "[child_process]") {
   ::setenv("TACTILE_NET_TEST", "seen", 1);
   CHECK(shell("echo $TACTILE_NET_TEST").output == "seen\n");
   CHECK(shell("echo $TACTILE_NET_TEST", {.unset = {"TACTILE_NET_TEST"}}).output == "\n");
+}
+
+TEST_CASE("a default is for who has no such variable", "[child_process]") {
+  ::setenv("TACTILE_NET_TEST", "seen", 1);
+  CHECK(shell("echo $TACTILE_NET_TEST", {.defaults = {"TACTILE_NET_TEST=default"}}).output ==
+        "seen\n");
+  const Without home("HOME");
+  CHECK(shell("echo $HOME", {.defaults = {"HOME=/nowhere"}}).output == "/nowhere\n");
+  // Hidden and given anew: what the caller has does not get through.
+  CHECK(shell("echo $TACTILE_NET_TEST",
+              {.unset = {"TACTILE_NET_TEST"}, .defaults = {"TACTILE_NET_TEST=own"}})
+            .output == "own\n");
+}
+
+TEST_CASE("an end is the same whatever the caller does with the ends of its children",
+          "[child_process]") {
+  const auto before = open_descriptors();
+  const std::string input(300'000, 'x');
+  for (void (*const handler)(int) : {SIG_DFL, SIG_IGN, &collect_all})
+    for (int round = 0; round < 2; ++round) {
+      const Ends ends(handler);
+      CAPTURE(handler == SIG_DFL, handler == SIG_IGN, round);
+      const ProcessResult failed = shell("echo out; echo err >&2; exit 3");
+      CHECK(failed.end == End::exited);
+      CHECK(failed.code == 3);
+      CHECK(failed.output == "out\n");
+      CHECK(failed.errors == "err\n");
+      CHECK(shell("exec >&- 2>&-; exit 4").code == 4);
+      const ProcessResult crashed = shell("kill -SEGV $$");
+      CHECK(crashed.end == End::signalled);
+      CHECK(crashed.code == SIGSEGV);
+      CHECK(shell("kill -9 0").end == End::signalled);
+      // What it starts has the usual ends of children, too.
+      CHECK(shell("(exit 7); echo $?").output == "7\n");
+      CHECK(shell("sleep 30", {.time_limit = 20ms}).end == End::timed_out);
+      CHECK(shell("exec >&- 2>&-; sleep 30", {.time_limit = 20ms}).end == End::timed_out);
+      CHECK(run_process({"cat"}, {.input = input}).output == input);
+      CHECK(run_process({"yes"}, {.output_limit = 100'000}).end == End::too_much_output);
+      CHECK(run_process({"no-such-program-at-all"}).end == End::not_found);
+      CHECK(run_process({"sh", "-c", "exit 5"}, {.confined = true}).code == 5);
+      CHECK(shell("sleep 30 & echo done").output == "done\n");
+    }
+  CHECK(open_descriptors() == before);
+  // No child of ours is left, running or not collected.
+  CHECK(::waitpid(-1, nullptr, WNOHANG) == -1);
 }
 
 TEST_CASE("no descriptor is leaked", "[child_process]") {

@@ -15,7 +15,8 @@ REALISATIONS = ["ideal", "nic", "rail", "crossbar", "least_squares", "lattice"]
 
 
 def voltages(deck, nodes):
-    cards = [line for line in deck.splitlines() if not line.startswith("*#")]
+    lines = deck.splitlines()
+    cards = lines[: lines.index(".end") + 1]
     at = cards.index(".op")
     cards.insert(at, ".print op " + " ".join(f"v({node})" for node in nodes))
     cards.insert(at, ".options numdgt=12 reltol=1e-9 vntol=1e-12 abstol=1e-15")

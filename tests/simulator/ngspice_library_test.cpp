@@ -115,7 +115,7 @@ TEST_CASE("library and program give the same bits", "[spice]") {
       const std::vector<double> voltages =
           operating_point(program, network.deck, network.nodes).voltages;
       CHECK(operating_point(library, network.deck, network.nodes).voltages == voltages);
-      // The same with `*#` lines, by which the program would write no raw file.
+      // The same with commands, by which the program would write no raw file.
       const Network printed = make_network(realization, n, 3, Answer::printed);
       CHECK(operating_point(library, printed.deck, printed.nodes).voltages == voltages);
     }
@@ -213,6 +213,23 @@ TEST_CASE("a worker that crashes is told by its signal, and replaced", "[spice]"
   check_kept(failure(library, endless), Cause::crashed, "Segmentation fault");
   killer.join();
   CHECK(voltage(library, deck_of(4.0)) == 4.0);
+}
+
+TEST_CASE("a caller without HOME that ignores its children gets the same", "[spice]") {
+  const char* value = std::getenv("HOME");
+  const std::string home = value == nullptr ? "" : value;
+  ::unsetenv("HOME");
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  NgspiceLibrary library;
+  CHECK(voltage(library, deck_of(1.0)) == 1.0);
+  check_kept(failure(library, singular), Cause::failed, "singular matrix");
+  CHECK(voltage(library, deck_of(2.0)) == 2.0);
+  // Nobody can tell the signal; that it crashed is known.
+  ::kill(library.worker(), SIGSEGV);
+  check_kept(failure(library, deck_of(3.0)), Cause::crashed, "SIGCHLD");
+  CHECK(voltage(library, deck_of(4.0)) == 4.0);
+  std::signal(SIGCHLD, before);
+  if (value != nullptr) ::setenv("HOME", home.c_str(), 1);
 }
 
 TEST_CASE("the worker ends with the object", "[spice]") {

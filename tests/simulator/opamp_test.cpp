@@ -15,6 +15,7 @@
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tactile_net/simulator/step_response.hpp"
 #include "tests/catch.hpp"
+#include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 #include "tests/simulator/at_rest.hpp"
 
@@ -82,6 +83,21 @@ TEST_CASE("every error of an op-amp is the same in ngspice's operating point", "
     CHECK(relative_l2_error(at_rest(circuit(all)), operating_voltages(FlatCircuit(circuit(all)))) <
           1e-5);
   }
+}
+
+TEST_CASE("ngspice rests where the linear equations do with each of an op-amp's keys, and without",
+          "[spice][opamp]") {
+  const ArrayNetwork network = array_network(5, 1e-3);
+  const auto check = [&](Realization one, unsigned set) {
+    CAPTURE(name(one), set);
+    const Circuit circuit =
+        realize(one, network.problem, {.scale = {1e-3, 1.0}, .opamp = opamp_with(set)});
+    CHECK(relative_l2_error(at_rest(circuit), operating_voltages(FlatCircuit(circuit))) < 1e-6);
+  };
+  constexpr unsigned all = (1U << further_keys.size()) - 1U;
+  for (std::size_t key = 0; key < further_keys.size(); ++key)
+    for (const unsigned set : {1U << key, all & ~(1U << key)}) check(Realization::crossbar, set);
+  for (const Realization one : of_opamps) check(one, all);
 }
 
 TEST_CASE("ngspice settles in the certificate's time with output resistances and real inputs",

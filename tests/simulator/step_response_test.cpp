@@ -9,14 +9,13 @@
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/networks.hpp"
+#include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 #include "tests/simulator/at_rest.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-const OpAmp one_pole{.gain = 1e6, .bandwidth = 1e7};
 
 /// A certificate's dynamics, for circuits that no realisation makes.
 Certificate certified(const Circuit& circuit) {

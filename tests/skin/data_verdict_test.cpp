@@ -97,3 +97,43 @@ TEST_CASE("limits of a skin's judge that are none are refused", "[skin][data]") 
   CHECK(judge.judge(std::vector<double>(27), std::vector<double>(problem.kernel.columns))
             .consistent());
 }
+
+TEST_CASE("constants that are not known change no verdict of a skin", "[skin][data][offset]") {
+  std::mt19937 random(5);
+  const SkinArray skin = square_skin(6, 2e-3);
+  const SkinProblem problem = make_problem(skin, silicone, {.unknown_offsets = true});
+  const SkinFamily family(problem);
+  std::vector<double> readings = exact_readings(skin, silicone, random_contacts(random, 3e-3));
+  const double rms = add_noise(readings, 0.01, random);
+  const SkinDataJudge judge(
+      problem, {.noise_rms = rms,
+                .largest_readings = std::vector<double>(readings.size(), silicone.youngs_modulus)});
+  const auto verdict = [&](const std::vector<double>& of) {
+    return judge.judge(of, family.solve(family.analyse(of), 1e-3));
+  };
+  const DataVerdict expected = verdict(readings);
+  REQUIRE(expected.consistent());
+  for (const double offset : {-2.0, 0.1, 30.0}) {
+    std::vector<double> off = readings;
+    for (std::size_t i = 0; i < off.size(); ++i)
+      if (problem.sites[i].channel != 1) off[i] += offset * silicone.youngs_modulus;
+    const DataVerdict found = verdict(off);
+    CAPTURE(offset);
+    CHECK(found.doubts == expected.doubts);
+    CHECK_THAT(found.strain, WithinRel(expected.strain, 1e-9));
+    CHECK_THAT(found.residual_rms, WithinRel(expected.residual_rms, 1e-3));
+  }
+}
+
+TEST_CASE("readings that depend on no traction are judged, and nothing explains them",
+          "[skin][data]") {
+  const SkinProblem problem = make_problem(square_skin(1, 2e-3, {SkinQuantity::shear_xy}), silicone,
+                                           {.components = 1, .grid = {.margin = 0.0}});
+  REQUIRE(problem.kernel.columns == 1);
+  const SkinDataJudge judge(problem, {.noise_rms = 1.0});
+  const std::vector<double> none{0.0};
+  CHECK(judge.judge(std::vector{0.5}, none).consistent());
+  const DataVerdict loud = judge.judge(std::vector{50.0}, none);
+  CHECK_FALSE(loud.consistent());
+  CHECK_THAT(loud.residual_rms, WithinRel(50.0, 1e-12));
+}

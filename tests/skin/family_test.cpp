@@ -303,3 +303,50 @@ TEST_CASE("the readings know whether anything drags", "[skin][family][alpha]") {
   const SkinProblem one = make_problem(skin, silicone, {.components = 1});
   CHECK(likeliest_tangential_weight(one, std::vector<double>(192, 1.0)) == 1.0);
 }
+
+TEST_CASE("where no reading depends on the tractions the family says so, and nothing is made up",
+          "[skin][family]") {
+  // Shear is odd about the taxel, and the one cell over it is even.
+  const SkinProblem problem = make_problem(square_skin(1, 2e-3, {shear_xy}), silicone,
+                                           {.components = 1, .grid = {.margin = 0.0}});
+  REQUIRE(problem.kernel.columns == 1);
+  CHECK(problem.kernel.values == std::vector{0.0});
+  const SkinFamily family(problem);
+  CHECK(family.condition(1e-3) == 1.0);
+  CHECK(family.degrees_of_freedom(1e-3) == 0.0);
+  const FilterFrame frame = family.analyse(std::vector{3.0});
+  CHECK_THAT(frame.outside * frame.scale, WithinRel(3.0, 1e-12));
+  CHECK(family.solve(frame, 1e-3) == std::vector{0.0});
+  std::vector<double> traction{1.0};
+  REQUIRE(family.reconstruction(1e-3).solve(std::vector{3.0}, traction) == FrameStatus::ok);
+  CHECK(traction.front() == 0.0);
+  // What is not read is as large as the prior says: 1 / sqrt(prior A/P).
+  const double prior = 4e-4;
+  const SkinCovariance covariance(family, 1e-3, prior);
+  CHECK_THAT(covariance.deviations().front(),
+             WithinRel(1.0 / std::sqrt(prior * problem.area), 1e-12));
+  for (const AlphaSweep::Curve& curve : sweep_alpha(frame, 1.0).curves)
+    CHECK(curve.choice.verdict == AlphaVerdict::no_root);
+  const double alpha = choose_alone(frame, AlphaRule::aicc).alpha;
+  CHECK_THROWS_WITH(family.solve(frame, alpha), ContainsSubstring("no reading depends"));
+}
+
+TEST_CASE("an offset that takes all that two taxels read of one cell leaves nothing",
+          "[skin][family][offset]") {
+  SkinArray two = square_skin(1, 2e-3, {stress_x});
+  two.rows = 2;
+  const SkinProblem both = make_problem(
+      two, silicone, {.components = 1, .grid = {.margin = 0.0}, .unknown_offsets = true});
+  SkinProblem problem = both;
+  leave_out(problem, std::vector<std::size_t>{1});  // one taxel, less its offset
+  CHECK(*std::max_element(problem.kernel.values.begin(), problem.kernel.values.end()) == 0.0);
+  CHECK(*std::min_element(problem.kernel.values.begin(), problem.kernel.values.end()) == 0.0);
+}
+
+TEST_CASE("a family does not solve another one's frame", "[skin][family]") {
+  const SkinFamily family(make_problem(square_skin(4, 2e-3), silicone));
+  const SkinFamily larger(make_problem(square_skin(5, 2e-3), silicone));
+  const std::vector<double> readings(75, 1.0);
+  CHECK_THROWS_AS(family.solve(larger.analyse(readings), 1e-3), std::invalid_argument);
+  CHECK_THROWS_AS(larger.solve(FilterFrame{}, 1e-3), std::invalid_argument);
+}

@@ -161,3 +161,49 @@ TEST_CASE("sums that follow from sums before need no solve, and have their devia
   CHECK_THAT(large.deviation(tiny), WithinRel(1e-200 * exact.deviation(press), 1e-5));
   CHECK(large.deviation(std::vector<double>(3 * cells)) == 0.0);
 }
+
+TEST_CASE("bands of a large skin have the same bits whatever was asked for before",
+          "[skin][large]") {
+  const SkinArray skin = square_skin(8, 2e-3);
+  const SkinProblem dense = make_problem(skin, silicone);
+  const SkinGrid& grid = dense.grid;
+  const double alpha = 1e-3 * size_of(dense);
+  // Of a disc's cells: force, drag, moments, a centre, a torsion, and a sum that is none of these.
+  std::vector<std::vector<double>> sums(6, std::vector<double>(3 * grid.count()));
+  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
+    const double y = grid.y(cell / grid.columns);
+    const double z = grid.z(cell % grid.columns);
+    if (std::hypot(y, z) > 3e-3) continue;
+    sums[0][cell] = sums[1][grid.count() + cell] = grid.area();
+    sums[2][cell] = grid.area() * y;
+    sums[3][cell] = y - 0.31e-3;
+    sums[4][grid.count() + cell] = -z;
+    sums[4][2 * grid.count() + cell] = y;
+    sums[5][cell] = std::cos(1e4 * y);
+  }
+  const auto answers = [&](const std::vector<std::size_t>& order, bool at_other_alpha) {
+    LargeSkinTikhonov solver(skin, silicone, {}, alpha);
+    LargeSkinBands bands(solver, skin, silicone, {});
+    if (at_other_alpha) {
+      solver.use_alpha(1.3 * alpha);
+      const LargeSkinCovariance other(bands, 0.9 * alpha, 1.0);
+      (void)other.deviation(sums[3]);
+      (void)other.error();
+      solver.use_alpha(alpha);
+    }
+    const LargeSkinCovariance large(bands, 0.5 * alpha, 1.0);
+    std::vector<double> all(sums.size());
+    for (const std::size_t i : order) all[i] = large.deviation(sums[i]);
+    if (at_other_alpha) solver.use_alpha(2.0 * alpha);  // a covariance keeps its own
+    all.push_back(large.covariance(sums[0], sums[3]));
+    all.push_back(large.error().least);
+    all.push_back(large.error().most);
+    return all;
+  };
+  const std::vector<double> forth = answers({0, 1, 2, 3, 4, 5}, false);
+  CHECK(answers({5, 4, 3, 2, 1, 0}, false) == forth);
+  CHECK(answers({2, 5, 0, 4, 1, 3}, true) == forth);
+  const SkinCovariance exact(SkinFamily(dense), alpha, 0.5 * alpha);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    CHECK_THAT(forth[i], WithinRel(exact.deviation(sums[i]), 1e-5));
+}

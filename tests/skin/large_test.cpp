@@ -266,6 +266,22 @@ TEST_CASE("a large cone says where it stopped early, and refuses what it cannot 
                     ContainsSubstring("friction_limit must be > 0"));
 }
 
+TEST_CASE("what a large cone solved before changes no bit of what it solves next",
+          "[skin][large][cone]") {
+  const SkinArray skin = square_skin(8, 2e-3);
+  const SkinProblem dense = make_problem(skin, silicone);
+  const auto system = make_large_skin_system(skin, silicone, {});
+  const double alpha = 1e-5 * size_of(dense);
+  std::vector<std::vector<double>> frames;
+  for (unsigned seed = 1; seed < 4; ++seed) frames.push_back(readings_of(dense, seed));
+  frames.push_back(random_numbers(dense.kernel.rows, 4));  // of the sharpest waves
+  const LargeSkinCone cone(system, alpha, {.friction_limit = 0.5});
+  for (const auto& readings : frames) (void)cone.solve(readings, 200);
+  for (const auto& readings : frames)
+    CHECK(cone.solve(readings, 200).tractions ==
+          LargeSkinCone(system, alpha, {.friction_limit = 0.5}).solve(readings, 200).tractions);
+}
+
 TEST_CASE("large skins refuse what FFT cannot multiply", "[skin][large]") {
   const SkinArray loose =
       uneven_skin({{"", 0.0, 0.0, 1e-3, press_and_drag}, {"", 1e-3, 0.3e-3, 1e-3, press_and_drag}});

@@ -1,7 +1,15 @@
 #include "tactile_net/skin/problem.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
+#include <span>
+#include <vector>
 
+#include "tactile_net/skin/signal_layout.hpp"
+#include "tactile_net/skin/stabiliser.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -104,4 +112,72 @@ TEST_CASE("what a problem of a skin cannot be made of is refused with the rule",
   CHECK_THROWS_WITH(weighted(make_problem(skin, silicone), std::vector<double>(3)),
                     ContainsSubstring("3 values, the problem has 48"));
   CHECK_THROWS_WITH(normal_matrix(make_problem(skin, silicone), 0.0), ContainsSubstring("alpha"));
+}
+
+TEST_CASE("where nothing is read the normal matrix is the stabiliser, entry by entry",
+          "[skin][problem]") {
+  SkinProblem problem = make_problem(square_skin(4, 1e-3), silicone, {.tangential_weight = 0.7});
+  std::fill(problem.kernel.values.begin(), problem.kernel.values.end(), 0.0);
+  CHECK(normal_matrix(problem, 3e-2).values == stabiliser_matrix(problem, 3e-2).values);
+}
+
+TEST_CASE("taxels anywhere have the pitch that a look at every pair of them finds",
+          "[skin][problem]") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(-1.0, 1.0);
+  for (const double wide : {1.0, 1e-3, 0.0}) {
+    std::vector<SkinTaxel> taxels(40);
+    for (SkinTaxel& taxel : taxels)
+      taxel = {"", place(random), wide * place(random), 1e-2, {SkinQuantity::stress_x}};
+    taxels.push_back(taxels.front());  // one place, another quantity
+    taxels.back().reads = {SkinQuantity::stress_y};
+    const auto apart = [&](std::size_t i, std::size_t k) {
+      return std::hypot(taxels[i].y - taxels[k].y, taxels[i].z - taxels[k].z);
+    };
+    double mean = 0.0;
+    for (std::size_t i = 0; i < taxels.size(); ++i) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < taxels.size(); ++k)
+        if (apart(i, k) > 0.0) nearest = std::min(nearest, apart(i, k));
+      mean += nearest / static_cast<double>(taxels.size());
+    }
+    const SkinArray skin = uneven_skin(taxels);
+    CHECK_THAT(skin.pitch_y, WithinRel(mean, 1e-12));
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < 40; ++i)
+      for (std::size_t k = i + 1; k < 40; ++k)
+        if (apart(i, k) <= 1.3 * skin.pitch_y) ++pairs;
+    CHECK(signal_layout(skin).neighbours.size() == pairs);
+  }
+}
+
+TEST_CASE("before anything is read a sum is known as the stabiliser's inverse has it", "[skin]") {
+  SkinProblemOptions options;
+  options.tangential_weight = 1.7;
+  const SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone, options);
+  const std::vector<double> sum = random_numbers(problem.components * problem.grid.count(), 5);
+  constexpr double alpha = 3e-4;
+  const Matrix stabiliser = stabiliser_matrix(problem, alpha);
+  const auto dot = [](std::span<const double> a, std::span<const double> b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  };
+  // deviation^2 = s' x with (alpha L'L) x = s: x by conjugate gradients of the matrix itself.
+  std::vector<double> x(sum.size());
+  std::vector<double> residual = sum;
+  std::vector<double> direction = sum;
+  for (std::size_t step = 0; step < sum.size(); ++step) {
+    const std::vector<double> image = product(stabiliser, direction);
+    const double before = dot(residual, residual);
+    const double length = before / dot(direction, image);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] += length * direction[i];
+      residual[i] -= length * image[i];
+    }
+    if (norm(residual) < 1e-14 * norm(sum)) break;
+    const double ratio = dot(residual, residual) / before;
+    for (std::size_t i = 0; i < x.size(); ++i) direction[i] = residual[i] + ratio * direction[i];
+  }
+  CHECK_THAT(prior_deviation(problem, sum, alpha), WithinRel(std::sqrt(dot(sum, x)), 1e-10));
+  CHECK_THROWS_WITH(prior_deviation(problem, std::vector<double>{1.0}, alpha),
+                    ContainsSubstring("for every traction"));
 }

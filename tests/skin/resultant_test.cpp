@@ -403,3 +403,18 @@ TEST_CASE("deviations of windows are those of their sums, inside and on a face",
       CHECK_THAT(alone[cell], WithinRel(cells[cell], 1e-9) || WithinAbs(cells[cell], 1e-12));
   }
 }
+
+TEST_CASE("pushes and pulls that cancel have a force and no centre, however their sum is rounded",
+          "[skin][resultant]") {
+  const SkinGrid grid = make_problem(square_skin(3, 2e-3), silicone, {.components = 1}).grid;
+  std::vector<double> three{-0.3, 0.1, 0.2};  // sorted
+  do {
+    std::vector<double> tractions(grid.count());
+    std::copy(three.begin(), three.end(), tractions.begin());
+    const UncertainWrench found =
+        resultant_of(grid, tractions, all_cells(grid), White(grid.count()), 1.0);
+    CHECK_FALSE(found.centre_y);
+    CHECK_FALSE(found.centre_z);
+    CHECK_THAT(found.normal.value, WithinAbs(0.0, 1e-15 * grid.area()));
+  } while (std::next_permutation(three.begin(), three.end()));
+}

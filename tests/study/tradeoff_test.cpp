@@ -166,6 +166,46 @@ TEST_CASE("a study that is stopped keeps what was done before, and says that it 
   }
 }
 
+TEST_CASE("a study that is stopped before its first job begins none, and tells of none",
+          "[tradeoff][threads]") {
+  struct Stopped final : StudyObserver {
+    std::atomic<int> told{0};
+    std::atomic<int> saved{0};
+    void progress(const StudyProgress&) override { ++told; }
+    void save(const Study&) override { ++saved; }
+    [[nodiscard]] bool stop() const override { return true; }
+  };
+  for (int again = 0; again < 100; ++again) {  // whether the worker or who watches is first: luck
+    Jobs jobs;
+    add_all(jobs);
+    Study study;
+    Stopped observer;
+    run_jobs(study, jobs.list, {}, ticking, observer);
+    REQUIRE(jobs.runs == 0);
+    REQUIRE(observer.told == 0);
+    REQUIRE(observer.saved == 1);
+    REQUIRE_FALSE(study.complete);
+    REQUIRE(study.sections.empty());
+  }
+}
+
+TEST_CASE("progress names a job that has begun, not one that was taken over",
+          "[tradeoff][threads]") {
+  struct Watcher final : StudyObserver {
+    std::vector<Job> told{};
+    void progress(const StudyProgress& progress) override { told.push_back(progress.job); }
+  } watcher;
+  Jobs jobs;
+  add_all(jobs);
+  Study study;
+  run_jobs(study, jobs.list, {found({Kind::products}, 1.0), found({Kind::fft}, 1.0)}, ticking,
+           watcher);
+  for (const Job& job : watcher.told) {
+    CHECK_FALSE(job == Job{Kind::products});
+    CHECK_FALSE(job == Job{Kind::fft});
+  }
+}
+
 TEST_CASE("a study that cannot be saved ends with the reason", "[tradeoff]") {
   for (const std::size_t at : {1U, 5U}) {
     Jobs jobs;

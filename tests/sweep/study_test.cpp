@@ -32,6 +32,18 @@ std::map<std::string, std::uint64_t> seeds(const sweep::Study& study) {
   return all;
 }
 
+/// Fails, and says where its folder was.
+struct Failing final : Simulator {
+  std::string folder;
+  explicit Failing(std::string name) : folder(std::move(name)) {}
+  Simulation run(const std::string&) override {
+    throw SimulatorError(SimulatorError::Cause::failed,
+                         "ngspice: 3 N/mm and 1/s in " + folder +
+                             "/deck.cir line 4\n  deck and log: " + folder + "-kept",
+                         {});
+  }
+};
+
 /// The scene of a line array at a point.
 Scene line(const sweep::Study& study, const sweep::Point& point) {
   return std::get<Scene>(study.scene(point));
@@ -349,4 +361,19 @@ TEST_CASE("a base scene that fails for some values fails for those alone", "[swe
       "scene = \"pad.toml\"\n[[axis]]\nkey = \"sensor.depth\"\nvalues = [-1.0, 1.5]\n");
   CHECK_THROWS_WITH(line(study, study.point(0)), ContainsSubstring("sensor.depth must be > 0"));
   CHECK(line(study, study.point(1)).sensor.depths.front() == 1.5);
+}
+
+TEST_CASE("a row's failure is the same every time, and has its units", "[sweep]") {
+  const StudyFolder folder;
+  folder.write("pad.toml", replaced(test::pad, "[\"tikhonov\", \"dft\"]", "[\"network\"]"));
+  const sweep::Study study = folder.study(grid_study);
+  const auto failure = [&](const std::string& where) {
+    Failing simulator(where);
+    const std::vector<sweep::Row> rows = sweep::solve(study, 0, simulator);
+    REQUIRE(rows.size() == 1);
+    return rows.front().failure;
+  };
+  const std::string one = failure("/tmp/tactile-net-run-a1b2c3");
+  CHECK(one == failure("/scratch/job.7/tactile-net-run-d4e5f6"));
+  CHECK_THAT(one, ContainsSubstring("3 N/mm and 1/s"));
 }

@@ -40,7 +40,8 @@ At alpha = 1e-3:
 constexpr const char* choice =
     R"(
 - To check that the network solves the problem: `ideal`.
-- To build it: `lattice`. One amplifier a traction, nothing that rings, any second pole, and parts of 1 % cost it least. P is never
+- To build it: `lattice`. One amplifier a traction, nothing that rings with one pole, second poles from twice the bandwidth on
+  with any capacitance at the op-amps' inputs (below that only without any), and parts of 1 % cost it least. P is never
   formed, so nothing that squares the condition number is built from resistors; it takes the readings themselves. Its price is
   four resistors an entry of K.
 - With small alpha, where its slowest directions take too long: `least_squares`, which trades amplifiers for time, with op-amps whose second
@@ -71,7 +72,9 @@ trapezoidal integration (Gear's damps what grows), first steps of 0.02/bandwidth
 each by another share: a symmetric load leaves antisymmetric modes asleep. An unstable circuit is reported with its growth and its mode beside the
 certificate's.
 
-**Yield** is counted on the reduced equations: op-amps fast against the network. Where the certificate's poles say otherwise, it says so beside it.
+**Yield** is counted on the reduced equations, op-amps fast against the network, and what the scene's op-amps do at rest is in every build: offsets and bias currents drawn with
+what is stated as standard deviation, finite gain, common-mode rejection and output resistance as they are. Where the certificate's poles say otherwise, it says so beside it.
+Recommended is only what is known to be stable with everything that the scene states, by its own poles; where they are too many (1500 states), by its theorem.
 Theorems and margins take complementary outputs for each other's exact opposites; `tolerance = { relative = 0.01, balance = 0.001 }` draws by how much they are not, and
 `stabiliser = 0.001` gives the stabiliser's resistors, where differences cancel, a tolerance of their own.
 
@@ -85,7 +88,9 @@ the resistors' part is equipartition and holds for any D. More siemens lower it 
 order a resistor's relative error t moves the squared answer by v t^2/3, v from the inverse of the reduced equations, so the cheapest list falls apart
 into one choice a resistor once squared error has a price (Lagrange); that price is found by halving, what is left over is spent on coarser parts, and the dual
 says what no list can be cheaper than. 95 of 100 builds lie within 1.55 times the root mean square: measured, and checked by draws with the list
-itself; where few parts count and the draws miss, the list is made anew for a smaller target. It does so for every realisation, and leaves out those that are unstable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
+itself; where few parts count and the draws miss, the list is made anew for a smaller target, and drawn anew. The scene's op-amps are in every build, as they are in the yield, their
+`balance` too: the resistors get what those leave of the target, and where they leave nothing it says which property of the op-amps takes how much. It does so for every realisation, and
+leaves out those that are not known to be stable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
 for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two outputs. The better parts stand where differences cancel: in the stabiliser at
 alpha = 1e-3, in K at 1e-5.
 
@@ -104,9 +109,10 @@ the worst load's draws lie up to 12 % above the mean's.
 K' becomes what that of K became, times their ratio: an error that both share only changes the model. Parts of better classes are pairs, and as
 many of the others, those that count most first, until values take a sixteenth of the squared error; the rest is left to tolerances.
 
-The folder then holds, of the cheapest circuit whose draws meet the target, `parts.csv` (value, tolerance, quantity, references of resistors, and the op-amps: to order from), `BOM.csv`
-(a part a row, with the other one of a resistor's pair and how many there are of its value), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
-with values, tolerances and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
+The folder then holds, of the cheapest circuit whose draws meet the target, `parts.csv` (value, tolerance, quantity, designators of resistors, and the op-amps: to order from), `BOM.csv`
+as assemblers take it (a part a row: `Comment`, which is its value such as `4.99k` or `499R`, `Designator`, `Footprint`, `MPN` for you to fill in, tolerance, its name in the deck, the other
+one of a resistor's pair, and a note where it takes more power at the scene's contacts than its size carries: 0402 62.5 mW, 0603 0.1 W), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
+with designators, values, tolerances, courtyards and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
 pins; a pin for each current of a reading, each output and the supply. Nothing is routed; capacitors of the supply are yours to place. The deck of the same
 parts, with each tolerance as a comment, is `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`.
 
@@ -151,12 +157,13 @@ if and only if P > 0, and diag(C, G/W) >= 0 does the rest. Finite gain adds G/A 
 `M2 y'' + M1 y' + S y` of it with M2, M1 >= 0: an eigenvector y gives a quadratic with real coefficients that are not negative. Q.E.D.
 
 **With capacitance c at the inverting inputs.** With one pole, and one W within each converter: stable if and only if P is
-positive definite as long as the dividers' resistors keep r <= 1/(2 W c). *Proof:* let tau = r c and split a floating pair into its common (k = 1)
-and differential (k = 3) voltage; a grounded converter has k = 2. In each, the '-' input sits at m = o/(k + tau s) and o s/W = v - m, so
-the converter's admittance over G is Y(s) = 1 - (k + tau s)/(1 + k s/W + tau s^2/W), and Y(0) = 1 - k. With a = k/W, d = tau/W, on s = jw
-Re Y >= 1 - k is 0 <= (k a^2 - k d - tau a) w^2 + k d^2 w^4, which holds for tau W <= k^2/2, the least of which is 1/2. The denominator has its
-roots in the left half plane, so Y - Y(0) is positive real: in C s + P + sum G (Y - Y(0)) b b' no voltage v with Re s >= 0 has
-Re v*(...)v below v*P v > 0. Q.E.D. Capacitance together with a second pole is not covered.
+positive definite as long as the dividers' resistors keep r <= 1/(W c (1 + (1 + 1/A)^1/2)), A the gain: 1/(2 W c) where it is large.
+*Proof:* let tau = r c and split a floating pair into its common (k = 1) and differential (k = 3) voltage; a grounded converter has k = 2. In each,
+the '-' input sits at m = o/(k + tau s) and o (s/W + 1/A) = v - m, so the converter's admittance over G is
+Y(s) = 1 - (k + tau s)/(D + a s + d s^2), D = 1 + k/A, a = k/W + tau/A, d = tau/W, and Y(0) = 1 - k/D. On s = jw Re Y >= Y(0) is
+0 <= (k a^2 - D k d - D tau a) w^2 + k d^2 w^4, which holds for x^2/A <= k^3 - 2 k x, x = tau W: of k = 1, 2, 3 the first asks most, x^2/A + 2 x <= 1.
+The denominator has its roots in the left half plane, so Y - Y(0) is positive real: in C s + P' + sum G (Y - Y(0)) b b' no voltage v with Re s >= 0 has
+Re v*(...)v below v*P'v > 0, P' = P and what finite gain adds to it, k - k/D > 0 a converter. Q.E.D. Capacitance together with a second pole is not covered.
 
 )";
 
@@ -261,22 +268,30 @@ stabiliser's conductances meet them; signs are made by crossing the pairs. Readi
 sum_j |k_ij|, every residual u = (A f - a g)/D_u has the same weight w = a_i b_i/D_u, and the currents vanish where (K'K + R) f = K'g.
 A reading that comes as a voltage through a resistor adds that to D_u.
 
-**T7.** Amplifiers of one bandwidth W: stable for any second pole W2 without capacitance, or for any capacitances C_u at the residuals'
-nodes with one pole. Without either, no mode rings. *Proof:* an amplifier has f (p/W)(1 + p/W2) between its inputs, so that with
-H(p) = B'(D_u + p C_u)^-1 B, c = a_i/b_i and D_s the conductances at the inputs
+**T7.** Amplifiers of one bandwidth W: stable for any capacitance C at their inputs with one pole or with second poles W2 >= 2 W, for any second pole
+without C, or for any capacitances C_u at the residuals' nodes with one pole and without C. Without any of them no mode rings. *Proof:* an amplifier has
+f (p/W)(1 + p/W2) between its inputs, half of it at each, so that with H(p) = B'(D_u + p C_u)^-1 B, c = a_i/b_i and D_s the conductances at the inputs
 
-    [ (p/W)(1 + p/W2)(D_s - H(p)) + c H(p) + w R ] f = 0.
+    [ (p/2W)(1 + p/W2)(D_s + p C - H(p)) + c H(p) + w R ] f = 0.
 
 D_s - H(0) > 0, because D_s is the row sum of B' and |w R| while rows of H sum to at most 1/(1 + c) of B's. So without C_u the
-three forms are symmetric and positive: every p is in the left half plane, and real where 1/W2 = 0. With C_u, an eigenvector gives
-h(p) = sum |k_i|^2/(D_u + p C_u) and F = (p/W)(d - h) + c h + r. F(jw) = 0 asks for |Im h|^2 = (Re h + r/c)(d - Re h). But each term of h lies on the
+three forms are symmetric and positive: every p is in the left half plane, and real where 1/W2 = 0.
+
+With C an eigenvector makes of the forms D_s - H, C and c H + w R the numbers d, g and k, and a cubic of coefficients m3 = g/(2 W W2),
+m2 = g/(2W) + d/(2 W W2), m1 = d/(2W), m0 = k. The same bound on H's rows gives d >= c/(1 + c) (B's row sums) + w (|R|'s) >= k, so m2 > W2 m3 and, where
+W2 >= 2 W, W2 m1 >= m0: m2 m1 > m3 m0, which is Routh's condition. Finite gain A adds g/(2 A W2) to m2, g/(2A) + d/(2 A W2) to m1 and d/(2A) to m0;
+m3 d/(2A) is one of the terms of the new m2 m1. The factor 2 is sharp: one reading of one traction has d = k, and with W2 < 2 W is unstable from
+C = d/(2 W - W2) on.
+
+With C_u an eigenvector gives h(p) = sum |k_i|^2/(D_u + p C_u) and F = (p/2W)(d - h) + c h + r. F(jw) = 0 asks for |Im h|^2 = (Re h + r/c)(d - Re h). But each term of h lies on the
 circle through 0 and its value at p = 0, so |Im h|^2 <= Re h (h(0) - Re h), which is less, as h(0) < d and r > 0: no pole crosses, and C_u = 0 is
 stable. Q.E.D.
 
 Resistors' errors do not harm the proof's symmetry: one resistor carries both directions' currents. So the *proven margin* needs sym S alone
-(rows of residuals over c), whatever the errors, for one bandwidth; it covers the voltage that an amplifier's two inputs have in common too.
+(rows of residuals over c), whatever the errors, for one bandwidth, one pole and no capacitance; it covers the voltage that an amplifier's two inputs have
+in common too.
 
-Not covered: capacitance C at the amplifiers' inputs. Measured with the same C there and at the residuals: stable while W C/D stays below
+Not covered: capacitance at the amplifiers' inputs and at the residuals, as every board has. Measured with the same C at both: stable while W C/D stays below
 1.9 (one pole), 0.9 (second pole at twice the bandwidth), 0.46 (at the bandwidth), D the least conductance at an input or a residual.
 `certify` warns beyond, with the scale that helps, and its poles decide. Unequal bandwidths are not proven either.
 

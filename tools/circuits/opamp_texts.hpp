@@ -23,10 +23,10 @@ what finite gain asks for at rest, the exact exponential from there on. Every se
 **T8.** With any bend phi of the rates that is odd, increasing and bounded, the crossbar without capacitance, whatever phi_i of its amplifiers,
 and the lattice with one phi and no capacitance come to their answer from everywhere; one pole, complementary outputs. *Proof.* Crossbar: with e = v - f and D s = P e
 (s the inputs' voltages), v' = -phi(s), so V = e'P e/2 falls: V' = -s'D phi(s) = -sum D_i s_i phi_i(s_i) < 0 unless s = 0, which is e = 0. Lattice:
-D~ s = (c H + w R) e with D~ = D_s - H(0) and V = e'(c H + w R) e/2, so V' = -s'D~ phi(s). D~ is symmetric, and as phi is odd and increasing,
+D~ s = (c H + w R) e with s the voltages between the inputs, D~ = (D_s - H(0))/2 and V = e'(c H + w R) e/2, so V' = -s'D~ phi(s). D~ is symmetric, and as phi is odd and increasing,
 |s_i phi(s_j) + s_j phi(s_i)| <= s_i phi(s_i) + s_j phi(s_j): a pair of rows loses at most |D~_ij| of both. Rows of H sum to at most
 1/(1 + c) of D_s, so D~ is strictly diagonally dominant, and V' < 0. P > 0, so V has no other minimum and grows to all sides. Q.E.D.
-Finite gain subtracts (W/A) e'P e of V'. Of least_squares, nic and rail nothing is proven: their energies have parts that slewing couples.
+In the crossbar finite gain subtracts (W/A) e'P e of V'; of the lattice the proof takes it for infinite, since its s is not 0 at rest. Of least_squares, nic and rail nothing is proven: their energies have parts that slewing couples.
 
 **1/f noise.** With a `noise_corner` f_c the op-amps' noise has the density e^2 (1 + f_c/f). Its size has no end towards low frequencies: it is counted from w0 = 2 pi 0.1 Hz on, since
 what moves slower than in ten seconds is an offset. With Q = f_c (W e)^2/2 at the op-amps' states, its intensity at 1 Hz, and F = integral of Re (j w - A)^-1 dw/w from w0 on, the
@@ -39,9 +39,9 @@ names the op-amp and the volts at which it carries just that. Where an `output_r
 less of 1e-3/r and I/100 a volt, since without that rest of a slope an operating point would be anywhere; of complementary outputs each stage by itself, and the output is half the difference of both. ngspice settles
 as these equations do within 5 %, and comes to rest where more is asked for than is given. Settling times of the certificate know no such limit; the current at rest is what it judges.
 
-**A scale to take.** Noise, offsets and bias currents fall as 1/volts; volts end where a node reaches 0.8 of what the rail leaves (10 V where none is given), where two full swings at the
+**A scale to take.** Noise, offsets and bias currents fall as 1/volts; volts end where a node reaches 0.8 of what the rail leaves (2 V where none is given: most amplifiers with two outputs have 5 V in all), where two full swings at the
 slew are a fifth of the settling time, or where an output carries its `output_current`. More siemens lower the resistors' noise until the op-amps' own is left: the scale proposed is where both are equal, but no resistor below
-1 kilo-ohm. The certificate proposes; the scene decides.
+1 kilo-ohm, and none at which the poles would not decay. The certificate proposes; the scene decides.
 
 The classes of op-amps, alpha = 1e-3, 1 mS per unit (with the second poles and input capacitances of the classes):
 

@@ -32,7 +32,7 @@ void refuse_deck(const std::string& path);
 /// Runs the deck's own analysis, `.op` or one frequency of `.ac`, and reads the nodes that its
 /// header expects. A deck is a program, and may be a stranger's: only cards that describe a circuit
 /// and its analysis are taken (docs/strangers.md), and they alone reach the simulator; the
-/// comments, commands to ngspice (`*#`) among them, do not.
+/// comments and the commands to ngspice behind `.end` do not.
 ///
 /// @throw InputError      the file cannot be read or is larger than 64 MiB; another card, at its
 ///                        line; no `* expect NODE VOLTS` line, a malformed one, or more than 65536

@@ -18,8 +18,15 @@ namespace tactile_net::drawing {
 /// to a million, "1e-05" -> "1e-5". UTF-8.
 [[nodiscard]] std::string typeset(std::string_view text);
 
-/// <tag class="type">content</tag>, the content typeset and escaped.
-[[nodiscard]] std::string element(std::string_view tag, std::string_view content,
+/// Words as HTML, typeset: for all but names, in which "1e+03" and "us" are what they are.
+[[nodiscard]] std::string words_html(std::string_view text);
+
+/// <tag class="type">html</tag>
+[[nodiscard]] std::string enclosed(std::string_view tag, std::string_view html,
+                                   std::string_view type = {});
+
+/// The same around words.
+[[nodiscard]] std::string element(std::string_view tag, std::string_view words,
                                   std::string_view type = {});
 
 [[nodiscard]] std::string html_list(const std::vector<std::string>& items);

@@ -3,13 +3,15 @@
 ///
 /// What is written has commas and decimal points. What is read may also have fields separated by
 /// semicolons, tabs or blanks (decimal commas then too), a byte order mark, lines of comment ("#")
-/// before the header or with it, and names in another spelling; see docs/results.md.
+/// before the header or with it, words of a logger before it, units below it, and names in another
+/// spelling; see docs/results.md.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,6 +53,8 @@ class CsvFrames final : public FrameSource {
   [[nodiscard]] std::span<const std::string> columns() const noexcept override;
   [[nodiscard]] bool has_time() const noexcept override;
   [[nodiscard]] std::string_view time() const noexcept override;
+  [[nodiscard]] std::optional<double> seconds() const override;
+  [[nodiscard]] bool time_unit_known() const noexcept override;
   [[nodiscard]] std::span<const std::string> ignored() const noexcept override;
   [[nodiscard]] std::span<const std::string> opening_notes() const noexcept override;
   [[nodiscard]] std::vector<std::string> closing_notes() const override;

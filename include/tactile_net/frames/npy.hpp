@@ -7,9 +7,11 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tactile_net/frames/frame_clock.hpp"
 #include "tactile_net/frames/source.hpp"
 
 namespace tactile_net::frames {
@@ -47,6 +49,8 @@ class NpyFrames final : public FrameSource {
   }
   [[nodiscard]] bool has_time() const noexcept override { return time_at_ != none; }
   [[nodiscard]] std::string_view time() const noexcept override { return time_; }
+  [[nodiscard]] std::optional<double> seconds() const override { return clock_.seconds(); }
+  [[nodiscard]] bool time_unit_known() const noexcept override { return clock_.unit_known(); }
   [[nodiscard]] std::size_t bytes_read() const noexcept override;
   [[nodiscard]] std::optional<std::size_t> frames() const noexcept override { return frames_; }
 
@@ -67,6 +71,7 @@ class NpyFrames final : public FrameSource {
   std::string file_;
   WantedColumns wanted_;
   ReadNumbers read_ = nullptr;
+  std::string (*text_)(const unsigned char*) = nullptr;
   std::size_t width_ = 8;  // bytes of a number
   bool fortran_ = false;
   bool any_unread_ = false;
@@ -82,6 +87,7 @@ class NpyFrames final : public FrameSource {
   std::vector<unsigned char> bytes_;
   std::vector<double> numbers_;  // of a frame, the time last
   std::string time_;
+  FrameClock clock_;
 };
 
 /// Writes doubles; how many frames there were is known at the end, so that the file must be one

@@ -1,12 +1,13 @@
 /// @file
-/// Output that is either whole or not there: written under a temporary name, then renamed.
-/// Nothing is left of what was not: at a signal, and of a killed run once the next one writes
-/// there.
+/// Output that is either whole or not there: written under a temporary name, then renamed. A file
+/// that is replaced hands on who may read and write it. Nothing is left of what was not: at a
+/// signal, and of a killed run once the next one writes there.
 #pragma once
 
 #include <filesystem>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -51,7 +52,8 @@ class OutputFile {
 
  private:
   std::filesystem::path path_;
-  std::ostream* standard_output_;  // null: `file_` is written to
+  std::ostream* standard_output_;                        // null: `file_` is written to
+  std::optional<std::filesystem::perms> permissions_{};  // of the file that is replaced
   std::unique_ptr<CheckedFile> file_;
   std::unique_ptr<Partial> partial_;  // after `file_`: goes before it
 };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/units.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net::frames {
@@ -19,6 +20,13 @@ namespace tactile_net::frames {
 
 /// The columns of a tractions file: "normal_0" ..., then "tangential_0" ...
 [[nodiscard]] std::vector<std::string> traction_columns(std::size_t count, bool with_tangential);
+
+/// What the number of a reading is, for headers that give a unit.
+struct WantedUnit {
+  Dimension dimension = Dimension::none;
+  Unit unit{};        ///< the scene's, of that dimension
+  double gain = 1.0;  ///< by the scene's calibration: of that unit, per number in the file
+};
 
 /// What is to be read of a file.
 struct WantedColumns {
@@ -30,9 +38,13 @@ struct WantedColumns {
   /// (frames, rows, columns, channels); 0: none.
   std::size_t rows = 0;
   /// Where the columns stand, in place of their names: "2-42", "t=1,4-44", "a,b,c"; numbers count
-  /// from 1, `t=` says where the times are; empty: they are found by name.
+  /// from 1, `t=` says where the times are (`t=1+2`: seconds and nanoseconds); empty: they are
+  /// found by name.
   std::string places{};
   bool accept_missing = false;  ///< values that are missing are NaN, in place of an error
+  /// Per name: what its numbers are to be in, and a header's unit is converted to; empty: the scene
+  /// states no units, and numbers are taken as they stand.
+  std::vector<WantedUnit> units{};
 };
 
 /// Recorded frames, one after another in constant memory.
@@ -61,6 +73,12 @@ class FrameSource {
   [[nodiscard]] virtual bool has_time() const noexcept { return false; }
   /// The text of the time in the frame last read, fit for a field of CSV.
   [[nodiscard]] virtual std::string_view time() const noexcept { return {}; }
+  /// The same in seconds, where it is a number: by the unit that the column's name states, or that
+  /// its size shows; else as it stands.
+  [[nodiscard]] virtual std::optional<double> seconds() const { return std::nullopt; }
+  /// Whether these are seconds indeed: false where whole numbers, of no stated unit, might as well
+  /// be milliseconds or a count.
+  [[nodiscard]] virtual bool time_unit_known() const noexcept { return true; }
   /// Columns of the file that are not read.
   [[nodiscard]] virtual std::span<const std::string> ignored() const noexcept { return {}; }
   /// What was taken for granted when the file was opened, a sentence each.

@@ -31,7 +31,7 @@ struct ContactCovariance {
 
   /// Standard deviation of one value.
   [[nodiscard]] double deviation(ContactValue value) const noexcept {
-    return std::sqrt(std::max((*this)(value, value), 0.0));
+    return std::sqrt((std::max)((*this)(value, value), 0.0));
   }
 
  private:

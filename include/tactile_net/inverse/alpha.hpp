@@ -51,6 +51,12 @@ inline constexpr std::array alpha_rules = {
   return rule == AlphaRule::discrepancy || rule == AlphaRule::evidence;
 }
 
+/// True for ncp, which looks for white noise along a line of taxels: frames of skins have no
+/// periodogram (`FilterFrame::periodogram`).
+[[nodiscard]] constexpr bool needs_periodogram(AlphaRule rule) noexcept {
+  return rule == AlphaRule::ncp;
+}
+
 /// The name as scenes, tables and JSON spell it: "rgcv".
 [[nodiscard]] std::string_view name(AlphaRule rule) noexcept;
 [[nodiscard]] std::optional<AlphaRule> alpha_rule_named(std::string_view name) noexcept;
@@ -83,9 +89,11 @@ struct AlphaSweep {
         values{};  ///< what the rule minimises, at `alphas`; discrepancy: |log ratio|
     AlphaChoice choice{};
   };
-  std::vector<Curve> curves{};  ///< the rules in the order of `alpha_rules`
+  /// The rules in the order of `alpha_rules`; none of a rule that needs the noise's rms or a
+  /// periodogram where there is none.
+  std::vector<Curve> curves{};
 
-  /// The choice of one rule. @throw std::out_of_range  discrepancy, and no noise was given
+  /// The choice of one rule. @throw std::out_of_range  it is not among the curves
   [[nodiscard]] const AlphaChoice& choice(AlphaRule rule) const;
 };
 
@@ -93,8 +101,11 @@ struct AlphaSweep {
 /// nothing, to (largest gamma)^2. About 200 x components
 /// x rules operations, and for ncp 200 times the residual's periodogram.
 ///
-/// @param noise_rms  of one weighted reading; absent: no discrepancy
-/// @throw std::invalid_argument  noise_rms is not >= 0; the frame has no component
+/// Where no reading depends on the tractions (every gamma is 0, or there is none) each rule has the
+/// verdict `no_root` and the alpha 0.
+///
+/// @param noise_rms  of one weighted reading; absent: neither discrepancy nor evidence
+/// @throw std::invalid_argument  noise_rms is not >= 0; the frame has not one beta a gamma
 [[nodiscard]] AlphaSweep sweep_alpha(const FilterFrame& frame,
                                      std::optional<double> noise_rms = {});
 
@@ -106,7 +117,8 @@ struct AlphaSweep {
 
 /// One rule's choice from the sweep, at its cost: the verdict hears the other rules too.
 ///
-/// @throw std::invalid_argument  as `sweep_alpha`; rule is discrepancy and noise_rms is absent
+/// @throw std::invalid_argument  as `sweep_alpha`; the rule needs the noise's rms or a periodogram,
+///                               and there is none
 [[nodiscard]] AlphaChoice choose_alpha(const FilterFrame& frame, AlphaRule rule,
                                        std::optional<double> noise_rms = {});
 

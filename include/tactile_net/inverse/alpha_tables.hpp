@@ -22,7 +22,7 @@ class AlphaTables {
   /// @param gamma   as `FilterFrame::gamma`, of every frame
   /// @param rows    as `FilterFrame::rows`
   /// @param shares  as `FilterFrame::shares`
-  /// @throw std::invalid_argument  there is no component; shares are neither none nor one for each
+  /// @throw std::invalid_argument  shares are neither none nor one for each gamma
   AlphaTables(std::span<const double> gamma, std::size_t rows, std::span<const double> shares = {});
   ~AlphaTables();
   AlphaTables(AlphaTables&&) noexcept;
@@ -45,6 +45,12 @@ class AlphaTables {
 /// least wrong of those that guess it, with the verdict `noise_needed`. Measured by bench_alpha:
 /// docs/internals/alpha.md.
 [[nodiscard]] AlphaRule default_rule(const AlphaTables& tables, bool noise_known) noexcept;
+
+/// The rule that sizes the prior of bands: evidence, or gml where the noise is not known. Others
+/// find the best tractions, and a prior that is too small (docs/internals/decisions.md).
+[[nodiscard]] constexpr AlphaRule prior_rule(bool noise_known) noexcept {
+  return noise_known ? AlphaRule::evidence : AlphaRule::gml;
+}
 
 /// `sweep_alpha` and `choose_alone` of a frame whose gamma and rows are those of the tables: the
 /// same answers to rounding.

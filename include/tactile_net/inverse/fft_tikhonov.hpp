@@ -68,7 +68,7 @@ class FftTikhonov {
   /// them. Allocates. @pre  there is one value per traction
   [[nodiscard]] std::vector<double> stacked_product(std::span<const double> tractions);
 
-  /// |W (K f - g)|_2. Allocates. @pre  sizes as `solve`'s
+  /// |W (K f - g)|_2. Allocates. @throw std::invalid_argument  sizes are not `solve`'s
   [[nodiscard]] double residual(std::span<const double> readings,
                                 std::span<const double> tractions);
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <list>
 #include <span>
 #include <utility>
 #include <vector>
@@ -36,14 +37,14 @@ class LongArrayCovariance final : public Covariance {
   [[nodiscard]] double degrees_of_freedom() const noexcept override;
 
  private:
-  /// A root of the covariance times the weights. Each weights' is kept: a contact's force, moment
-  /// and angle ask for the same few again and again.
+  /// A root of the covariance times the weights. Those asked for last are kept: a contact's force,
+  /// moment and angle ask for the same few again and again. Valid until other 23 are asked for.
   const std::vector<double>& image(std::span<const double> weights) const;
 
   const LongArrayFamily& family_;
   FftTikhonov& solver_;
   double alpha_, prior_alpha_;
-  mutable std::vector<std::pair<std::vector<double>, std::vector<double>>> images_{};
+  mutable std::list<std::pair<std::vector<double>, std::vector<double>>> images_{};  // last first
 };
 
 }  // namespace tactile_net

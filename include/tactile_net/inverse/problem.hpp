@@ -59,6 +59,9 @@ struct InverseProblem {
   Matrix constants{};
 };
 
+/// Numbers of K, at most: 1 GB.
+inline constexpr std::size_t most_kernel_entries = std::size_t{1} << 27;
+
 /// Of K that a scene may ask for by a spacing of its own: a decomposition of more takes minutes.
 inline constexpr std::size_t most_columns = 4096;
 
@@ -87,7 +90,8 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
 ///
 /// @throw std::invalid_argument  array, material or an option is out of range; every taxel is dead;
 ///                               stresses and strains are mixed without `channel_rms`; two unknowns
-///                               from one channel; unknown offsets leave nothing
+///                               from one channel; unknown offsets leave nothing; K has more than
+///                               `most_kernel_entries`
 [[nodiscard]] InverseProblem make_problem(const SensorArray& array, const Material& material,
                                           const ProblemOptions& options = {});
 

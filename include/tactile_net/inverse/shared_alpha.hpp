@@ -38,7 +38,8 @@ class SharedAlpha {
   /// in which nothing was read have no say. Costs one rule's values of one frame and the refinement
   /// over all: some ten sums over frames x components.
   ///
-  /// @throw std::invalid_argument  the frame is of another family
+  /// @throw std::invalid_argument  the frame is of another family, or has no periodogram and the
+  ///                               rule needs it
   AlphaChoice push(FilterFrame frame);
 
  private:

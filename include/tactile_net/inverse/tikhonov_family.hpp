@@ -46,12 +46,13 @@ class TikhonovFamily {
   /// tr H: how many of the readings' degrees of freedom the tractions of one alpha use up.
   [[nodiscard]] double degrees_of_freedom(double alpha) const noexcept;
 
-  /// The frame in the basis of the singular vectors. O(rows x columns).
+  /// The frame in the basis of the singular vectors. O(rows x columns); its periodogram is worked
+  /// out when a rule first asks for it, for the family's first frame in O(rows^2 x columns).
   /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;
 
   /// The minimiser for one alpha [Pa], as `tikhonov`. O(columns^2).
-  /// @throw std::invalid_argument  alpha is not > 0 and finite
+  /// @throw std::invalid_argument  alpha is not > 0 and finite; the frame is of another family
   [[nodiscard]] std::vector<double> solve(const FilterFrame& frame, double alpha) const;
 
   /// The matrix of that map, for many frames with one alpha: `tikhonov`'s, from the singular
@@ -63,7 +64,7 @@ class TikhonovFamily {
   [[nodiscard]] const Factors& factors() const noexcept { return *factors_; }
 
  private:
-  std::unique_ptr<const Factors> factors_;
+  std::shared_ptr<const Factors> factors_;  // with periodograms of frames
 };
 
 }  // namespace tactile_net

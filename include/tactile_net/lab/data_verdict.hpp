@@ -8,6 +8,7 @@
 #include <span>
 
 #include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/lab/remark.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
 
 namespace tactile_net::lab {
@@ -30,6 +31,10 @@ namespace tactile_net::lab {
                                                       std::span<const double> readings,
                                                       std::span<const double> tractions,
                                                       DataMemory* memory = nullptr);
+
+/// What is to be said of a frame whose data are doubted, with the scene's names and units.
+/// @param data  not consistent
+[[nodiscard]] remark::DataDoubted data_doubted(const DataVerdict& data, const Scene& scene);
 
 /// Adds what frames before have shown of a taxel (repeating_taxels.hpp).
 void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel);

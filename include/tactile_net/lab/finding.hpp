@@ -17,8 +17,9 @@ namespace finding {
 // The frames as they come.
 struct NoFrames {};
 struct TimeBackwards {
-  std::size_t count = 0;  ///< how often
-  std::size_t first = 0;  ///< the first frame whose time is before that of the frame before
+  std::size_t count = 0;      ///< how often
+  std::size_t first = 0;      ///< the first frame whose time is before that of the frame before
+  std::size_t rollovers = 0;  ///< of them as a counter of 32 bits has them that begins anew
 };
 struct TimeRepeats {
   std::size_t count = 0;
@@ -31,6 +32,15 @@ struct ValuesMissing {
   std::size_t values = 0;
   FrameRuns frames{};
   std::vector<std::size_t> taxels{};  ///< that miss values in more than half of the frames
+};
+
+struct CodesForMissing {
+  struct Code {
+    double number = 0.0;     ///< as the file has it
+    std::size_t fields = 0;  ///< that hold it
+    std::size_t frames = 0;  ///< that hold nothing else
+  };
+  std::vector<Code> codes{};  ///< rising
 };
 
 // Single taxels, rising numbers.
@@ -143,15 +153,14 @@ struct PitchCoarse {
 
 }  // namespace finding
 
-using Finding =
-    std::variant<finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats,
-                 finding::FramesRepeat, finding::ValuesMissing, finding::DeadTaxels,
-                 finding::StuckTaxels, finding::NoisyTaxels, finding::SingleFrameSpikes,
-                 finding::SaturatedTaxels, finding::Baseline, finding::Drift, finding::NoiseTaken,
-                 finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
-                 finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled,
-                 finding::OrderMirrored, finding::TractionExceedsModulus, finding::DeformationTiny,
-                 finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
+using Finding = std::variant<
+    finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats, finding::FramesRepeat,
+    finding::ValuesMissing, finding::CodesForMissing, finding::DeadTaxels, finding::StuckTaxels,
+    finding::NoisyTaxels, finding::SingleFrameSpikes, finding::SaturatedTaxels, finding::Baseline,
+    finding::Drift, finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured,
+    finding::ResidualDiffers, finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled,
+    finding::OrderMirrored, finding::TractionExceedsModulus, finding::DeformationTiny,
+    finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 
 /// The spelling in JSON: "dead_taxels".

@@ -7,11 +7,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/network/allocation.hpp"
 #include "tactile_net/network/part_values.hpp"
+#include "tactile_net/network/static_errors.hpp"
 
 namespace tactile_net::lab {
 
@@ -33,18 +35,29 @@ struct PartsList {
     Realization realization = Realization::lattice;
     bool ladder = false;  ///< see `has_ladder`
     std::size_t opamps = 0;
-    bool stable = true;     ///< with the scene's own op-amps
+    StabilityVerdict stability{};  ///< with everything that the scene states
+    /// What its op-amps do with exact resistors: root mean squares to first order, and what 95 of
+    /// 100 draws are within. No list of resistors errs by less.
+    OpAmpShares opamps_alone{};
+    double opamps_p95 = 0.0;
     Allocation list{};      ///< what is left for errors of parts once their values are rounded
     std::size_t pairs = 0;  ///< resistors that are two parts, the second of the same class
     double resistors_price = 0.0;  ///< of the list with its pairs
     double resistors_bound = 0.0;  ///< no list with these values is cheaper
     double rounding = 0.0;         ///< what values of the series do to the answer, relative
     double price = 0.0;            ///< of resistors and op-amps
-    /// Of draws with the list; infinite: more than 1 of 20 is unstable; absent: none was drawn,
-    /// since the circuit is unstable or no list meets the target.
+    /// Of draws with the list and the op-amps, which the list was not made with; infinite: more
+    /// than 1 of 20 is unstable; absent: none was drawn, since the circuit is not known to be
+    /// stable or no list meets the target.
     std::optional<double> p95{};
+    std::size_t builds = 0;  ///< that were drawn
+    std::size_t within = 0;  ///< of them within the target
 
-    [[nodiscard]] bool good() const noexcept { return stable && list.met && p95.has_value(); }
+    [[nodiscard]] bool stable() const noexcept { return stability.stability == Stability::stable; }
+    [[nodiscard]] bool good() const noexcept { return stable() && list.met && p95.has_value(); }
+    /// Where the share of all builds that are within the target lies in 95 of 100 such draws
+    /// (Wilson 1927).
+    [[nodiscard]] std::pair<double, double> interval() const noexcept;
   };
 
   /// The chosen candidate as it is soldered.
@@ -62,14 +75,19 @@ struct PartsList {
   std::optional<std::size_t> chosen_at{};  ///< the cheapest whose draws meet the target
   std::shared_ptr<const Choice> choice{};  ///< null: there is none
 
+  /// Whether no candidate that is stable has op-amps that would do with exact resistors.
+  [[nodiscard]] bool opamps_too_coarse() const noexcept;
+
   /// @pre  there is a choice
   [[nodiscard]] const Candidate& chosen() const { return candidates[*chosen_at]; }
 };
 
 /// Values are of the scene's series, E96 where it names none: two parts where one would take more
 /// of the target than it may. How much a part counts is the mean over the scene's contacts where
-/// they are and moved along the sensor, and a build's error the root mean square over them. Under
-/// the same conditions as a recommendation: complementary outputs.
+/// they are and moved along the sensor, and a build's error the root mean square over them. The
+/// scene's op-amps are in every build: offsets and bias currents drawn, with what is stated as
+/// standard deviation, the balance of `tolerance`, finite gain, common-mode rejection and output
+/// resistance. Under the same conditions as a recommendation: complementary outputs.
 ///
 /// @param target  95 of 100 builds err by at most this, > 0
 /// @throw std::invalid_argument  the target is out of range, or there is no load

@@ -26,16 +26,20 @@ namespace tactile_net::lab {
 
 /// The times of a recording, as far as its frames have them.
 struct RecordingClock {
+  bool in_seconds = true;           ///< false: their unit is not known
   std::size_t timed = 0;            ///< frames with a time
   double first = 0.0;               ///< of the first of them [s]
   double last = 0.0;                ///< of the last of them [s]
   double longest = 0.0;             ///< longest step forwards [s]
+  double forwards = 0.0;            ///< all steps forwards together [s]
   std::size_t backwards = 0;        ///< how often time runs backwards
   std::size_t first_backwards = 0;  ///< frame
+  std::size_t rollovers = 0;        ///< how often that looks like a counter of 32 bits at its end
   std::size_t repeats = 0;          ///< how often it stands still
   std::size_t first_repeat = 0;     ///< frame
 
-  /// Frames per second on average; nothing without two different times.
+  /// Frames per second on average, steps backwards aside; nothing without two different times, or
+  /// where their unit is not known.
   [[nodiscard]] std::optional<double> rate() const noexcept;
 };
 
@@ -90,6 +94,9 @@ class ReadingsChecker {
   /// @param time      [s], where the frame has one
   /// @param readings  channels x count, in the unit of the scene; NaN: missing
   void add(std::optional<double> time, std::span<const double> readings);
+
+  /// The times that were handed over are of a unit that nobody states.
+  void times_without_unit();
 
   /// Solves up to `most_solved` frames by tikhonov with a rule, without
   /// constraints, which would hide a wrong sign.

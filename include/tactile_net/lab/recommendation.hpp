@@ -16,17 +16,21 @@ struct Recommendation {
     Realization realization = Realization::nic;
     bool ladder = false;  ///< see `has_ladder`
     std::size_t opamps = 0;
-    /// With the scene's own op-amps, second poles and capacitances included; never chosen if not.
-    bool stable = true;
+    /// With everything that the scene states. One that is not known to be stable is never chosen.
+    StabilityVerdict stability{};
     ToleranceResult tolerance{};
+
+    [[nodiscard]] bool stable() const noexcept { return stability.stability == Stability::stable; }
   };
   enum class Outcome {
     no_load,       ///< nothing for errors of components to change: nothing was drawn
     reached,       ///< `choice` has the fewest op-amps of those that reach the accuracy
-    none_reaches,  ///< no candidate does; `choice` comes nearest
+    none_reaches,  ///< no candidate does; `choice` is stable and comes nearest
+    none_stable,   ///< of no candidate it is known that it is stable with the scene's op-amps
   };
   Outcome outcome = Outcome::no_load;
-  std::optional<std::size_t> choice{};  ///< index into `candidates`; absent: no load
+  std::optional<std::size_t>
+      choice{};  ///< index into `candidates`; absent: no load, or none is stable
   std::vector<Candidate> candidates{};  ///< the fewest op-amps first, of those the surest
   ToleranceOptions drawn{};             ///< what was drawn, and the accuracy that counts
   bool inverters_replaced = false;      ///< by complementary outputs, where the scene has inverters
@@ -34,7 +38,7 @@ struct Recommendation {
   /// absent where a series gives the errors, or most builds are unstable.
   std::optional<double> parts_needed{};
 
-  /// @pre the outcome is not no_load
+  /// @pre there is a choice
   [[nodiscard]] const Candidate& chosen() const { return candidates[*choice]; }
 };
 

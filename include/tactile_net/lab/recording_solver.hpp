@@ -64,6 +64,7 @@ class RecordingSolver {
 
  private:
   SceneProblem problem_;
+  Method method_;
   std::vector<SignalReading> sites_;
   Missing missing_;
   std::unique_ptr<FrameSolver> solver_;

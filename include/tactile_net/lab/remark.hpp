@@ -4,14 +4,15 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/scene/units.hpp"
 
 namespace tactile_net::lab {
 
@@ -26,6 +27,7 @@ struct SignChanges {
 };
 struct DeadTaxelsRead {};  ///< dft takes a dead taxel's zero for a reading
 struct CutOff {};          ///< the readings have not died away at the array's ends
+struct LowerBound {};      ///< the border of what taxels see is pressed as hard as the middle
 struct NotOneContact {};   ///< what contact_friction takes for granted does not hold
 struct DragInNoise {};     ///< the tangential traction is assumed more than it is measured
 struct NullMode {
@@ -52,8 +54,14 @@ struct Rounding {
 struct EstimatedWeight {
   double value = 1.0;  ///< of the tangential traction
 };
+struct ChannelOffset {
+  std::string channel{};
+  double value = 0.0;  ///< as the channel's readings
+  Dimension dimension = Dimension::none;
+};
 struct OffsetsFound {
-  std::vector<std::pair<std::string, double>> channels{};  ///< name, and offset as its readings
+  std::vector<ChannelOffset> channels{};
+  std::optional<Units> units{};  ///< the scene's: remarks are told where the scene is not at hand
 };
 struct ModelError {
   double times = 0.0;  ///< the noise stated
@@ -61,11 +69,14 @@ struct ModelError {
 };
 struct Clipped {
   std::vector<std::size_t> taxels{};  ///< that read the end of their range, rising
+  std::vector<std::string> names{};   ///< theirs, as many
   bool range_known = false;           ///< the scene states it
   bool left_out = false;              ///< the answer is that of the others
 };
 struct DataDoubted {
-  DataVerdict data{};  ///< not consistent
+  DataVerdict data{};      ///< not consistent
+  std::string taxel{};     ///< the name of its taxel; empty: it has none
+  OffsetsFound offsets{};  ///< its offsets; none: it has none
 };
 struct Hidden {
   ModeSpace modes{};  ///< that no reading shows
@@ -82,11 +93,11 @@ struct VoltagesUnresolved {
 
 using Remark =
     std::variant<remark::NoiseAmplified, remark::SignChanges, remark::DeadTaxelsRead,
-                 remark::CutOff, remark::NotOneContact, remark::DragInNoise, remark::NullMode,
-                 remark::NotConverged, remark::IterationLimit, remark::NoBands, remark::Unexplained,
-                 remark::Rounding, remark::EstimatedWeight, remark::OffsetsFound,
-                 remark::ModelError, remark::Clipped, remark::DataDoubted, remark::Hidden,
-                 remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
+                 remark::CutOff, remark::LowerBound, remark::NotOneContact, remark::DragInNoise,
+                 remark::NullMode, remark::NotConverged, remark::IterationLimit, remark::NoBands,
+                 remark::Unexplained, remark::Rounding, remark::EstimatedWeight,
+                 remark::OffsetsFound, remark::ModelError, remark::Clipped, remark::DataDoubted,
+                 remark::Hidden, remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
 
 using Remarks = std::vector<Remark>;
 

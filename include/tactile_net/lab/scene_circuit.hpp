@@ -60,8 +60,13 @@ class SceneCircuit {
   [[nodiscard]] const ChosenAlpha& alpha() const noexcept { return alpha_; }
 
   /// The circuit, with its flat form, reduction, state space and P's eigenvalues.
-  [[nodiscard]] const NetworkCircuit& network() const noexcept { return network_; }
-  [[nodiscard]] std::size_t nodes() const noexcept { return network_.problem().matrix.rows; }
+  [[nodiscard]] const NetworkCircuit& network() const noexcept { return *network_; }
+  [[nodiscard]] std::size_t nodes() const noexcept { return network_->problem().matrix.rows; }
+
+  /// Circuits of op-amps and resistors for the same problem, of which one may be built instead: the
+  /// scene's op-amps and scale, complementary outputs, with a ladder after without. This one is
+  /// among them if it is such a one.
+  [[nodiscard]] const std::vector<std::shared_ptr<const NetworkCircuit>>& candidates() const;
 
   /// Whether there is an answer to settle to: a load that is not zero.
   [[nodiscard]] bool loaded() const noexcept;
@@ -106,7 +111,8 @@ class SceneCircuit {
   ChosenAlpha alpha_;
   Once<std::vector<double>> direct_;
   NetworkOptions options_;  // after what its scale follows from
-  NetworkCircuit network_;
+  std::shared_ptr<const NetworkCircuit> network_;
+  Once<std::vector<std::shared_ptr<const NetworkCircuit>>> candidates_;
   Once<ExplainedDifference> explained_;
   Once<std::optional<Ordered>> ordered_;
   Once<Certificate> certificate_;

@@ -94,8 +94,8 @@ class SceneProblem {
   /// What the rules for alpha ask of every frame. @param frame  analysed, any of this problem
   [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
 
-  /// The rule that chooses alpha where the scene gives none: its own, or for many taxels with the
-  /// tractions above them rgcv, else `default_rule`. @param frame  as above
+  /// The rule that chooses alpha where the scene gives none: the one that the scene names, else
+  /// `default_rule`. @param frame  as above
   [[nodiscard]] AlphaRule alpha_rule(const FilterFrame& frame) const;
 
   /// What no reading shows of line loads over the taxels. Of a finer surface every array hides
@@ -169,8 +169,7 @@ class SceneFrame {
   /// without constraints.
   [[nodiscard]] ChosenAlpha alpha() const;
 
-  /// What sizes the bands' prior, judged without other rules: evidence where that chooses alpha,
-  /// else gml.
+  /// What sizes the bands' prior, by `prior_rule`, judged without other rules.
   [[nodiscard]] const AlphaChoice& prior() const;
 
   /// |W (K f - g)|_2, by the best offsets where these are not known.

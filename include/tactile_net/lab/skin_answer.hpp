@@ -49,6 +49,9 @@ struct SkinAnswer {
     BandProbes bands{};
   };
   std::optional<Iteration> iteration{};
+  /// The force's deviation over the one that it had before anything was read: 1 where the readings
+  /// tell nothing of it, and the value comes from the prior alone.
+  double assumed = 0.0;
   double unseen = 0.0;  ///< share of their force where no taxel sees (skin_sight.hpp)
   Remarks remarks{};
 };

@@ -58,8 +58,9 @@ class SkinSceneProblem {
   [[nodiscard]] std::optional<double> stated_noise() const;
   [[nodiscard]] const std::optional<Constraints>& constraints() const noexcept;
 
-  /// The scene's rule for alpha; else evidence where the noise is stated, and aicc where it is not.
-  [[nodiscard]] AlphaRule alpha_rule() const;
+  /// The rule that chooses alpha where the scene gives none: the one that the scene names, else
+  /// `default_rule`. @param frame  analysed, any of this problem
+  [[nodiscard]] AlphaRule alpha_rule(const FilterFrame& frame) const;
 
   /// Of one frame, constraints aside: the scene's, or by that rule.
   [[nodiscard]] ChosenAlpha alpha(std::span<const double> readings) const;
@@ -75,13 +76,15 @@ class SkinSceneProblem {
   /// What the problem and what is made of it take in memory, about.
   [[nodiscard]] std::size_t bytes() const;
 
-  /// Of the last alpha asked for. @pre  there are constraints
-  [[nodiscard]] const SkinCone& cone(double alpha) const;
+  /// Of this alpha, kept at least until another alpha is asked for. @pre  there are constraints
+  [[nodiscard]] std::shared_ptr<const SkinCone> cone(double alpha) const;
 
   /// Whether readings can be true (skin_data_verdict.hpp).
   [[nodiscard]] const SkinDataJudge& data_judge() const;
   /// `unseen_cells` (skin_sight.hpp).
   [[nodiscard]] const std::vector<bool>& unseen() const;
+  /// The cells above the outermost live taxels: `border_cells` (border.hpp).
+  [[nodiscard]] const std::vector<std::size_t>& border() const;
   /// The same with cells to two depths beyond the outermost taxels, for what presses over the edge.
   /// @pre  the scene states no margin
   [[nodiscard]] const SkinSceneProblem& reaching_beyond() const;
@@ -90,8 +93,9 @@ class SkinSceneProblem {
 
   /// The same without these taxels, and with no other.
   [[nodiscard]] SkinSceneProblem without(std::span<const std::size_t> taxels) const;
-  /// That, of the last taxels asked for.
-  [[nodiscard]] const SkinSceneProblem& left_with(const std::vector<std::size_t>& taxels) const;
+  /// That, kept at least until other taxels are asked for.
+  [[nodiscard]] std::shared_ptr<const SkinSceneProblem> left_with(
+      const std::vector<std::size_t>& taxels) const;
 
  private:
   struct Parts;

@@ -15,8 +15,11 @@
 
 namespace tactile_net::lab {
 
-/// Cells that lie farther from every live taxel than three quarters of the pitch, and than half the
-/// least depth: no cell between four taxels does.
+/// How far from its place a taxel sees what presses [m]: three quarters of the pitch, or half the
+/// least depth where that is more.
+[[nodiscard]] double sight_of(const SkinArray& skin);
+
+/// Cells that lie farther than that from every live taxel: no cell between four taxels does.
 [[nodiscard]] std::vector<bool> unseen_cells(const SkinSceneProblem& problem);
 
 /// Of what presses in some cells the share in those that are not seen; 0 where nothing presses.

@@ -23,7 +23,7 @@ enum class Verdict {
   // dft, see DftVerdict and FrictionVerdict.
   noise_amplified,
   sign_change,
-  cut_off,
+  cut_off,  ///< also of tikhonov: the contact may reach beyond what taxels see
   not_one_contact,
   drag_in_noise,
   no_contact,
@@ -38,7 +38,8 @@ enum class Verdict {
   inaccurate,       ///< the circuit is more than 1 % off the direct solve, though explained
   // What the readings lack.
   clipped,  ///< taxels read the end of their range: what they would read beyond it is not known
-  undetermined,  ///< the force's deviation is larger than any force such readings could come from
+  undetermined,  ///< the readings tell little of the force, or it may be larger than any that such
+                 ///< readings could come from
   coarse,        ///< the taxels lie too far apart for their depth
 };
 

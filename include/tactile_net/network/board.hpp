@@ -26,13 +26,25 @@ struct BoardPad {
 };
 
 struct Footprint {
-  std::string library{};    ///< KiCad's name of it
-  std::string reference{};  ///< as in the deck
-  std::string value{};
+  /// What it stands for; a pin is no part that is bought.
+  enum class Kind { resistor, amplifier, pin };
+  Kind kind = Kind::resistor;
+  std::string library{};   ///< KiCad's name of it
+  std::size_t number = 0;  ///< from 1, of its kind
+  std::string element{};   ///< the deck's name of it; of a pin that of its source or node
+  std::string value{};     ///< "4.99k" and "499R", in ohms; what an amplifier is; what a pin is for
   std::string tolerance{};  ///< "0.1 %"; empty: none is said
+  double watt = 0.0;        ///< of a resistor, as the circuit's sources drive it
+  double rated_watt = 0.0;  ///< what a resistor of its size carries
   double x = 0.0;
   double y = 0.0;
+  double width = 0.0;  ///< of its courtyard, around the middle
+  double height = 0.0;
   std::vector<BoardPad> pads{};
+
+  /// The designator: R1, U1, J1.
+  [[nodiscard]] std::string reference() const;
+  [[nodiscard]] bool overloaded() const noexcept { return watt > rated_watt; }
 };
 
 struct Board {
@@ -50,7 +62,11 @@ struct Board {
 /// 8 +IN). Nothing is routed, and nothing stands on it that is not in the deck: capacitors of the
 /// supply are not.
 ///
+/// Designators are numbered in the order of the circuit's resistors, of its amplifiers, and of the
+/// pins. Courtyards do not overlap, and leave room for the designator above each.
+///
 /// @throw std::invalid_argument  the circuit has other parts, or sub-circuits
+/// @throw std::domain_error      it has no unique operating point, so that powers are not known
 [[nodiscard]] Board board_of(const SolderedCircuit& soldered);
 
 /// As KiCad 6 writes it. Equal boards, equal bytes.

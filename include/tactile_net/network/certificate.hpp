@@ -26,10 +26,24 @@ enum class Stability {
   unstable,      ///< a pole lies in the right half plane
   not_definite,  ///< P is not positive definite: no circuit for it settles
   lossless,      ///< capacitors and inductors alone: it rings for ever
-  not_modelled,  ///< op-amps without a bandwidth: only theorems, whose conditions are not known
+  not_modelled,  ///< not known, see `UnknownStability`
 };
 
 [[nodiscard]] std::string_view name(Stability stability) noexcept;
+
+/// Why stability is not known. In all of these no theorem's conditions are met either.
+enum class UnknownStability {
+  no_bandwidth,     ///< the op-amps have none: no poles
+  too_many_states,  ///< more than `most_states`: the poles are not computed
+  /// Capacitance is stated at outputs that have a resistance: a pole in every loop that no
+  /// equations here have.
+  loaded_outputs,
+};
+
+struct StabilityVerdict {
+  Stability stability = Stability::not_modelled;
+  std::optional<UnknownStability> unknown{};  ///< if and only if it is `not_modelled`
+};
 
 /// How much lag the loop of `least_squares` has, and what brings it within theorem T6: stable where
 /// 4 theta^2 W_main tau < gamma (1 - W tau/4)^2, tau the largest C/D + 1/W2 of a row, W the
@@ -65,8 +79,13 @@ struct CircuitRemark {
   enum class Kind {
     /// A node would reach `value` [V], op-amps clamp from `limit` [V]; `repair`: `Scale::volts`.
     clamps,
-    /// `node_capacitance` has no effect: the nodes are op-amps' outputs.
+    /// `node_capacitance` has no effect: the nodes are op-amps' outputs, without a resistance.
     capacitance_at_outputs,
+    /// `UnknownStability::loaded_outputs`
+    loaded_outputs,
+    /// Outputs have a resistance, and what capacitance at them would do is not modelled: the
+    /// verdict is of outputs without any.
+    outputs_without_load,
     /// `node_capacitance` is left out: at one frequency it is part of each node's capacitor.
     capacitance_at_one_frequency,
     /// Resistors of `value` [ohm] at inverting inputs ring with their capacitance; `repair`: the
@@ -144,13 +163,13 @@ struct OutputCurrent {
 /// Volts and siemens at which what disturbs the answer is least for what the op-amps can give.
 struct ScaleProposal {
   enum class Bound {
-    swing,      ///< a node would reach 0.8 of rail - 0.6 V
-    ten_volts,  ///< no rail is given: 10 V at the largest node
-    slew,       ///< slewing would make settling a fifth longer
-    current,    ///< an output would carry more than the op-amps give, at those siemens
+    swing,    ///< a node would reach 0.8 of rail - 0.6 V
+    supply,   ///< no rail is given: 2 V at the largest node, of amplifiers of 5 V in all
+    slew,     ///< slewing would make settling a fifth longer
+    current,  ///< an output would carry more than the op-amps give, at those siemens
   };
   double volts = 0.0;  ///< `Scale::volts`
-  Bound volts_by = Bound::ten_volts;
+  Bound volts_by = Bound::supply;
   double siemens = 0.0;    ///< `Scale::siemens`: the resistors' noise is as large as the op-amps'
   bool least_ohm = false;  ///< less than that: the least resistor would fall below 1 kilo-ohm
   double noise = 0.0;      ///< of the answer, relative, at that scale; 0: none is asked for
@@ -163,16 +182,18 @@ struct Certificate {
   double smallest_eigenvalue = 0.0;  ///< of P
   double condition = 0.0;            ///< of P, exact; infinite if it is not positive definite
   Stability stability = Stability::not_modelled;
+  std::optional<UnknownStability> unknown{};  ///< as `StabilityVerdict::unknown`
   Theorem theorem{};
   /// Every error of resistors up to this, relative, leaves the network stable: proven by the
-  /// symmetric part of its equations. Absent: nothing can be proven, or the theorem's conditions
-  /// are not met.
+  /// symmetric part of its equations. Absent: nothing can be proven, as beside second poles and
+  /// capacitance at inputs, or the theorem's conditions are not met.
   std::optional<double> tolerance_margin{};
   /// The equations are the circuit's own, so the margin holds for any bandwidths; false where
   /// converters or inverters are taken for fast.
   bool margin_for_any_bandwidth = false;
   bool margin_for_one_bandwidth = false;  ///< the same, as long as the op-amps share it
-  std::optional<Dynamics> dynamics{};     ///< absent: op-amps without bandwidth, or too many states
+  /// Absent: op-amps without bandwidth, too many states, or capacitance that is not modelled.
+  std::optional<Dynamics> dynamics{};
   std::optional<CircuitNoise>
       noise{};  ///< absent: none is asked for, it has no size, or the circuit does not settle
   std::optional<Theorem> slewing{};      ///< absent: the op-amps have no slew, or nothing is proven
@@ -190,6 +211,12 @@ struct Certificate {
 
 /// More states than this are not decomposed: their poles would take minutes.
 inline constexpr std::size_t most_states = 1500;
+
+/// Whether the circuit settles, with everything that its options state: by its own poles; where
+/// they are not computed by its theorem. Poles stay with the circuit: asked again it costs nothing.
+///
+/// @throw std::domain_error  the network has no unique answer
+[[nodiscard]] StabilityVerdict stability_of(const NetworkCircuit& circuit);
 
 /// What is made for it (flat circuit, reduction, state space, eigenvalues) stays with the circuit.
 ///

@@ -59,10 +59,11 @@ using Analysis = std::variant<DirectCurrent, SingleFrequency, StepResponse>;
 /// `* within 1e-9`), sub-circuits, one
 /// card per element in the circuit's order, the analysis, `.end`.
 ///
-/// Pure SPICE: `Answer::printed` adds only lines that begin with `*#`, commands to ngspice and
-/// comments to every other simulator; it prints an operating point or the real parts of a single
-/// frequency. Numbers are the shortest text that reads back as the same double: six digits would
-/// cost 4e-3 in the answer at alpha = 1e-6. The caller flushes and checks the stream.
+/// Pure SPICE up to `.end`, where every other simulator ceases to read: behind it
+/// `Answer::printed` adds commands to ngspice (`.control` ... `.endc`), which print an operating
+/// point or the real parts of a single frequency, whatever simulator `ngbehavior` makes it follow.
+/// Numbers are the shortest text that reads back as the same double: six digits would cost 4e-3 in
+/// the answer at alpha = 1e-6. The caller flushes and checks the stream.
 ///
 /// @throw std::invalid_argument  an element is not finite, a conductance is 0, a node or
 ///                               sub-circuit does not exist, the header has a line break, or an

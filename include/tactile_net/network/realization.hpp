@@ -40,7 +40,9 @@ struct NetworkProblem {
   Matrix kernel{};                   ///< K: weighted, with the pitch
   Matrix stabiliser{};               ///< R = alpha (l^2/D^2 Q + I)
   std::vector<double> readings{};    ///< g, weighted
-  std::vector<std::string> names{};  ///< of the nodes; none: n0, n1, ...
+  /// Of the nodes; none: n0, n1, ... Each is one word of ASCII letters, digits, _ and . that no
+  /// other node has, whatever its case, nodes of the circuit's own (s0, e0, ...) included.
+  std::vector<std::string> names{};
 };
 
 /// @throw std::invalid_argument  alpha is not > 0 and finite, readings have the wrong size
@@ -79,10 +81,13 @@ enum class TheoremCondition {
   no_input_capacitance,           ///< none at the op-amps' inverting inputs
   no_inverter_input_capacitance,  ///< none at the inverters' inputs
   no_second_pole,                 ///< of the op-amps
-  /// No capacitance at inverting inputs; or one pole, and dividers of 1/(2 W C) at most.
+  /// No capacitance at inverting inputs; or one pole, and dividers of 1/(W C (1 + sqrt(1 + 1/A)))
+  /// at most, A the gain: 1/(2 W C) where it is large.
   divider_fast_enough,
   /// No second pole; or no capacitance at summing nodes; or the pole at or above the bandwidth.
   second_pole_beyond_bandwidth,
+  /// No capacitance at inputs; or no second pole; or the pole at or above twice the bandwidth.
+  second_pole_beyond_twice_bandwidth,
   lag_within_bound,  ///< of capacitance and second poles together
   /// Capacitance at nodes that nothing drives; or a second pole and capacitance at inputs.
   one_lag,
@@ -159,7 +164,8 @@ struct RealizationTraits {
 /// src/network/realizations.
 ///
 /// @throw std::invalid_argument  sizes differ, a value is not finite, P is not symmetric, K is zero
-///                               where it is used, or an option is out of range
+///                               where it is used, a node's name cannot be used, or an option is
+///                               out of range
 [[nodiscard]] Circuit realize(Realization realization, const NetworkProblem& problem,
                               const RealizationOptions& options = {});
 

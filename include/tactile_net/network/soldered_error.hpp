@@ -1,6 +1,6 @@
 /// @file
-/// What the parts of one circuit do to its answer under several loads: to first order, exactly, and
-/// by draws.
+/// What the parts of one circuit do to its answer under several loads, resistors and op-amps: to
+/// first order, exactly, and by draws.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tactile_net/network/reduction.hpp"
+#include "tactile_net/network/static_errors.hpp"
 
 namespace tactile_net {
 
@@ -22,6 +23,12 @@ struct ResistorChange {
   double relative = 0.0;
 };
 
+/// The op-amps that a network is built with.
+struct BuiltOpAmps {
+  OpAmpErrors errors{};  ///< under the network's loads; of none: ideal ones
+  double balance = 0.0;  ///< as `ToleranceOptions::balance`; 0: outputs are exact opposites
+};
+
 /// A network's nominal answers under several loads, and what leads to them. Errors are relative to
 /// each answer's 2-norm; of several loads they are root mean squares.
 class LoadedNetwork {
@@ -30,7 +37,7 @@ class LoadedNetwork {
   ///
   /// @throw std::invalid_argument  there is no load, or one has another size
   /// @throw std::domain_error      the network has no unique answer, or it is 0 under a load
-  LoadedNetwork(const Reduction& reduction, std::span<const Load> loads);
+  LoadedNetwork(const Reduction& reduction, std::span<const Load> loads, BuiltOpAmps opamps = {});
   LoadedNetwork(LoadedNetwork&&) noexcept;
   ~LoadedNetwork();
 
@@ -45,11 +52,14 @@ class LoadedNetwork {
   /// Of the network with other conductances [S]; infinite where they leave no answer.
   [[nodiscard]] double error(std::span<const double> siemens) const;
 
+  /// What the op-amps do by themselves.
+  [[nodiscard]] OpAmpShares opamp_shares() const;
+
   /// Errors of builds, ascending: each resistor within its tolerance of what is printed on it,
-  /// drawn as `tactile_net::drawn` does; infinite: unstable.
+  /// drawn as `tactile_net::drawn` does, and the op-amps as `OpAmpErrors` says; infinite: unstable.
   ///
   /// @param printed     [S], as `Reduction::siemens()`
-  /// @param tolerances  as many, > 0 and < 1
+  /// @param tolerances  as many, >= 0 and < 1
   [[nodiscard]] std::vector<double> builds(std::span<const double> printed,
                                            std::span<const double> tolerances, std::size_t count,
                                            std::uint64_t seed) const;

@@ -2,7 +2,12 @@
 /// What real op-amps do to a circuit's answer at rest.
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "tactile_net/network/flat_circuit.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
 
@@ -27,5 +32,48 @@ struct StaticErrors {
 /// @throw std::invalid_argument  as `operating_voltages`
 /// @throw std::domain_error      as `operating_voltages`, or the circuit rests at 0
 [[nodiscard]] StaticErrors static_errors(const FlatCircuit& circuit);
+
+/// What op-amps add to the outputs at rest [V], to first order: beside what resistors do, whatever
+/// those are. The balance of complementary outputs is not among it: it is part of a build's
+/// equations (`Reduction::assemble`).
+struct OpAmpErrors {
+  /// An output a row, an op-amp a column: what its own offset makes, drawn with the stated one as
+  /// standard deviation. Empty: the op-amps have none.
+  Matrix offset{};
+  Matrix bias_current{};  ///< the same of every input, two an op-amp
+  /// What every build has; empty: nothing.
+  struct Shift {
+    std::vector<double> gain{};
+    std::vector<double> common_mode{};
+    std::vector<double> output_resistance{};
+  };
+  std::vector<Shift> shifts{};  ///< under each load
+};
+
+/// Root mean squares of the relative errors that op-amps make by themselves, to first order.
+struct OpAmpShares {
+  double offset = 0.0;
+  double bias_current = 0.0;
+  double balance = 0.0;
+  double gain = 0.0;
+  double common_mode = 0.0;
+  double output_resistance = 0.0;
+  /// Of all of them: squares of what is drawn add up, what every build has adds up itself.
+  double total = 0.0;
+};
+
+/// @param loads  sources in place of the circuit's own, a set a load
+/// @throw std::invalid_argument, std::domain_error  as `operating_voltages`
+[[nodiscard]] OpAmpErrors opamp_errors(const FlatCircuit& circuit,
+                                       std::span<const std::vector<CurrentSource>> loads);
+
+/// All that every build has under that load, an entry an output [V].
+[[nodiscard]] std::vector<double> total_shift(const OpAmpErrors& errors, std::size_t load,
+                                              std::size_t outputs);
+
+/// But for the balance.
+///
+/// @param size  2-norm of the answer under that load [V], > 0
+[[nodiscard]] OpAmpShares shares(const OpAmpErrors& errors, std::size_t load, double size);
 
 }  // namespace tactile_net

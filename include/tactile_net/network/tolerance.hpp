@@ -12,8 +12,11 @@
 
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/reduction.hpp"
+#include "tactile_net/network/static_errors.hpp"
 
 namespace tactile_net {
+
+class NetworkCircuit;
 
 /// Preferred values of resistors (IEC 60063): 12, 24, ... a decade.
 enum class Series { e12 = 12, e24 = 24, e48 = 48, e96 = 96, e192 = 192 };
@@ -30,7 +33,8 @@ struct ToleranceOptions {
   /// Of a circuit's stabiliser, its resistors Rs..., in place of `relative`.
   std::optional<double> stabiliser{};
   /// How far complementary outputs are off each other's opposite, uniform within +-balance, each
-  /// op-amp's own, 0 < balance < 1. Not in `drawn`, which is of resistors.
+  /// op-amp's own, 0 < balance < 1. Not in `drawn`, which is of resistors alone, as it is without
+  /// what else op-amps do.
   std::optional<double> balance{};
   /// Of each resistor, as `Reduction::resistors()`, in place of `relative`; empty: all alike.
   std::vector<double> each{};
@@ -110,10 +114,20 @@ struct ToleranceResult {
   }
 };
 
+/// @param opamps  what the op-amps do beside the resistors, under the circuit's own load; of none:
+///                ideal ones, but for `ToleranceOptions::balance`
 /// @throw std::invalid_argument  an option is out of range; `bits`, `cell_noise` or
 ///                               `wire_resistance` for a circuit without arrays
 ///                               (`wire_resistance`: with inverters)
 /// @throw std::domain_error      the nominal network has no unique answer
-[[nodiscard]] ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options);
+[[nodiscard]] ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& options,
+                                       const OpAmpErrors& opamps = {});
+
+/// With the circuit's own op-amps: their offsets, bias currents, finite gain, common-mode rejection
+/// and output resistance are in every build.
+///
+/// @throw std::invalid_argument, std::domain_error  as above
+[[nodiscard]] ToleranceResult tolerate(const NetworkCircuit& circuit,
+                                       const ToleranceOptions& options);
 
 }  // namespace tactile_net

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/scene/scene.hpp"
@@ -25,6 +26,10 @@ struct PadLayout {
   /// The picture's x of a place y along the surface.
   [[nodiscard]] double at(double y) const noexcept { return 0.5 * width + scale * (y - middle); }
 };
+
+/// What a picture along the surface has below it: y at its first end, in its middle and at its last
+/// end, with the unit.
+[[nodiscard]] std::vector<std::string> ends_of_surface(const Scene& scene);
 
 /// Down to a layer's base, or on a half plane to twice the deepest taxel; at least a tenth of the
 /// width is left for the pad, so that a long thin array is drawn deeper than it is.

@@ -77,11 +77,18 @@ enum class InstructionSet { baseline, avx2, avx512 };
 /// Holds a plan, made ready, and the scratch of one thread.
 ///
 /// The constructor does all that allocates, throws or is slow. `update` and the other `noexcept`
-/// members are for the control loop: no allocation, no lock, no system call, no exception, a fixed
-/// number of operations. One object a thread and patch; copies share the plan's matrices.
+/// members are for the control loop: no allocation, no lock, no system call, no exception, a
+/// bounded number of operations. Of a line it is fixed, but for the few that a contact alone takes;
+/// of a skin the search for what touches follows the frame, and looks at each cell and its eight
+/// neighbours twice at most. One object a thread and patch; copies share the plan's matrices.
+///
+/// A host may trap floating-point exceptions: no frame, NaN, infinities and too large numbers
+/// included, raises that of an invalid operation, of a division by zero or of an overflow. Only a
+/// signalling NaN does, and normal tractions whose sum is 1e300 times smaller than they are.
 class ContactEstimator {
  public:
   static constexpr std::size_t most_dead_taxels = 8;
+  static constexpr std::size_t most_dead_readings = 512;  ///< of those taxels
   /// Share of a dead reading's variance that must be left to the others: below, they cannot tell.
   static constexpr double least_pivot = 1e-3;
   /// Taxels at each end that are never called outliers: a load beyond the array looks just so.
@@ -131,7 +138,8 @@ class ContactEstimator {
   /// the plan's own baseline, which is zero unless the plan is for raw numbers: such a frame is one
   /// of no load then, whatever offset the calibration had. What a dead taxel reads is taken if it
   /// is finite, for the day it lives again.
-  /// @return not `ok`: the old baseline stays
+  /// @return not `ok`: the old baseline stays; `too_large`: a value is beyond 2^969, and a reading
+  ///         less it might overflow
   FrameStatus set_baseline(std::span<const double> readings) noexcept;
 
   /// From the next frame on, leaves a taxel out: all of its channels. The answer is the minimiser
@@ -140,8 +148,8 @@ class ContactEstimator {
   /// O(readings) more per frame and dead reading.
   ///
   /// @return false, and nothing changes: the plan has no prediction, `taxel` is not < count, more
-  ///         than `most_dead_taxels`, the last one that lives, or the others cannot predict it
-  ///         (make a new plan, without it)
+  ///         than `most_dead_taxels` or `most_dead_readings`, the last one that lives, or the
+  ///         others cannot predict it (make a new plan, without it)
   bool set_dead(std::size_t taxel) noexcept;
   /// All taxels that `set_dead` left out count again.
   void revive() noexcept;

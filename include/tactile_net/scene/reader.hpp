@@ -13,6 +13,7 @@
 #include <string_view>
 #include <variant>
 
+#include "tactile_net/scene/any_scene.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/scene.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
@@ -26,9 +27,6 @@ namespace tactile_net {
 
 /// As `read_scene`, from text already in memory; `file` is the name in messages.
 [[nodiscard]] Scene parse_scene(std::string_view toml, const std::string& file);
-
-/// A line array or a skin.
-using AnyScene = std::variant<Scene, SkinScene>;
 
 /// As `read_scene`, of either kind. Which it is the table [sensor] tells: a skin has rows and
 /// columns, or a file of taxels with a column z.

@@ -2,6 +2,7 @@
 /// What the numbers of a scene and of its recordings are measured in: the table [units].
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -42,6 +43,16 @@ struct Unit {
 
 /// The units of a dimension, from small to large; "um" and "µm" are two spellings of one.
 [[nodiscard]] std::span<const Unit> units_of(Dimension dimension) noexcept;
+
+/// The unit of a dimension that a text names, in any usual spelling: "kgf/cm2", "μm"; nothing: it
+/// names none.
+[[nodiscard]] std::optional<Unit> unit_named(Dimension dimension, std::string_view text);
+
+/// What a unit's name measures; nothing: it is not known.
+[[nodiscard]] std::optional<Dimension> dimension_named(std::string_view text);
+
+/// "length", "stress", "force", of a strain "number".
+[[nodiscard]] std::string_view name(Dimension dimension) noexcept;
 
 /// "m", "Pa", "N/m", "".
 [[nodiscard]] std::string_view si_unit(Dimension dimension) noexcept;

@@ -107,4 +107,9 @@ void check(const SensorArray& array);
 /// @throw std::invalid_argument  the array is uneven
 void require_even(const SensorArray& array, std::string_view asks);
 
+/// Its number, as `taxel_name` of a skin.
+[[nodiscard]] inline std::string taxel_name(const SensorArray& /*array*/, std::size_t taxel) {
+  return std::to_string(taxel);
+}
+
 }  // namespace tactile_net

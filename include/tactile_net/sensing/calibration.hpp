@@ -24,12 +24,16 @@ struct Calibration {
   std::vector<double> offset{};    ///< [unit of the reading]
   /// Whose mean is the baseline, reading by reading; until they are read `baseline` is 0.
   std::optional<FrameRange> baseline_frames{};
+  std::vector<double> missing{};  ///< raw numbers that stand for a value that is missing: 65535
 };
+
+/// Whether a raw number is a code for a missing value.
+[[nodiscard]] bool is_missing(const Calibration& calibration, double number) noexcept;
 
 /// @throw std::invalid_argument  not so many values of each kind, one is not finite, a gain is 0
 void check(const Calibration& calibration, std::size_t readings);
 
-/// Raw numbers to readings, in place; NaN stays NaN.
+/// Raw numbers to readings, in place; NaN stays NaN, and codes for missing values become it.
 ///
 /// @pre  the calibration has one value of each kind per number
 void calibrate(const Calibration& calibration, std::span<double> numbers) noexcept;

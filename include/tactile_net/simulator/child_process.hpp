@@ -14,9 +14,10 @@
 namespace tactile_net {
 
 struct ProcessOptions {
-  std::filesystem::path folder{};    ///< working directory; empty: the caller's
-  std::string input{};               ///< written to its standard input
-  std::vector<std::string> unset{};  ///< environment variables to hide from it
+  std::filesystem::path folder{};       ///< working directory; empty: the caller's
+  std::string input{};                  ///< written to its standard input
+  std::vector<std::string> unset{};     ///< environment variables to hide from it
+  std::vector<std::string> defaults{};  ///< "NAME=value": given to it where the caller has no NAME
   /// Wall time; then it and its children are killed. Its processors' time is limited by this too,
   /// times their number.
   std::chrono::milliseconds time_limit{60'000};
@@ -38,9 +39,12 @@ struct ProcessResult {
   double seconds = 0.0;  ///< wall time
 };
 
-/// Runs `command` (program, arguments; the program is looked up in PATH) and waits for its end.
+/// Runs `command` (program, arguments; the program is looked up in PATH) and waits for its end. The
+/// caller may ignore SIGCHLD, or have a handler that collects all children.
 ///
-/// @throw std::system_error  the system gave no pipe or process
+/// @throw std::system_error   the system gave no pipe or process
+/// @throw std::runtime_error  SIGCHLD is as the system sets it, and yet a thread of the caller has
+///                            collected the program's end
 [[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command,
                                         const ProcessOptions& options = {});
 

@@ -23,7 +23,8 @@ namespace tactile_net {
 /// @pre  degrees > 0, 0 < alarms < 1
 [[nodiscard]] double noise_square_limit(double degrees, double alarms);
 
-/// The largest reading with a weight, or the mean normal traction, over its limit.
+/// The largest reading with a weight, without its channel's offset where that is unknown, or the
+/// mean normal traction, over its limit.
 /// @pre  sizes are the problem's
 [[nodiscard]] double frame_strain(const SkinProblem& problem, const DataLimits& limits,
                                   std::span<const double> readings,

@@ -36,7 +36,8 @@ class SkinFamily {
   SkinFamily(SkinFamily&&) noexcept;
   SkinFamily& operator=(SkinFamily&&) noexcept;
 
-  /// gamma, class after class: as many in all as readings or tractions, whichever are fewer.
+  /// gamma, class after class: as many in each as it has readings or tractions, whichever are
+  /// fewer. None where no reading depends on the tractions.
   [[nodiscard]] std::span<const double> singular_values() const noexcept;
 
   /// Into how many the problem falls: 1, 2 or 4.
@@ -58,7 +59,7 @@ class SkinFamily {
   [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;
 
   /// The minimiser for one alpha [Pa]: normal tractions of all cells, then tangential ones.
-  /// @throw std::invalid_argument  alpha is not > 0 and finite
+  /// @throw std::invalid_argument  alpha is not > 0 and finite; the frame is of another family
   [[nodiscard]] std::vector<double> solve(const FilterFrame& frame, double alpha) const;
 
   /// The matrix of that map, for many frames with one alpha.

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/skin/array.hpp"
 #include "tactile_net/skin/grid.hpp"
@@ -64,9 +65,6 @@ struct SkinProblemOptions {
 /// channel.
 [[nodiscard]] bool is_measured(const SkinArray& skin, std::span<const std::size_t> dead_taxels,
                                bool unknown_offsets);
-
-/// Numbers of K, at most: 1 GB.
-inline constexpr std::size_t most_kernel_entries = std::size_t{1} << 27;
 
 /// @throw std::invalid_argument  the skin, the material or an option is out of range, as
 /// `make_problem`

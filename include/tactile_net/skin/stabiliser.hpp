@@ -1,6 +1,9 @@
 /// @file
-/// The stabiliser of a skin's problem as a matrix, for circuits: few of its entries are not zero.
+/// The stabiliser of a skin's problem: as a matrix, for circuits, few of whose entries are not
+/// zero; and as what is known of tractions before anything is read.
 #pragma once
+
+#include <span>
 
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/skin/problem.hpp"
@@ -12,5 +15,13 @@ namespace tactile_net {
 ///
 /// @throw std::invalid_argument  alpha is not > 0 and finite
 [[nodiscard]] Matrix stabiliser_matrix(const SkinProblem& problem, double alpha);
+
+/// sqrt(s' (alpha L'L)^-1 s): the deviation of a sum of tractions by the prior alone, over the
+/// noise's rms, before anything is read. O(cells x (rows + columns)).
+///
+/// @param weights  s, components x cells
+/// @throw std::invalid_argument  alpha is not > 0 and finite; the size does not fit
+[[nodiscard]] double prior_deviation(const SkinProblem& problem, std::span<const double> weights,
+                                     double alpha);
 
 }  // namespace tactile_net

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lab/check/checked_sensor.hpp"
+#include "lab/check/code_track.hpp"
 #include "lab/check/pattern_solver.hpp"
 #include "lab/check/rest.hpp"
 #include "lab/check/spike_track.hpp"
@@ -41,6 +42,12 @@ struct Evidence {
 /// noise of the others. Saturated ones stay alive: what they read below their
 /// limit is right.
 [[nodiscard]] StillNoise judge_taxels(Evidence& evidence, Findings& findings);
+
+/// Numbers that stand for values that are missing: the same, again and again, far from all others,
+/// while nothing happens beside them. Not to be asked of an array so coarse that one taxel alone
+/// may feel a load.
+void judge_codes(const Evidence& evidence, const CodeTrack& track, const AnyScene& scene,
+                 Findings& findings);
 
 /// Taxels that jump for single frames.
 void judge_spikes(const Evidence& evidence, const StillNoise& noise, PatternSolver& solver,

@@ -88,8 +88,8 @@ Circuit lattice_circuit(const NetworkProblem& problem, const RealizationOptions&
 }
 
 constexpr TheoremCondition lattice_conditions[] = {
-    TheoremCondition::definite, TheoremCondition::no_input_capacitance, TheoremCondition::one_lag,
-    TheoremCondition::no_output_resistance};
+    TheoremCondition::definite, TheoremCondition::one_lag,
+    TheoremCondition::second_pole_beyond_twice_bandwidth, TheoremCondition::no_output_resistance};
 constexpr TheoremCondition lattice_conditions_with_inverters[] = {
     TheoremCondition::complementary_outputs, TheoremCondition::definite};
 constexpr TheoremCondition lattice_conditions_of_slewing[] = {
@@ -98,8 +98,9 @@ constexpr TheoremCondition lattice_conditions_of_slewing[] = {
     TheoremCondition::no_node_capacitance,   TheoremCondition::no_output_resistance};
 
 constexpr std::string_view statement =
-    "Op-amps of equal bandwidth with complementary outputs: stable for any second pole, or for any "
-    "capacitance at the residuals' nodes.";
+    "Op-amps of equal bandwidth with complementary outputs: stable for any capacitance at their "
+    "inputs with second poles of twice the bandwidth or more, for any second pole without such "
+    "capacitance, or with one pole for any capacitance at the residuals' nodes.";
 
 }  // namespace
 
@@ -113,8 +114,9 @@ constexpr RealizationTraits lattice_traits{
     .theorem = {"T7", statement, lattice_conditions},
     .theorem_with_inverters = {"T7", statement, lattice_conditions_with_inverters},
     .theorem_of_slewing = {"T8",
-                           "Op-amps of one slew and one bandwidth, with complementary outputs: the "
-                           "circuit comes to its answer from everywhere, however far it slews.",
+                           "Op-amps of one slew, one bandwidth and a gain that is taken for "
+                           "infinite, with complementary outputs: the circuit comes to its answer "
+                           "from everywhere, however far it slews.",
                            lattice_conditions_of_slewing},
     .bandwidth_ratio = [](const RealizationOptions&) { return 0.5; },
     .build = lattice_circuit};

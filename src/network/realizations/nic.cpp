@@ -52,7 +52,8 @@ constexpr RealizationTraits nic_traits{
     .theorem = {"T1",
                 "Converters with '+' at the network's nodes: stable for any node capacitance, any "
                 "bandwidths and any second poles if and only if P is positive definite; with one "
-                "pole for any capacitance at inverting inputs up to 1/(2 W r) too.",
+                "pole for any capacitance at inverting inputs up to 1/(W r (1 + sqrt(1 + 1/A))) "
+                "too, A the gain.",
                 nic_conditions},
     .build = nic_circuit};
 

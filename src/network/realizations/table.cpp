@@ -2,6 +2,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "network/node_names.hpp"
 #include "network/realizations/traits.hpp"
 
 namespace tactile_net {
@@ -54,6 +55,7 @@ Circuit realize(Realization realization, const NetworkProblem& problem,
     throw std::invalid_argument("a circuit's nodes need a name each, or none");
   for (std::size_t i = 0; i < problem.names.size(); ++i)
     circuit.nodes[circuit.outputs[i]] = problem.names[i];
+  check_node_names(circuit);
   return circuit;
 }
 

@@ -13,11 +13,9 @@ namespace {
 
 Json clock_json(const lab::RecordingClock& clock) {
   if (clock.timed == 0) return nullptr;
-  return {{"first", clock.first},
-          {"last", clock.last},
-          {"rate", number_or_null(clock.rate())},
-          {"longest_step", clock.longest},
-          {"backwards", clock.backwards},
+  return {{"first", clock.first},           {"last", clock.last},
+          {"in_seconds", clock.in_seconds}, {"rate", number_or_null(clock.rate())},
+          {"longest_step", clock.longest},  {"backwards", clock.backwards},
           {"repeats", clock.repeats}};
 }
 

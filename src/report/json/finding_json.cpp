@@ -9,11 +9,19 @@ namespace finding = lab::finding;
 
 // The numbers of each kind.
 Json numbers(const finding::NoFrames&) { return Json::object(); }
-Json numbers(const finding::TimeBackwards& f) { return {{"count", f.count}, {"first", f.first}}; }
+Json numbers(const finding::TimeBackwards& f) {
+  return {{"count", f.count}, {"first", f.first}, {"rollovers", f.rollovers}};
+}
 Json numbers(const finding::TimeRepeats& f) { return {{"count", f.count}, {"first", f.first}}; }
 Json numbers(const finding::FramesRepeat& f) { return {{"frames", runs_json(f.frames)}}; }
 Json numbers(const finding::ValuesMissing& f) {
   return {{"values", f.values}, {"frames", runs_json(f.frames)}, {"taxels", f.taxels}};
+}
+Json numbers(const finding::CodesForMissing& f) {
+  Json codes = Json::array();
+  for (const finding::CodesForMissing::Code& code : f.codes)
+    codes.push_back({{"number", code.number}, {"fields", code.fields}, {"frames", code.frames}});
+  return {{"codes", codes}};
 }
 Json numbers(const finding::DeadTaxels& f) { return {{"taxels", f.taxels}}; }
 Json numbers(const finding::StuckTaxels& f) {

@@ -121,7 +121,7 @@ Json parts_json(const lab::PartsList& list) {
   for (const auto& one : list.candidates) {
     candidates.push_back({{"realization", name(one.realization)},
                           {"opamps", one.opamps},
-                          {"stable_with_opamps", one.stable},
+                          {"stable_with_opamps", one.stable()},
                           {"met", one.list.met},
                           {"counts", one.list.counts},
                           {"price", one.price},
@@ -129,7 +129,12 @@ Json parts_json(const lab::PartsList& list) {
                           {"rounding", one.rounding},
                           {"resistors_price", one.resistors_price},
                           {"resistors_price_bound", one.resistors_bound},
-                          {"p95_error", one.p95 ? finite_or_null(*one.p95) : Json(nullptr)}});
+                          {"opamps_error", one.opamps_alone.total},
+                          {"opamps_p95_error", finite_or_null(one.opamps_p95)},
+                          {"p95_error", one.p95 ? finite_or_null(*one.p95) : Json(nullptr)},
+                          {"builds", one.builds},
+                          {"within", one.within},
+                          {"share_within", {one.interval().first, one.interval().second}}});
     if (one.ladder) candidates.back()["ladder"] = true;
   }
   Json json = {{"target", list.wanted.target},
@@ -201,7 +206,7 @@ std::string certificate_json(const lab::Certification& c) {
     Json row = tolerance_json(one.tolerance);
     row["realization"] = name(one.realization);
     row["opamps"] = one.opamps;
-    row["stable_with_opamps"] = one.stable;
+    row["stable_with_opamps"] = one.stable();
     if (one.ladder) row["ladder"] = true;
     candidates.push_back(row);
   }

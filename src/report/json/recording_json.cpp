@@ -104,7 +104,7 @@ std::string recording_json(const lab::RecordingOverview& overview) {
     said.push_back({{"time", group_place(overview, group)},
                     {"clock", group_clock(group)},
                     {"answer", drawing::typeset(group_answer(overview, group))},
-                    {"trust", group_distrust(group)}});
+                    {"trust", group_distrust(overview, group)}});
   }
   json["said"] = std::move(said);
   json["field"] = field_json(overview);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "report/words/calibration_parts.hpp"
+#include "report/words/check_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -71,10 +73,12 @@ void say_doubtful_readings(const lab::SceneCalibration& found, std::vector<std::
   const PressFit& fit = found.fit;
   const std::vector<std::string>& names = found.readings;
   for (const std::size_t j : fit.doubtful_readings)
-    text.push_back("The gain of " + names[j] + " ended at " + brief(fit.gains[j]) +
-                   ", far from the others': a dead, stuck or loose taxel? List taxel " +
-                   std::to_string(found.sites[j].taxel) +
-                   " in [dead_taxels], or state a larger gain_sd.");
+    text.push_back(
+        "The gain of " + names[j] + " ended at " + brief(fit.gains[j]) +
+        ", far from the others': a dead, stuck or loose taxel? List taxel " +
+        std::visit([&](const auto& scene) { return index_of(scene, found.sites[j].taxel); },
+                   found.scene) +
+        " in [dead_taxels], or state a larger gain_sd.");
 }
 
 /// "forces", "half widths" of presses.

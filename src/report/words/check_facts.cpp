@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 #include <variant>
 
@@ -14,7 +16,17 @@ std::string recording_extent_in_words(const lab::ReadingsCheck& check, std::size
                      " of " + std::to_string(readings) + " readings";
   const lab::RecordingClock& clock = check.clock;
   if (clock.timed == 0) return text + ", without times";
-  text += ", t from " + brief(clock.first, 6) + " to " + brief(clock.last, 6) + " s";
+  // As many digits as tell them apart: seconds since 1970 have ten before the point.
+  int digits = 6;
+  while (digits < 15 && clock.first != clock.last &&
+         std::abs(std::max(std::abs(clock.first), std::abs(clock.last))) *
+                 std::pow(10.0, 3 - digits) >
+             std::abs(clock.last - clock.first))
+    ++digits;
+  text += ", t from " + brief(clock.first, digits) + " to " + brief(clock.last, digits);
+  if (!clock.in_seconds)
+    return text + " of no stated unit: name the column t_s, t_ms, t_us or t_ns for a rate";
+  text += " s";
   if (const auto rate = clock.rate()) {
     text += ", " + brief(*rate, 4) + " frames/s";
     if (clock.longest > 3.0 / *rate)

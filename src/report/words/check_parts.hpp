@@ -12,12 +12,12 @@
 
 namespace tactile_net::report {
 
-/// A taxel's number, of a skin its row and column or its name.
-[[nodiscard]] inline std::string named(const Scene&, std::size_t taxel) {
-  return std::to_string(taxel);
-}
-[[nodiscard]] inline std::string named(const SkinScene& scene, std::size_t taxel) {
+/// How [dead_taxels] names a taxel.
+[[nodiscard]] inline std::string index_of(const Scene& scene, std::size_t taxel) {
   return taxel_name(scene.sensor, taxel);
+}
+[[nodiscard]] inline std::string index_of(const SkinScene& scene, std::size_t taxel) {
+  return '"' + taxel_name(scene.sensor, taxel) + '"';
 }
 [[nodiscard]] inline std::size_t taxels_of(const Scene& scene) { return scene.sensor.count; }
 [[nodiscard]] inline std::size_t taxels_of(const SkinScene& scene) {

@@ -17,7 +17,7 @@ using Indices = std::vector<std::size_t>;
 
 std::string taxels(const auto& scene, const Indices& indices, const char* does, const char* do_) {
   std::vector<std::string> names;
-  for (const std::size_t index : indices) names.push_back(named(scene, index));
+  for (const std::size_t index : indices) names.push_back(taxel_name(scene.sensor, index));
   return (indices.size() == 1 ? "taxel " : "taxels ") + join(names, ", ") + ' ' +
          (indices.size() == 1 ? does : do_);
 }
@@ -32,12 +32,6 @@ std::vector<double> baseline_of(const finding::Baseline& found, const Scene& sce
   if (scene.calibration)
     for (std::size_t i = 0; i < readings.size(); ++i) readings[i] += scene.calibration->offset[i];
   return raw_numbers(scene, readings);
-}
-
-/// How [dead_taxels] names a taxel.
-std::string index_of(const Scene& scene, std::size_t taxel) { return named(scene, taxel); }
-std::string index_of(const SkinScene& scene, std::size_t taxel) {
-  return '"' + named(scene, taxel) + '"';
 }
 
 std::string dead_advice(const Indices& found, const auto& scene) {
@@ -60,20 +54,26 @@ struct Words {
 };
 
 // --- frames
-// -------------------------------------------------------------------------------------
 
 Words say(const finding::NoFrames&, const auto&) {
   return {"the recording holds no frame", "was it closed before it was copied?"};
 }
 Words say(const finding::TimeBackwards& f, const auto&) {
-  return {"time runs backwards " + times(f.count) + ", first at frame " + std::to_string(f.first),
+  const std::string seen =
+      "time runs backwards " + times(f.count) + ", first at frame " + std::to_string(f.first);
+  if (f.rollovers > 0)
+    return {
+        seen + ": a counter of 32 bits that begins anew behind 2^32 - 1",
+        "add 4294967296 (2^32), in the counter's unit, to the times behind; forces do not depend "
+        "on it"};
+  return {seen,
           "are these several recordings in one file? Sort the rows by time, or "
           "cut the file there"};
 }
 Words say(const finding::TimeRepeats& f, const auto&) {
   return {"time stands still " + times(f.count) + ", first at frame " + std::to_string(f.first),
-          "rows may stand twice, or the clock is too coarse: write times with "
-          "more digits"};
+          "rows may stand twice, or the clock is too coarse: write times with more digits; seconds "
+          "and nanoseconds in two columns are joined by --columns t=1+2"};
 }
 Words say(const finding::FramesRepeat& f, const auto&) {
   return {std::to_string(f.frames.count()) +
@@ -96,8 +96,29 @@ Words say(const finding::ValuesMissing& f, const auto& scene) {
   return words;
 }
 
+Words say(const finding::CodesForMissing& f, const auto& scene) {
+  std::vector<std::string> seen;
+  std::vector<std::string> codes;
+  if (scene.calibration)
+    for (const double one : scene.calibration->missing) codes.push_back(shortest(one));
+  for (const finding::CodesForMissing::Code& code : f.codes) {
+    codes.push_back(shortest(code.number));
+    seen.push_back(codes.back() + " (in " + std::to_string(code.fields) + " fields" +
+                   (code.frames == 0 ? ""
+                    : code.frames == 1
+                        ? ", one whole frame among them"
+                        : ", " + std::to_string(code.frames) + " whole frames among them") +
+                   ")");
+  }
+  return {join(seen, ", ") + (f.codes.size() == 1 ? " stands" : " stand") +
+              " far from all other numbers: codes for missing values? Nothing else was judged",
+          "under [calibration], missing = [" + join(codes, ", ") +
+              "]: these fields are then gaps, which solve --missing skips or estimates; or numbers "
+              "below zero "
+              "lost their sign (255 of a byte is -1). Then check again"};
+}
+
 // --- taxels
-// -------------------------------------------------------------------------------------
 
 Words say(const finding::DeadTaxels& f, const auto& scene) {
   if (f.taxels.size() == taxels_of(scene))
@@ -110,21 +131,23 @@ Words say(const finding::DeadTaxels& f, const auto& scene) {
           dead_advice(f.taxels, scene)};
 }
 Words say(const finding::StuckTaxels& f, const auto& scene) {
-  return {taxels(scene, f.taxels, "is", "are") + " stuck: taxel " + named(scene, f.worst) +
-              " holds one value for " + std::to_string(f.frames) + " frames, from frame " +
-              std::to_string(f.first) + " on, though the others change",
+  return {taxels(scene, f.taxels, "is", "are") + " stuck: taxel " +
+              taxel_name(scene.sensor, f.worst) + " holds one value for " +
+              std::to_string(f.frames) + " frames, from frame " + std::to_string(f.first) +
+              " on, though the others change",
           dead_advice(f.taxels, scene)};
 }
 Words say(const finding::NoisyTaxels& f, const auto& scene) {
-  return {taxels(scene, f.taxels, "is", "are") + " noisy: taxel " + named(scene, f.worst) +
-              " has " + brief(f.times) + " times the noise of the others",
+  return {taxels(scene, f.taxels, "is", "are") + " noisy: taxel " +
+              taxel_name(scene.sensor, f.worst) + " has " + brief(f.times) +
+              " times the noise of the others",
           dead_advice(f.taxels, scene) + "; or mend the contact"};
 }
 Words say(const finding::SingleFrameSpikes& f, const auto& scene) {
   return {taxels(scene, f.taxels, "jumps", "jump") + " for single frames, " +
               std::to_string(f.frames) + " at least, and those beside do not: by " +
-              brief(f.times) + " times the noise in taxel " + named(scene, f.worst) + ", frame " +
-              std::to_string(f.frame) + "; no load does that",
+              brief(f.times) + " times the noise in taxel " + taxel_name(scene.sensor, f.worst) +
+              ", frame " + std::to_string(f.frame) + "; no load does that",
           "a loose contact, or a bit lost on the way? empty these fields, and "
           "solve --missing "
           "estimate finds them from the other taxels; as they are, solve "
@@ -140,7 +163,6 @@ Words say(const finding::SaturatedTaxels& f, const auto& scene) {
 }
 
 // --- rest
-// ---------------------------------------------------------------------------------------
 
 std::string baseline_advice(const finding::Baseline&, const SkinScene&) {
   return "take the mean of frames without a load off the file's numbers; or "
@@ -187,7 +209,6 @@ Words say(const finding::Drift& f, const auto& scene) {
 }
 
 // --- noise and scale
-// ----------------------------------------------------------------------------
 
 Words say(const finding::NoiseTaken& f, const auto& scene) {
   const auto all = channels(scene.sensor);
@@ -254,7 +275,6 @@ Words say(const finding::ScaleBy1000& f, const auto& scene) {
 }
 
 // --- calibration
-// --------------------------------------------------------------------------------
 
 Words say(const finding::GainsChanged& f, const auto& scene) {
   const std::vector<std::string> names = reading_names(scene.sensor);
@@ -268,7 +288,6 @@ Words say(const finding::GainsChanged& f, const auto& scene) {
 }
 
 // --- sign, stiffness, geometry
-// ------------------------------------------------------------------
 
 Words say(const finding::WholePadPulled& f, const auto& scene) {
   return {"the whole pad is pulled in " + std::to_string(f.pulled) + " of " +

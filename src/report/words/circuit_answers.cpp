@@ -28,8 +28,7 @@ Answer stability(const lab::Certification& c) {
     case Stability::lossless:
       return {"rings", circuit + ", lossless: it has its answer at one frequency alone"};
     case Stability::not_modelled:
-      return {"not known", circuit + ": the op-amps have no bandwidth, and no theorem applies",
-              true};
+      return {"not known", circuit + ": " + unknown_in_words(certificate), true};
   }
   return {};
 }
@@ -38,8 +37,10 @@ Answer settling(const Certificate& certificate) {
   const auto& dynamics = certificate.dynamics;
   if (!dynamics || dynamics->settling_seconds.value_or(-1.0) == 0.0)
     return {"settling not known",
-            "neither op-amps with a bandwidth nor a capacitance are modelled, or more states than "
-            "are decomposed"};
+            certificate.unknown == UnknownStability::loaded_outputs
+                ? unknown_in_words(certificate)
+                : "neither op-amps with a bandwidth nor a capacitance are modelled, or more states "
+                  "than are decomposed"};
   if (!dynamics->settling_seconds) return {"never", "comes to rest", true};
   return {duration(*dynamics->settling_seconds),
           "to settle within " + percent(certificate.accuracy) + " after a step of all inputs"};
@@ -83,6 +84,8 @@ std::vector<Answer> answers(const lab::Certification& c) {
   } else if (r.outcome == Outcome::none_reaches) {
     all.push_back({"none reaches " + percent(r.drawn.accuracy),
                    "with such parts; " + chosen + " comes nearest", true});
+  } else if (r.outcome == Outcome::none_stable) {
+    all.push_back({"none is stable", "with the scene's op-amps: none is recommended", true});
   }
   return all;
 }

@@ -2,6 +2,7 @@
 
 #include "numeric/named.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -9,62 +10,65 @@ namespace {
 constexpr Named<DataDoubt> doubt_sentences[] = {
     {DataDoubt::implausible,
      "the readings would strain the pad by more than its own size: are they, or Young's modulus, "
-     "in "
-     "another unit"},
+     "in another unit"},
     {DataDoubt::pulls,
      "only tractions that pull explain the readings, and no contact pulls: is compression "
-     "positive, "
-     "is the baseline that of an unloaded pad, are pad and depth as stated"},
+     "positive, is the baseline that of an unloaded pad, are pad and depth as stated"},
     {DataDoubt::bad_taxel, "one taxel contradicts all others: list it under [dead_taxels]"},
     {DataDoubt::offset,
      "a channel reads a constant too much, or one load lies over the whole array: take the "
-     "baseline "
-     "anew"},
+     "baseline anew"},
     {DataDoubt::misfit,
      "no contact explains the readings within the noise stated: pad, depth, calibration or noise "
-     "is "
-     "not as the scene says"},
+     "is not as the scene says"},
 };
 
-std::string number_of(DataDoubt doubt, const DataVerdict& data) {
+std::string number_of(DataDoubt doubt, const lab::remark::DataDoubted& doubted) {
+  const DataVerdict& data = doubted.data;
   switch (doubt) {
     case DataDoubt::implausible:
       return " (strain " + brief(data.strain) + ")";
     case DataDoubt::bad_taxel:
-      return " (taxel " + std::to_string(data.taxel.value_or(0)) + ")";
-    case DataDoubt::offset: {
-      std::string list;
-      for (const double offset : data.offset) list += (list.empty() ? "" : ", ") + brief(offset);
-      return " (" + list + ")";
-    }
+      return " (taxel " + doubted.taxel + ")";
+    case DataDoubt::offset:
+      return " (" + in_words(doubted.offsets) + ")";
     case DataDoubt::pulls:
     case DataDoubt::misfit:
+      if (!(data.residual_limit > 0.0)) return {};  // the noise is not known
       return " (a contact leaves " + brief(data.residual_rms / data.residual_limit, 2) +
              " times what noise does)";
   }
   return {};
 }
 
-}  // namespace
-
-std::string_view in_words(DataDoubt doubt) noexcept { return name_in<doubt_sentences>(doubt); }
-
-std::string in_words(const DataVerdict& data) {
-  std::string text;
-  for (const DataDoubt doubt : data.doubts)
-    text += (text.empty() ? "" : "; ") + std::string(name(doubt)) + ": " +
-            std::string(in_words(doubt)) + number_of(doubt, data);
-  return text;
-}
-
-std::string data_word(const DataVerdict& data) {
+std::string word_of(const DataVerdict& data, const auto& name_of_taxel) {
   if (data.consistent()) return data.noise_known ? "ok" : "noise_unknown";
   std::string text;
   for (const DataDoubt doubt : data.doubts) {
     text += (text.empty() ? "" : "+") + std::string(name(doubt));
-    if (doubt == DataDoubt::bad_taxel && data.taxel) text += "_" + std::to_string(*data.taxel);
+    if (doubt == DataDoubt::bad_taxel && data.taxel) text += "_" + name_of_taxel(*data.taxel);
   }
   return text;
+}
+
+}  // namespace
+
+std::string_view in_words(DataDoubt doubt) noexcept { return name_in<doubt_sentences>(doubt); }
+
+std::string in_words(const lab::remark::DataDoubted& doubted) {
+  std::string text;
+  for (const DataDoubt doubt : doubted.data.doubts)
+    text += (text.empty() ? "" : "; ") + std::string(name(doubt)) + ": " +
+            std::string(in_words(doubt)) + number_of(doubt, doubted);
+  return text;
+}
+
+std::string data_word(const DataVerdict& data) {
+  return word_of(data, [](std::size_t taxel) { return std::to_string(taxel); });
+}
+
+std::string data_word(const DataVerdict& data, const SkinScene& scene) {
+  return word_of(data, [&](std::size_t taxel) { return taxel_name(scene.sensor, taxel); });
 }
 
 }  // namespace tactile_net::report

@@ -30,7 +30,7 @@ std::string stability_in_words(const Certificate& c) {
     case Stability::lossless:
       return "lossless: it rings for ever, and has its answer at one frequency alone";
     case Stability::not_modelled:
-      return "not known: the op-amps have no bandwidth, and no theorem's conditions are met";
+      return "not known: " + unknown_in_words(c);
   }
   return {};
 }
@@ -93,9 +93,12 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
     case TheoremCondition::no_second_pole:
       return "a second pole";
     case TheoremCondition::divider_fast_enough:
-      return "capacitance at inverting inputs beyond 1/(2 W r), or with a second pole";
+      return "capacitance at inverting inputs beyond 1/(W r (1 + sqrt(1 + 1/A))), or with a second "
+             "pole";
     case TheoremCondition::second_pole_beyond_bandwidth:
       return "capacitance at the summing nodes and a second pole below the bandwidth";
+    case TheoremCondition::second_pole_beyond_twice_bandwidth:
+      return "capacitance at the amplifiers' inputs and a second pole below twice the bandwidth";
     case TheoremCondition::lag_within_bound:
       return (unmet.lag.of_nodes ? "the lag of the ladder's nodes is "
                                  : "the lag of summing nodes and second poles is ") +
@@ -120,6 +123,20 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
 }
 
 }  // namespace
+
+std::string unknown_in_words(const Certificate& c) {
+  constexpr const char* no_theorem = ", and no theorem's conditions are met";
+  switch (c.unknown.value_or(UnknownStability::no_bandwidth)) {
+    case UnknownStability::no_bandwidth:
+      return std::string("the op-amps have no bandwidth") + no_theorem;
+    case UnknownStability::too_many_states:
+      return "it has more than " + std::to_string(most_states) +
+             " states, so its poles are not computed" + no_theorem;
+    case UnknownStability::loaded_outputs:
+      return "capacitance at outputs that have a resistance is not modelled";
+  }
+  return {};
+}
 
 std::string circuit_in_words(Realization realization, bool ladder) {
   return std::string(name(realization)) + (ladder ? " with a ladder" : "");
@@ -164,12 +181,20 @@ std::string in_words(const CircuitRemark& remark) {
     case Kind::capacitance_at_outputs:
       return "parasitic.node has no effect: the nodes are the amplifiers' outputs; parasitic.input "
              "is what loads their summing nodes";
+    case Kind::loaded_outputs:
+      return "parasitic.node would lie at the amplifiers' outputs, and with output_resistance make "
+             "a pole in every loop: capacitance at outputs is not modelled, so whether the circuit "
+             "is stable is not known";
+    case Kind::outputs_without_load:
+      return "capacitance at outputs, as of long lines or of a load, is not modelled: with "
+             "output_resistance it makes a pole in every loop, and what is said of stability is "
+             "for outputs without it";
     case Kind::capacitance_at_one_frequency:
       return "parasitic.node is left out: at one frequency it is part of each node's capacitor";
     case Kind::divider_rings:
       return "resistors of " + brief(remark.value) +
              " ohm at inverting inputs ring with their capacitance: divider = " +
-             brief(remark.repair) + " at most, 1/(2 W C)";
+             brief(remark.repair) + " at most, 1/(W C (1 + sqrt(1 + 1/A)))";
     case Kind::summing_lag: {
       std::string repair;
       if (remark.repair > 0.0) repair = "siemens = " + scale + " or more";
@@ -230,6 +255,8 @@ std::vector<std::string> in_words(const Certificate& c) {
                      : c.margin_for_one_bandwidth
                          ? ", for op-amps of one bandwidth"
                          : ", if the op-amps are fast against the network"));
+  else if (c.theorem.holds() && has_amplifiers(c.realization))
+    lines.push_back("for errors of components no margin is proven: draws and poles decide");
   std::string parts = elements_in_words(c.elements);
   if (c.greatest_ohm > 0.0)
     parts += "; resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) + " ohm";

@@ -34,8 +34,8 @@ std::string bound_in_words(ScaleProposal::Bound bound) {
   switch (bound) {
     case ScaleProposal::Bound::swing:
       return "the rail leaves no more";
-    case ScaleProposal::Bound::ten_volts:
-      return "10 V at the largest node";
+    case ScaleProposal::Bound::supply:
+      return "2 V at the largest node, for amplifiers of 5 V in all; give the rail of others";
     case ScaleProposal::Bound::slew:
       return "with more of them slewing would take over a fifth of the settling time";
     case ScaleProposal::Bound::current:
@@ -56,7 +56,7 @@ std::string proposal_in_words(const ScaleProposal& proposal, const Scale& scale)
 }
 
 constexpr Named<ScaleProposal::Bound> bounds[] = {{ScaleProposal::Bound::swing, "rail"},
-                                                  {ScaleProposal::Bound::ten_volts, "ten_volts"},
+                                                  {ScaleProposal::Bound::supply, "supply"},
                                                   {ScaleProposal::Bound::slew, "slew"},
                                                   {ScaleProposal::Bound::current, "current"}};
 

@@ -14,12 +14,43 @@
 namespace tactile_net::report {
 namespace {
 
-constexpr const char* opamp = "op-amp with two outputs";
+/// Parts that are bought: what is on the board but pins.
+std::vector<Footprint> bought_parts(const lab::PartsList& list) {
+  std::vector<Footprint> parts = board_of(list.choice->soldered).footprints;
+  std::erase_if(parts, [](const Footprint& one) { return one.kind == Footprint::Kind::pin; });
+  std::sort(parts.begin(), parts.end(), [](const Footprint& a, const Footprint& b) {
+    return std::pair(a.kind, a.number) < std::pair(b.kind, b.number);
+  });
+  return parts;
+}
 
-std::vector<std::string> opamps_of(const lab::PartsList::Choice& choice) {
-  std::vector<std::string> references;
-  for (const Instance& one : choice.soldered.circuit.instances) references.push_back(one.name);
-  return references;
+std::map<std::string, std::string> designators_of(const std::vector<Footprint>& parts) {
+  std::map<std::string, std::string> designators;  // by the deck's names
+  for (const Footprint& one : parts) designators[one.element] = one.reference();
+  return designators;
+}
+
+/// KiCad's name without that of the library it is in.
+std::string package_of(const Footprint& one) {
+  return one.library.substr(one.library.find(':') + 1);
+}
+
+std::string watts_in_words(const Footprint& one) {
+  return brief(one.watt) + " W where a part of this size carries " + brief(one.rated_watt) + " W";
+}
+
+/// Of resistors that would burn; empty: none would.
+std::string overload_in_words(const std::vector<Footprint>& parts) {
+  const auto count = std::count_if(parts.begin(), parts.end(),
+                                   [](const Footprint& one) { return one.overloaded(); });
+  if (count == 0) return {};
+  const auto worst = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+    return a.watt - a.rated_watt < b.watt - b.rated_watt;
+  });
+  return ". " + std::to_string(count) + (count == 1 ? " resistor takes" : " resistors take") +
+         " more power than a part of its size carries, " + worst->reference() + " (" +
+         worst->element + ") " + watts_in_words(*worst) +
+         ": choose a larger size for them, fewer siemens, or fewer volts";
 }
 
 /// How many of each class are bought, of a pair both.
@@ -34,10 +65,51 @@ std::string bought(const lab::PartsList& list) {
   return join(each, ", ");
 }
 
-std::string drawn(const lab::PartsList::Candidate& one) {
-  if (!one.stable) return "unstable with its op-amps";
+std::string drawn(const lab::PartsList& list, const lab::PartsList::Candidate& one) {
+  if (!one.stable()) return stability_with_opamps_in_words(one.stability.stability);
+  if (one.opamps_p95 > list.wanted.target)
+    return "its op-amps alone: " +
+           (std::isfinite(one.opamps_p95) ? percent(one.opamps_p95) : "unstable");
   if (!one.list.met) return "not with these classes";
   return std::isfinite(*one.p95) ? percent(*one.p95) : "unstable";
+}
+
+/// "offset 0.102 %, bias current 0.01 %": what of op-amps takes how much, root mean squares.
+std::string opamp_shares_in_words(const OpAmpShares& shares) {
+  std::vector<std::string> parts;
+  const auto add = [&](const char* of, double share) {
+    if (share > 0.0) parts.push_back(std::string(of) + ' ' + percent(share));
+  };
+  add("offset", shares.offset);
+  add("bias current", shares.bias_current);
+  add("balance", shares.balance);
+  add("finite gain", shares.gain);
+  add("common-mode rejection", shares.common_mode);
+  add("output resistance", shares.output_resistance);
+  return join(parts, ", ");
+}
+
+/// Why there is no list.
+std::string none_in_words(const lab::PartsList& list) {
+  const std::string target = percent(list.wanted.target);
+  const auto& all = list.candidates;
+  const auto stable = [](const auto& one) { return one.stable(); };
+  if (std::none_of(all.begin(), all.end(), stable))
+    return "No list of parts: no realisation is known to be stable with these op-amps and "
+           "capacitances. More siemens, or op-amps with less input capacitance, and certify says "
+           "of each why.";
+  if (!list.opamps_too_coarse())
+    return "No list of parts of these classes keeps 95 of 100 builds within " + target +
+           ": a larger alpha, or better parts.";
+  const auto best = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.stable() != b.stable() ? a.stable() : a.opamps_p95 < b.opamps_p95;
+  });
+  return "No resistors keep 95 of 100 builds within " + target +
+         ": the op-amps alone take more. Of " + circuit_in_words(best->realization, best->ladder) +
+         ", which they disturb least, 95 of 100 builds with exact resistors are within " +
+         percent(best->opamps_p95) +
+         " (root mean squares: " + opamp_shares_in_words(best->opamps_alone) +
+         "). More volts lower what offsets and bias currents do, better op-amps all of it.";
 }
 
 }  // namespace
@@ -53,16 +125,14 @@ std::vector<std::vector<std::string>> cells(const lab::PartsList& list) {
     for (const std::size_t count : one.list.counts) row.push_back(std::to_string(count));
     row.push_back(std::to_string(one.pairs));
     row.push_back(brief(one.price));
-    row.push_back(drawn(one));
+    row.push_back(drawn(list, one));
   }
   return rows;
 }
 
 std::string in_words(const lab::PartsList& list) {
   const std::string target = percent(list.wanted.target);
-  if (!list.choice)
-    return "No list of parts of these classes keeps 95 of 100 builds within " + target +
-           ": a larger alpha, or better parts.";
+  if (!list.choice) return none_in_words(list);
   const lab::PartsList::Candidate& chosen = list.chosen();
   std::string text =
       "For " + target +
@@ -83,6 +153,13 @@ std::string in_words(const lab::PartsList& list) {
     text += ", " + std::to_string(chosen.pairs) +
             " of them two parts in series or in parallel: to buy are " + bought(list);
   text += ". Rounding to them moves the answer by " + percent(chosen.rounding);
+  if (chosen.opamps_alone.total > 0.0)
+    text += ", the op-amps by " + percent(chosen.opamps_alone.total) +
+            " (root mean squares: " + opamp_shares_in_words(chosen.opamps_alone) + ")";
+  const auto [least, most] = chosen.interval();
+  text += ". Of " + std::to_string(chosen.builds) + " builds drawn anew with this list " +
+          std::to_string(chosen.within) + " are within " + target + ": of all, " + percent(least) +
+          " to " + percent(most) + " are";
   const auto& sold = list.choice->soldered.parts;
   const auto rare = std::count_if(sold.begin(), sold.end(),
                                   [](const SoldPart& one) { return !is_common(one.ohm); });
@@ -90,38 +167,49 @@ std::string in_words(const lab::PartsList& list) {
     text += ". " + std::to_string(rare) +
             " are below 1 ohm or above 10 megohm, which few shops have: siemens under [network] "
             "moves them all";
+  text += overload_in_words(bought_parts(list));
   if (list.loads > 1)
     text += ". Root mean squares over the contacts at " + std::to_string(list.loads) + " places";
   return text + ".";
 }
 
 std::string order_csv(const lab::PartsList& list) {
+  const std::vector<Footprint> parts = bought_parts(list);
+  const std::map<std::string, std::string> designators = designators_of(parts);
   std::string text = "ohm,tolerance,quantity,references,part\n";
-  for (const lab::OrderedPart& part : list.choice->order)
+  for (const lab::OrderedPart& part : list.choice->order) {
+    std::vector<std::string> references;
+    for (const std::string& element : part.references)
+      references.push_back(designators.at(element));
     text += shortest(part.ohm) + ',' + shortest(part.tolerance) + ',' +
-            std::to_string(part.references.size()) + ',' + join(part.references, " ") +
-            ",resistor\n";
-  const std::vector<std::string> opamps = opamps_of(*list.choice);
-  return text + ",," + std::to_string(opamps.size()) + ',' + join(opamps, " ") + ',' + opamp + '\n';
+            std::to_string(references.size()) + ',' + join(references, " ") + ",resistor\n";
+  }
+  std::map<std::string, std::vector<std::string>> amplifiers;  // by what they are
+  for (const Footprint& one : parts)
+    if (one.kind == Footprint::Kind::amplifier) amplifiers[one.value].push_back(one.reference());
+  for (const auto& [value, references] : amplifiers)
+    text +=
+        ",," + std::to_string(references.size()) + ',' + join(references, " ") + ',' + value + '\n';
+  return text;
 }
 
 std::string bill_csv(const lab::PartsList& list) {
+  const std::vector<Footprint> parts = bought_parts(list);
+  const std::map<std::string, std::string> designators = designators_of(parts);
   const SolderedCircuit& soldered = list.choice->soldered;
-  const std::vector<Resistor>& resistors = soldered.circuit.resistors;
-  std::map<std::pair<double, double>, std::size_t> quantities;
-  for (const lab::OrderedPart& part : list.choice->order)
-    quantities[{part.tolerance, part.ohm}] = part.references.size();
-  std::string text = "reference,ohm,tolerance,pair_partner,quantity_of_value,part\n";
-  for (std::size_t r = 0; r < resistors.size(); ++r) {
-    const auto& [ohm, tolerance] = soldered.parts[r];
-    const std::size_t partner = soldered.partner[r];
-    text += resistors[r].name + ',' + shortest(ohm) + ',' + shortest(tolerance) + ',' +
-            (partner == r ? "" : resistors[partner].name) + ',' +
-            std::to_string(quantities.at({tolerance, ohm})) + ",resistor\n";
+  std::string text = "Comment,Designator,Footprint,MPN,Tolerance,Element,Pair partner,Note\n";
+  std::size_t resistor = 0;
+  for (const Footprint& one : parts) {
+    std::string partner;
+    if (one.kind == Footprint::Kind::resistor) {
+      const std::size_t other = soldered.partner[resistor];
+      if (other != resistor) partner = designators.at(soldered.circuit.resistors[other].name);
+      ++resistor;
+    }
+    text += one.value + ',' + one.reference() + ',' + package_of(one) + ",," + one.tolerance + ',' +
+            one.element + ',' + partner + ',' + (one.overloaded() ? watts_in_words(one) : "") +
+            '\n';
   }
-  const std::vector<std::string> opamps = opamps_of(*list.choice);
-  for (const std::string& one : opamps)
-    text += one + ",,,," + std::to_string(opamps.size()) + ',' + opamp + '\n';
   return text;
 }
 

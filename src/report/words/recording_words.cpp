@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/words/number_words.hpp"
+#include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/check_words.hpp"
@@ -199,12 +200,12 @@ std::string group_answer(const RecordingOverview& overview, const FrameGroup& gr
   return text;
 }
 
-std::string group_distrust(const FrameGroup& group) {
+std::string group_distrust(const RecordingOverview& overview, const FrameGroup& group) {
   std::string text;
   if (group.verdict != Verdict::ok)
     text = std::string(name(group.verdict)) + ": " + std::string(in_words(group.verdict));
   if (group.data && !group.data->consistent())
-    text += (text.empty() ? "" : "; ") + in_words(*group.data);
+    text += (text.empty() ? "" : "; ") + in_words(lab::data_doubted(*group.data, overview.scene));
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -26,6 +27,10 @@ std::string say(const remark::DeadTaxelsRead&) {
 std::string say(const remark::CutOff&) {
   return "the readings have not died away at the array's ends: dft takes the array for a ring, and "
          "what is cut off comes back amplified";
+}
+std::string say(const remark::LowerBound&) {
+  return "the outermost taxels are pressed as hard as any: the contact may reach beyond them, and "
+         "the force found is a lower bound; move the contact under the taxels";
 }
 std::string say(const remark::NotOneContact&) {
   return "these are not the readings of one contact in the array's middle, which contact_friction "
@@ -65,9 +70,8 @@ std::string say(const remark::EstimatedWeight& r) {
          "normal one";
 }
 std::string say(const remark::OffsetsFound& r) {
-  std::vector<std::string> each;
-  for (const auto& [channel, offset] : r.channels) each.push_back(channel + " " + brief(offset));
-  return offsets_found(each);
+  return "each channel's readings have an offset that is not known, found with the tractions: " +
+         in_words(r);
 }
 std::string say(const remark::ModelError& r) {
   return "the residual is larger than the noise stated explains: the model is off by about " +
@@ -75,12 +79,11 @@ std::string say(const remark::ModelError& r) {
          (r.held ? "hold as if it were noise" : "do not hold");
 }
 std::string say(const remark::Clipped& r) {
-  std::string taxels;
   constexpr std::size_t most = 12;
-  for (std::size_t i = 0; i < std::min(r.taxels.size(), most); ++i)
-    taxels += (i == 0 ? "" : ", ") + std::to_string(r.taxels[i]);
-  if (r.taxels.size() > most) taxels += " and " + std::to_string(r.taxels.size() - most) + " more";
-  const std::string which = (r.taxels.size() == 1 ? "taxel " : "taxels ") + taxels;
+  const std::size_t shown = std::min(r.names.size(), most);
+  std::string which = (r.names.size() == 1 ? "taxel " : "taxels ") +
+                      join({r.names.begin(), r.names.begin() + std::ptrdiff_t(shown)}, ", ");
+  if (r.names.size() > most) which += " and " + std::to_string(r.names.size() - most) + " more";
   if (r.left_out)
     return which +
            " read the end of the range and are left out, as if dead: what presses there is "
@@ -90,7 +93,7 @@ std::string say(const remark::Clipped& r) {
          " hold one largest value, as at the end of a range: the force found is too small; "
          "state the range under [saturation], and they are left out";
 }
-std::string say(const remark::DataDoubted& r) { return in_words(r.data); }
+std::string say(const remark::DataDoubted& r) { return in_words(r); }
 std::string say(const remark::Hidden& r) {
   return "no reading shows: " + in_words(r.modes) +
          "; decided by smoothing, not measured (see identify)";
@@ -138,9 +141,11 @@ std::vector<std::string> in_words(const lab::SimulatedFrame& frame) { return sai
 
 std::vector<std::string> in_words(const lab::SkinFrame& frame) { return said_of(frame); }
 
-std::string offsets_found(const std::vector<std::string>& each) {
-  return "each channel's readings have an offset that is not known, found with the tractions: " +
-         join(each, ", ");
+std::string in_words(const lab::remark::OffsetsFound& offsets) {
+  std::vector<std::string> each;
+  for (const lab::remark::ChannelOffset& one : offsets.channels)
+    each.push_back(one.channel + ' ' + in_unit(offsets.units, one.dimension, one.value));
+  return join(each, ", ");
 }
 
 std::string in_words(const lab::Remark& remark) {

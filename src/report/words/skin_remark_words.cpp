@@ -5,20 +5,9 @@
 
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
-#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::report {
-
-std::string offsets_in_words(const SkinScene& scene, std::span<const double> offsets) {
-  std::vector<std::string> each;
-  for (const SkinChannel& channel : channels(scene.sensor))
-    each.push_back(
-        channel.name + ' ' +
-        in_unit(scene.units, dimension_of(traits(channel.quantity).kind), offsets[each.size()]));
-  return offsets_found(each);
-}
 
 namespace {
 

@@ -2,7 +2,6 @@
 /// What is to be said of a skin's answers beside the numbers. Private.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -10,9 +9,6 @@
 #include "tactile_net/report/words/skin_words.hpp"
 
 namespace tactile_net::report {
-
-/// Each channel's constant, in the scene's unit.
-[[nodiscard]] std::string offsets_in_words(const SkinScene& scene, std::span<const double> offsets);
 
 /// What an answer without dense matrices has not.
 /// @pre  it has been solved by products

@@ -240,10 +240,7 @@ std::string grid_in_words(const SkinScene& scene, const SkinGrid& grid) {
 std::vector<std::string> warnings(const lab::SkinExperiment& experiment) {
   std::vector<std::string> all = in_words(experiment.frame);
   if (experiment.answer)
-    for (const lab::Remark& remark : experiment.answer->remarks)
-      all.push_back(std::holds_alternative<lab::remark::OffsetsFound>(remark)
-                        ? offsets_in_words(experiment.scene, experiment.answer->offsets)
-                        : in_words(remark));
+    for (const lab::Remark& remark : experiment.answer->remarks) all.push_back(in_words(remark));
   if (experiment.answer && experiment.answer->iteration)
     all.push_back(without_matrix(*experiment.answer));
   if (experiment.answer && experiment.answer->unseen > lab::most_unseen)
@@ -384,7 +381,7 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
   if (components(scene) == 3)
     out << ", q_y " << percent(experiment.relative[1]) << ", q_z "
         << percent(experiment.relative[2]) << " of it";
-  out << "; data " << data_word(answer.data) << '\n';
+  out << "; data " << data_word(answer.data, scene) << '\n';
   if (answer.cone)
     out << "cells that slide " << answer.cone->sliding << ", stick " << answer.cone->sticking
         << ", touch nothing " << answer.cone->apart << " (" << answer.cone->iterations

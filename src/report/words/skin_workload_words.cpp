@@ -8,6 +8,7 @@
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/table.hpp"
+#include "tactile_net/report/words/workload_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -29,8 +30,8 @@ constexpr auto skin_reason_sentences = [] {
       {one_traction, "the normal traction alone"},
       {matrix_held, "up to 8192 tractions all of their matrix is held"},
       {matrix_too_large, "more than 8192 tractions: by products, without a matrix"},
-      {rule_chooses, "alpha is chosen by the rule "},
-      {prior_by_rule, "alpha is given; what sizes the bands is chosen by the rule "},
+      {rule_chooses, "alpha is chosen by "},
+      {prior_by_rule, "alpha is given; what sizes the bands is chosen by "},
       {limits_stated, "friction_limit or nonnegative asks for it"},
       {no_limits, "neither friction_limit nor nonnegative"},
       {forces_have_deviations, "tractions and forces have deviations"},
@@ -45,7 +46,8 @@ constexpr auto skin_reason_sentences = [] {
 
 std::string why_in_words(const lab::SkinWorkload::Task& task) {
   std::string text(name_in<skin_reason_sentences>(task.why));
-  if (task.rule) text += name(*task.rule);
+  using enum lab::SkinWorkload::Reason;
+  if (task.why == rule_chooses || task.why == prior_by_rule) text += rule_in_words(task.rule);
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/answers.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
 #include "tactile_net/study/work_precision.hpp"
@@ -52,7 +53,7 @@ std::vector<Answer> answers(const study::Study& study) {
   if (const study::WorkPoint* const point = fastest(points)) {
     all.push_back({duration(point->seconds) + " a frame",
                    in_words(*point) + ", within 1 % of the exact solution. Use tactile-net plan " +
-                       input.file() + " --accuracy 1e-2 " +
+                       shell_word(input.file()) + " --accuracy 1e-2 " +
                        (has_alpha(input) ? "" : "--readings FILE ") + "-o pad.plan"});
   } else {
     all.push_back({"none", "is within 1 % of the exact solution", true});

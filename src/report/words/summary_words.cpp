@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <variant>
 
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/report/words/data_words.hpp"
@@ -29,7 +30,7 @@ std::string in_words(const lab::FrameRuns& frames) {
                                 : text + " and " + std::to_string(frames.count() - said) + " more";
 }
 
-std::vector<std::string> in_words(const lab::SolvedFrames& solved) {
+std::vector<std::string> in_words(const lab::SolvedFrames& solved, const AnyScene& scene) {
   std::vector<std::string> sentences;
   if (solved.frames == 0) sentences.emplace_back("0 frames: the recording holds none");
   std::map<std::string, const lab::FrameRuns*> verdicts;  // sorted by name
@@ -46,9 +47,12 @@ std::vector<std::string> in_words(const lab::SolvedFrames& solved) {
         std::string(name(doubt)) + ": " + std::string(in_words(doubt)) + ": " + in_words(frames));
   if (!solved.bad_taxels.empty()) {
     std::string taxels;
-    for (const auto& [taxel, frames] : solved.bad_taxels)
-      taxels +=
-          (taxels.empty() ? "" : ", ") + std::to_string(taxel) + " in " + counted(frames, "frame");
+    for (const auto& [index, frames] : solved.bad_taxels) {
+      const std::size_t taxel = index;
+      taxels += (taxels.empty() ? "" : ", ") +
+                std::visit([=](const auto& one) { return taxel_name(one.sensor, taxel); }, scene) +
+                " in " + counted(frames, "frame");
+    }
     sentences.push_back("taxels that contradict the others: " + taxels);
   }
   if (solved.skipped.count() > 0)

@@ -5,7 +5,6 @@
 #include <ostream>
 
 #include "numeric/named.hpp"
-#include "report/words/check_parts.hpp"
 #include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
@@ -19,13 +18,6 @@ namespace tactile_net::report {
 namespace {
 
 using ConditionMatrix = lab::Condition::Matrix;
-
-std::string with_units(const lab::remark::OffsetsFound& offsets, const Scene& scene) {
-  std::vector<std::string> each;
-  for (const auto& [channel, offset] : offsets.channels)
-    each.push_back(channel + ' ' + reading(scene, each.size(), offset));
-  return offsets_found(each);
-}
 
 constexpr Named<ConditionMatrix> matrices[] = {
     {ConditionMatrix::stacked, "W K above sqrt(alpha) L"},
@@ -101,11 +93,7 @@ std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
   std::vector<std::string> sentences;
   if (result.method == Method::network && experiment.relaxation)
     sentences = warnings_of(*experiment.relaxation);
-  for (const lab::Remark& one : result.remarks) {
-    const auto* offsets = std::get_if<lab::remark::OffsetsFound>(&one);
-    sentences.push_back(offsets != nullptr ? with_units(*offsets, experiment.scene)
-                                           : in_words(one));
-  }
+  for (const lab::Remark& one : result.remarks) sentences.push_back(in_words(one));
   return sentences;
 }
 

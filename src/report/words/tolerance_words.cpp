@@ -50,14 +50,18 @@ std::vector<std::string> in_words(const ToleranceOptions& options, const Toleran
   return lines;
 }
 
+std::string stability_with_opamps_in_words(Stability stability) {
+  return stability == Stability::not_modelled ? "not known" : "not with its op-amps";
+}
+
 std::vector<std::vector<std::string>> cells(const lab::Recommendation& recommendation) {
   std::vector<std::vector<std::string>> rows = {
       {"realisation", "op-amps", "stable", "median error", "95 of 100", "yield"}};
   for (const auto& one : recommendation.candidates)
     rows.push_back({circuit_in_words(one.realization, one.ladder), std::to_string(one.opamps),
-                    one.stable ? std::to_string(one.tolerance.stable) + " of " +
-                                     std::to_string(one.tolerance.trials)
-                               : "not with its op-amps",
+                    one.stable() ? std::to_string(one.tolerance.stable) + " of " +
+                                       std::to_string(one.tolerance.trials)
+                                 : stability_with_opamps_in_words(one.stability.stability),
                     error_in_words(one.tolerance.median), error_in_words(one.tolerance.p95),
                     percent(one.tolerance.yield())});
   return rows;
@@ -72,6 +76,9 @@ std::string in_words(const lab::Recommendation& r) {
                       : r.drawn.relative ? "parts of " + percent(*r.drawn.relative)
                                          : "parts of the series";
   if (r.inverters_replaced) parts += ", complementary outputs instead of the scene's inverters,";
+  if (r.outcome == Outcome::none_stable)
+    return "No realisation is known to be stable with these op-amps and capacitances: none is "
+           "recommended. More siemens, or op-amps with less input capacitance.";
   const std::string accuracy = percent(r.drawn.accuracy);
   const lab::Recommendation::Candidate& chosen = r.chosen();
   if (r.outcome == Outcome::reached)

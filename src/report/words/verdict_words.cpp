@@ -24,9 +24,8 @@ constexpr Named<Verdict> verdict_sentences[] = {
     {Verdict::sign_change,
      "a wavelength that the sensors cannot see lies between those of the dft"},
     {Verdict::cut_off,
-     "the load reaches beyond the taxels, or where they are dead: what presses there is a guess, "
-     "and "
-     "dft takes the array for a ring"},
+     "the contact may reach beyond the taxels, or where they are dead: what presses there is not "
+     "measured, and the force is a lower bound"},
     {Verdict::not_one_contact, "the readings are not those of a single contact that drags"},
     {Verdict::drag_in_noise, "the noise could hide the drag"},
     {Verdict::no_contact, "nothing presses"},
@@ -40,10 +39,10 @@ constexpr Named<Verdict> verdict_sentences[] = {
     {Verdict::inaccurate, "the circuit is more than 1 % off"},
     {Verdict::clipped,
      "taxels read the end of their range, and what they would read beyond it is not known: more "
-     "may "
-     "press than is found"},
+     "may press than is found"},
     {Verdict::undetermined,
-     "the readings do not fix the force: it may be off by more than such readings could come from"},
+     "the readings do not tell the force: its value is mostly assumed; see identify for what these "
+     "sensors tell"},
     {Verdict::coarse,
      "the taxels lie more than two depths apart: what presses between them is a guess"},
 };

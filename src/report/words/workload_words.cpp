@@ -39,7 +39,7 @@ constexpr auto reason_sentences = [] {
       {half_plane, "no layer: half plane, closed formulas"},
       {method_named, "reconstruct.methods names it"},
       {method_not_named, "reconstruct.methods does not name it"},
-      {rule_chooses, "alpha is chosen by the rule "},
+      {rule_chooses, "alpha is chosen by "},
       {comparison_requested, "--compare-rules asks for it"},
       {alpha_given, "alpha is given"},
       {no_method_takes_alpha, "no method takes alpha from it"},
@@ -64,13 +64,16 @@ constexpr auto reason_sentences = [] {
 
 }  // namespace
 
+std::string rule_in_words(std::optional<AlphaRule> rule) {
+  return rule ? "the rule " + std::string(name(*rule)) : "the default rule";
+}
+
 std::string why_in_words(const Workload::Task& task) {
   const Workload::Why& why = task.why;
   std::string text(name_in<reason_sentences>(why.reason));
   if (why.reason == Workload::Reason::effects_remember) text += std::to_string(why.frame);
   if (why.reason == Workload::Reason::rule_chooses)
-    text += std::string(why.rule ? name(*why.rule) : "that suits taxels and noise") +
-            ", whose verdict hears the others";
+    text += rule_in_words(why.rule) + ", and flagged where the other rules disagree";
   return text;
 }
 

@@ -71,7 +71,7 @@ struct LargeSkinCone::Parts {
   double drag;
   Constraints limits;
   CellCones cones;
-  double largest = 0.0;  // eigenvalue of P; grows where a step shows that it is larger
+  double largest = 0.0;  // about the largest eigenvalue of P
   Eigen::VectorXd scaled;
 };
 
@@ -105,6 +105,7 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
   }
   right /= scale;
 
+  double largest = p.largest;  // grows where a step shows that it is larger
   Eigen::VectorXd gradient(count);
   p.apply_transposed(right, gradient);
   const double size = gradient.norm();
@@ -118,9 +119,9 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
   const auto residual = [&] {
     left = image - right;
     p.apply_transposed(left, gradient);
-    Eigen::VectorXd moved = f - gradient / p.largest;
+    Eigen::VectorXd moved = f - gradient / largest;
     p.cones.project(moved);
-    return (f - moved).norm() * p.largest / size;
+    return (f - moved).norm() * largest / size;
   };
   const auto is_explained = [&] {
     return explained > 0.0 && scale * (image - right).head(read).norm() <= explained;
@@ -132,14 +133,14 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
     left = image_ahead - right;
     p.apply_transposed(left, gradient);
     for (;;) {
-      next = ahead - gradient / p.largest;
+      next = ahead - gradient / largest;
       p.cones.project(next);
       p.apply(next, next_image);
       // A step holds where P does not bend more along it than the largest eigenvalue.
       const double moved = (next - ahead).squaredNorm();
       const double bent = (next_image - image_ahead).squaredNorm();
-      if (!(bent > 1.001 * p.largest * moved)) break;
-      p.largest = 1.1 * bent / moved;
+      if (!(bent > 1.001 * largest * moved)) break;
+      largest = 1.1 * bent / moved;
     }
     const bool uphill = gradient.dot(next - f) > 0.0;
     const double faster = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * pace * pace));
@@ -158,7 +159,7 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
   solution.residual = size > 0.0 ? residual() : 0.0;
   if (!(size > 0.0)) solution.verdict = ConstrainedVerdict::ok;
 
-  Eigen::VectorXd before = f - gradient / p.largest;  // at the minimum f is its projection
+  Eigen::VectorXd before = f - gradient / largest;  // at the minimum f is its projection
   std::optional<double> limit = p.limits.friction_limit;
   if (limit) *limit /= p.drag;
   p.cones.project(before, [&](Index i, ConePart part) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "inverse/checks.hpp"
@@ -15,31 +16,35 @@
 namespace tactile_net {
 
 struct LargeSkinBands::Parts {
-  /// [W K; sqrt(alpha) L] P^-1 weights, over the largest of them, and that one. Where the solver's
-  /// alpha is another one, what was solved is of no use.
-  std::pair<Eigen::VectorXd, double> image(std::span<const double> weights) {
-    if (alpha != solver.alpha()) {
-      solved.clear();
-      alpha = solver.alpha();
-    }
+  /// [W K; sqrt(alpha) L] P^-1 weights, over the largest of them, and that one. Of another alpha
+  /// what was solved is of no use.
+  std::pair<Eigen::VectorXd, double> image(std::span<const double> weights, double of_alpha) {
+    if (alpha != of_alpha) solved.clear();
+    alpha = of_alpha;
+    solver.use_alpha(alpha);
+    check_weights(weights, solver.problem().components * solver.problem().grid.count());
     const auto rows = static_cast<Eigen::Index>(solver.stacked_rows());
-    return solved.image(as_eigen(weights), rows, [&](const Eigen::VectorXd& one) {
-      const std::span<const double> right(one.data(), static_cast<std::size_t>(one.size()));
-      const auto read = solver.stacked_product(solver.solve_normal(right, residual));
+    return solved.image(solver.problem().grid, weights, rows, [&](const Eigen::VectorXd& one) {
+      const auto read = solver.stacked_product(solver.solve_normal(as_span(one), residual));
       return Eigen::VectorXd(as_eigen(std::span(read)));
     });
   }
 
-  /// How far these deviations are off what probes have, of this prior. An error varies slowly with
-  /// both alphas: one within a factor of two serves.
-  BandError error(double prior_alpha, std::span<const double> deviations) {
-    const auto near = [](double a, double b) { return a <= 2.0 * b && b <= 2.0 * a; };
-    if (known_error && near(known_error->alpha, solver.alpha()) &&
-        near(known_error->prior_alpha, prior_alpha))
-      return known_error->error;
+  /// How far the piece's deviations are off what probes have. An error varies slowly with both
+  /// alphas: measured is that of alphas a power of two from the piece's size, the nearest ones.
+  BandError error(double of_alpha, double prior_alpha) {
+    const double size = std::max(piece->largest_square(), std::numeric_limits<double>::min());
+    const auto steps = [](double ratio) { return static_cast<int>(std::lround(std::log2(ratio))); };
+    const std::pair at{steps(of_alpha / size), steps(prior_alpha / of_alpha)};
+    if (const auto known = known_errors.find(at); known != known_errors.end()) return known->second;
+    const double near_alpha = std::ldexp(size, at.first);
+    const double near_prior = std::ldexp(near_alpha, at.second);
+    const std::vector<double> deviations =
+        piece->deviations(solver.problem(), near_alpha, near_prior);
+    solver.use_alpha(near_alpha);
     BandError found;
     for (const BandProbe& probe : band_probes(solver.problem())) {
-      const std::vector<double> exact = probed_deviations(solver, prior_alpha, probe);
+      const std::vector<double> exact = probed_deviations(solver, near_prior, probe);
       for (std::size_t i = 0; i < exact.size(); ++i) {
         if (!(exact[i] > 0.0)) continue;
         const double off = deviations[probe.tractions[i]] / exact[i] - 1.0;
@@ -48,21 +53,15 @@ struct LargeSkinBands::Parts {
         ++found.tractions;
       }
     }
-    known_error = {solver.alpha(), prior_alpha, found};
-    return found;
+    solver.use_alpha(of_alpha);
+    return known_errors[at] = found;
   }
-
-  struct KnownError {
-    double alpha;
-    double prior_alpha;
-    BandError error;
-  };
 
   LargeSkinTikhonov& solver;
   std::shared_ptr<SkinPiece> piece;
   double alpha = 0.0;
   SolvedSums solved{};
-  std::optional<KnownError> known_error{};
+  std::map<std::pair<int, int>, BandError> known_errors{};  // by powers of two, as `error` has them
 
   static constexpr double residual = 1e-6;
 };
@@ -99,9 +98,7 @@ std::vector<double> LargeSkinCovariance::window_deviations(const SkinGrid&,
   return parts.piece->window_deviations(parts.solver.problem(), alpha_, prior_alpha_, window);
 }
 
-BandError LargeSkinCovariance::error() const {
-  return bands_.parts_->error(prior_alpha_, estimates());
-}
+BandError LargeSkinCovariance::error() const { return bands_.parts_->error(alpha_, prior_alpha_); }
 
 double LargeSkinCovariance::deviation(std::span<const double> weights) const {
   const LargeSkinBands::Parts& parts = *bands_.parts_;
@@ -127,14 +124,14 @@ double LargeSkinCovariance::deviation(std::span<const double> weights) const {
 }
 
 double LargeSkinCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
-  const auto [of_a, largest_a] = bands_.parts_->image(a);
-  const auto [of_b, largest_b] = bands_.parts_->image(b);
-  const LargeSkinTikhonov& solver = bands_.parts_->solver;
-  const auto read = static_cast<Eigen::Index>(solver.problem().weights.size());
+  const auto [of_a, largest_a] = bands_.parts_->image(a, alpha_);
+  const auto [of_b, largest_b] = bands_.parts_->image(b, alpha_);
+  const SkinProblem& problem = bands_.parts_->solver.problem();
+  const auto read = static_cast<Eigen::Index>(problem.weights.size());
   const double known = of_a.head(read).dot(of_b.head(read));
   const Eigen::Index rest = of_a.size() - read;
   const double smoothed = of_a.tail(rest).dot(of_b.tail(rest));
-  return largest_a * (largest_b * (known + solver.alpha() / prior_alpha_ * smoothed));
+  return largest_a * (largest_b * (known + alpha_ / prior_alpha_ * smoothed));
 }
 
 }  // namespace tactile_net

@@ -1,6 +1,7 @@
 #include "tactile_net/skin/large/face.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "inverse/checks.hpp"
@@ -37,7 +38,8 @@ struct LargeSkinFaceCovariance::Parts {
     return coordinates.sums(of_tractions);
   }
 
-  /// [A; 1] (A'A + alpha)^-1 T' weights, by conjugate gradients.
+  /// [A; 1] (A'A + alpha)^-1 T' weights, by conjugate gradients; without a value where they do not
+  /// come to their end.
   [[nodiscard]] Eigen::VectorXd solved(const Eigen::VectorXd& weights) {
     const Eigen::VectorXd right = coordinates.sums(weights);
     Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
@@ -57,7 +59,7 @@ struct LargeSkinFaceCovariance::Parts {
       direction = gradient + next / power * direction;
       power = next;
     }
-    converged = converged && std::sqrt(power) <= goal;
+    if (!(std::sqrt(power) <= goal)) return {};
     Eigen::VectorXd both(image.size() + x.size());
     both << image, x;
     return both;
@@ -66,8 +68,17 @@ struct LargeSkinFaceCovariance::Parts {
   std::pair<Eigen::VectorXd, double> image(std::span<const double> weights) {
     const std::vector<double> own = part.tractions(weights);
     const Index rows = static_cast<Index>(system->readings()) + coordinates.count();
-    return sums_made.image(as_eigen(std::span(own)), rows,
-                           [&](const Eigen::VectorXd& one) { return solved(one); });
+    auto found = sums_made.image(problem_of(*system).grid, own, rows,
+                                 [&](const Eigen::VectorXd& one) { return solved(one); });
+    if (found.first.size() == 0) ++unsolved;
+    return found;
+  }
+
+  /// What `ask` answers, or where a solve for it does not come to its end what `otherwise` does.
+  auto all_solved(const auto& ask, const auto& otherwise) {
+    const std::size_t before = unsolved;
+    auto answer = ask();
+    return unsolved == before ? answer : otherwise();
   }
 
   const LargeSkinPart& part;
@@ -78,7 +89,7 @@ struct LargeSkinFaceCovariance::Parts {
   double degrees;
   const Covariance& free;
   SolvedSums sums_made{};
-  bool converged = true;
+  std::size_t unsolved = 0;  // sums that were asked for and are not
 };
 
 LargeSkinFaceCovariance::LargeSkinFaceCovariance(const LargeSkinPart& part, const ConeFace& face,
@@ -107,7 +118,7 @@ double LargeSkinFaceCovariance::covariance(std::span<const double> a,
   Parts& p = *parts_;
   const auto [of_a, largest_a] = p.image(a);
   const auto [of_b, largest_b] = p.image(b);
-  if (!p.converged) return p.free.covariance(a, b);
+  if (of_a.size() == 0 || of_b.size() == 0) return p.free.covariance(a, b);
   const auto read = static_cast<Index>(p.system->readings());
   const Index rest = of_a.size() - read;
   const double known = of_a.head(read).dot(of_b.head(read));
@@ -115,7 +126,18 @@ double LargeSkinFaceCovariance::covariance(std::span<const double> a,
   return largest_a * (largest_b * (known + p.alpha * (p.alpha / p.prior_alpha) * smoothed));
 }
 
+std::vector<double> LargeSkinFaceCovariance::deviations_of(
+    std::span<const std::vector<double>> weights) const {
+  return parts_->all_solved([&] { return Covariance::deviations_of(weights); },
+                            [&] { return parts_->free.deviations_of(weights); });
+}
+
+Matrix LargeSkinFaceCovariance::covariances(std::span<const std::vector<double>> weights) const {
+  return parts_->all_solved([&] { return Covariance::covariances(weights); },
+                            [&] { return parts_->free.covariances(weights); });
+}
+
 double LargeSkinFaceCovariance::degrees_of_freedom() const noexcept { return parts_->degrees; }
-bool LargeSkinFaceCovariance::converged() const noexcept { return parts_->converged; }
+bool LargeSkinFaceCovariance::converged() const noexcept { return parts_->unsolved == 0; }
 
 }  // namespace tactile_net

@@ -38,14 +38,28 @@ Nodes nodes_of(std::span<const double> diagonal, std::span<const double> below) 
   return {svd.values, svd.u.row(0).transpose().cwiseAbs2()};
 }
 
-/// u'(1 + A A'/alpha)^-1 u for alphas from the largest gamma's square down.
-Eigen::VectorXd fits(const Nodes& nodes, double largest) {
+/// u'(1 + A A'/alpha)^-1 u for alphas from the largest gamma's square down, of a run: by the
+/// tridiagonal matrix T of its A A', whose squares alphas of 1e-8 of the largest do not mind, and
+/// without its eigenvectors. Lengths are over the first of the diagonal.
+Eigen::VectorXd fits(std::span<const double> diagonal, std::span<const double> below) {
+  const auto n = std::ssize(diagonal);
+  Eigen::VectorXd own(n);
+  Eigen::VectorXd beside(n - 1);
+  for (Index i = 0; i < n; ++i) {
+    const double size = diagonal[static_cast<std::size_t>(i)] / diagonal.front();
+    const double step = i > 0 ? below[static_cast<std::size_t>(i) - 1] / diagonal.front() : 0.0;
+    own(i) = size * size + step * step;
+    if (i > 0)
+      beside(i - 1) = step * (diagonal[static_cast<std::size_t>(i) - 1] / diagonal.front());
+  }
+  const double largest = largest_tridiagonal_eigenvalue(own, beside);
   constexpr Index decades = 8;
   Eigen::VectorXd all(decades);
-  for (Index i = 0; i < decades; ++i) {
-    const double alpha = std::pow(10.0, -static_cast<double>(i));
-    all(i) =
-        (nodes.weights.array() * alpha / ((nodes.gamma / largest).array().square() + alpha)).sum();
+  for (Index k = 0; k < decades; ++k) {
+    const double alpha = largest * std::pow(10.0, -static_cast<double>(k));
+    double pivot = own(n - 1) + alpha;  // of T + alpha from its last row up
+    for (Index i = n - 2; i >= 0; --i) pivot = own(i) + alpha - beside(i) * (beside(i) / pivot);
+    all(k) = alpha / pivot;
   }
   return all;
 }
@@ -101,7 +115,6 @@ struct LargeSkinFamily::Parts {
     std::vector<double> below;
     if (!(diagonal.front() > 0.0)) return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
     v /= diagonal.front();
-    double largest = diagonal.front();
     Eigen::VectorXd before;
     const double nothing = 1e-13 * diagonal.front();
     for (Index step = 1; step < most_lanczos_steps; ++step) {
@@ -116,12 +129,8 @@ struct LargeSkinFamily::Parts {
       below.push_back(next);
       diagonal.push_back(own);
       if (step % look_every != 0) continue;
-      Nodes nodes = nodes_of(diagonal, below);
-      largest = nodes.gamma(0);
-      const Eigen::VectorXd now = fits(nodes, largest);
-      const bool still =
-          before.size() > 0 && ((now - before).array().abs() <= 1e-3 * now.array()).all();
-      if (still) return nodes;
+      const Eigen::VectorXd now = fits(diagonal, below);
+      if (before.size() > 0 && ((now - before).array().abs() <= 1e-3 * now.array()).all()) break;
       before = now;
     }
     return nodes_of(diagonal, below);

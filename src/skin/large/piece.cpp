@@ -92,6 +92,12 @@ std::size_t SkinPiece::like_cell(const SkinGrid& whole, std::size_t cell) const 
          like(cell % whole.columns, whole.columns, small.columns, whole.stride_columns);
 }
 
+double SkinPiece::largest_square() const {
+  double largest = 0.0;
+  for (const double gamma : family_.singular_values()) largest = std::max(largest, gamma);
+  return largest * largest;
+}
+
 std::vector<double> SkinPiece::deviations(const SkinProblem& whole, double alpha,
                                           double prior_alpha) {
   const std::vector<double> own = SkinCovariance(family_, alpha, prior_alpha).deviations();

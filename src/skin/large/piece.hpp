@@ -47,6 +47,9 @@ class SkinPiece {
   [[nodiscard]] double deviation(const SkinProblem& whole, double alpha, double prior_alpha,
                                  std::size_t cell, std::span<const double> weights) const;
 
+  /// Of the largest singular value: what alphas are beside.
+  [[nodiscard]] double largest_square() const;
+
  private:
   /// Where a cell's like is among the piece's.
   [[nodiscard]] std::size_t like_cell(const SkinGrid& whole, std::size_t cell) const;

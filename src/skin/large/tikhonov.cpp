@@ -174,6 +174,7 @@ FrameStatus LargeSkinTikhonov::solve(std::span<const double> readings, std::span
 
 std::vector<double> LargeSkinTikhonov::normal_right_side(std::span<const double> readings) {
   LargeSkinSystem& system = *parts_->system;
+  check_size(readings, system.readings());
   std::vector<double> weighted(readings.begin(), readings.end());
   for (std::size_t i = 0; i < weighted.size(); ++i) weighted[i] *= system.problem.weights[i];
   std::vector<double> sums(system.tractions());

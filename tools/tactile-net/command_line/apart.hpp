@@ -15,10 +15,10 @@ struct Given {
   std::string value{};
 };
 
-/// However two paths are spelled. Devices and standard streams may be named twice.
+/// However two paths are spelled. Devices may be named twice.
 ///
 /// @throw WrongUsage  a file that is to be written is one that is read, which would be lost, or is
-///                    to be written twice
-void require_apart(std::span<const Given> given);
+///                    to be written twice; two documents would go to standard output
+void require_apart(const CommandTable& command, std::span<const Given> given);
 
 }  // namespace tactile_net::tool

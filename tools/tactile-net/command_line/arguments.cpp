@@ -21,6 +21,12 @@ Value output_file(std::vector<std::string> endings) {
   return value;
 }
 
+Value main_output(std::vector<std::string> endings) {
+  Value value = output_file(std::move(endings));
+  value.is_standard_output = true;
+  return value;
+}
+
 Value folder() { return {.kind = Value::Kind::folder, .name = "FOLDER"}; }
 
 Value choice(std::vector<std::string> choices) {

@@ -25,6 +25,8 @@ namespace tactile_net::tool {
 [[nodiscard]] Value number();
 [[nodiscard]] Value file(std::string name = "FILE", std::vector<std::string> endings = {});
 [[nodiscard]] Value output_file(std::vector<std::string> endings);
+/// One that goes to standard output where nobody names a file.
+[[nodiscard]] Value main_output(std::vector<std::string> endings);
 [[nodiscard]] Value folder();
 [[nodiscard]] Value choice(std::vector<std::string> choices);
 

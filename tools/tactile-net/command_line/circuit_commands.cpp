@@ -15,7 +15,7 @@ void add_gen(AllCommands& all) {
                     {"gen scenes/nic.toml --subcircuit pad -o pad.lib --symbol pad.asy",
                      "a sub-circuit with pins for the readings, and its symbol"}}});
   add_scene(command, options.scene);
-  command.add_option("-o,--output", options.output, output_file({"cir", "lib"}),
+  command.add_option("-o,--output", options.output, main_output({"cir", "lib"}),
                      "Deck (default: standard output)");
   command.add_choice(
       "--dialect", options.dialect, dialects,

@@ -141,7 +141,7 @@ Parsed parse(const CommandLine& line, std::span<const std::string> arguments) {
       check_options(line, line.find(*first), arguments.subspan(of_command + 1));
     throw WrongUsage(error.what());
   }
-  require_apart(given);
+  require_apart(*named(), given);
   named()->chosen();
   return {.command = named()};
 }

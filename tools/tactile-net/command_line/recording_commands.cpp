@@ -22,7 +22,7 @@ void add_init(AllCommands& all) {
       .add_option("--from-csv", options.recording, file("FILE", {"csv", "npy"}),
                   "Recorded readings, CSV or .npy")
       .required = true;
-  command.add_option("-o,--output", options.output, output_file({"toml"}),
+  command.add_option("-o,--output", options.output, main_output({"toml"}),
                      "Scene file (default: standard output)");
   command.add_flag("--force", options.force, "Replace a scene that is there");
   command.add_option("--quantity", options.quantities, text("LIST"),
@@ -136,7 +136,7 @@ void add_solve(AllCommands& all) {
   for (const lab::MethodTraits& traits : lab::methods())
     if (traits.solves_frames) methods.push_back(traits.method);
   command.add_choice("--method", options.method, methods, "How to solve a frame");
-  command.add_option("-o,--output", options.output, output_file({"csv", "npy"}),
+  command.add_option("-o,--output", options.output, main_output({"csv", "npy"}),
                      "CSV or .npy file for the tractions [unit of E] (default: CSV on standard "
                      "output)");
   add_folder(command, options.results.folder, options.results.force,

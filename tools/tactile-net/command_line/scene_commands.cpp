@@ -38,7 +38,7 @@ void add_simulate(AllCommands& all) {
                      "every frame of a scene over time, and what truly pressed"},
                     {"simulate scenes/fingertip.toml", "one frame, on standard output"}}});
   add_scene(command, options.scene);
-  command.add_option("-o,--output", options.output, output_file({"csv", "npy"}),
+  command.add_option("-o,--output", options.output, main_output({"csv", "npy"}),
                      "CSV or .npy file for the readings (default: CSV on standard output)");
   command.add_option(
       "--truth", options.truth, output_file({"csv", "npy"}),

@@ -18,6 +18,8 @@ struct Value {
   std::vector<std::string> endings{};  ///< of files: "toml"; empty: any
   std::vector<std::string> choices{};
   bool is_output = false;  ///< a file that the command writes, and must not read
+  /// An output that is written to standard output where neither it nor a folder is given.
+  bool is_standard_output = false;
 
   /// "FILE", "{float64,float32}"; empty for a flag.
   [[nodiscard]] std::string shown() const;

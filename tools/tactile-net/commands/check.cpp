@@ -1,6 +1,5 @@
 #include "commands/check.hpp"
 
-#include <optional>
 #include <ostream>
 #include <variant>
 #include <vector>
@@ -11,7 +10,6 @@
 #include "failure.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/readings_check.hpp"
-#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/json/check_json.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "terminal/printable_stream.hpp"
@@ -30,11 +28,10 @@ lab::ReadingsCheck check_of(const auto& scene, const CheckOptions& options,
   Progress progress(streams);
   std::vector<double> readings(source.columns().size());
   for (std::size_t frames = 0; source.next(readings); ++frames) {
-    double seconds = 0.0;
-    const bool timed = read_number(source.time(), seconds);
-    checker.add(timed ? std::optional(seconds) : std::nullopt, readings);
+    checker.add(source.seconds(), readings);
     if (progress.due()) progress.frames(frames, file.share_read());
   }
+  if (!source.time_unit_known()) checker.times_without_unit();
   return checker.result(progress);
 }
 

@@ -46,9 +46,13 @@ void run(const GenOptions& options, const Streams& streams) {
     output.stream() << report::deck_text(circuit, Answer::printed, options.dialect);
   if (symbol) {
     const std::string file = std::filesystem::path(options.output).filename().string();
-    write(symbol.get(), report::symbol_text(circuit, parts, options.subcircuit, file));
+    symbol->stream() << report::symbol_text(circuit, parts, options.subcircuit, file);
+    symbol->stream().flush();
   }
+  // Both are on the disk before either has its name: none stays without the other.
+  output.stream().flush();
   output.commit();
+  if (symbol) symbol->commit();
 }
 
 }  // namespace tactile_net::tool

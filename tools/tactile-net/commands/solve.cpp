@@ -150,43 +150,58 @@ void solve(lab::RecordingSolver& solver, frames::ReadingsFile& file, Outputs& ou
   }
 }
 
-/// The scene's problem; where it wants the noise and the recording can be read twice, with what
-/// its still frames show. What is wrong with the file is said when it is read for good.
-lab::SceneProblem with_noise(const lab::SceneProblem& problem, const SolveOptions& options) {
+/// The scene's problem; where it wants the noise, with what the recording's still frames show. What
+/// is wrong with the file is said when it is read for good.
+lab::SceneProblem with_noise(const lab::SceneProblem& stated, const SolveOptions& options,
+                             std::ostream& err) {
+  if (!lab::wants_noise(stated, options.method)) return stated;
+  const auto without = [&](const char* why) {
+    err << options.readings << ": note: the scene states no noise, and " << why
+        << ": alpha is chosen without it; state it under [noise]\n";
+    return stated;
+  };
   std::error_code none;
-  if (options.readings == "-" || !lab::wants_noise(problem, options.method) ||
-      !std::filesystem::is_regular_file(options.readings, none))
-    return problem;
+  const std::filesystem::file_status status = std::filesystem::status(options.readings, none);
+  const bool is_stream = is_standard_input(options.readings) ||
+                         (std::filesystem::exists(status) && !is_regular_file(status));
+  if (is_stream) return without("a stream is read once, so that its still frames cannot show it");
   try {
-    frames::ReadingsFile file(options.readings, problem.scene(), nullptr,
+    frames::ReadingsFile file(options.readings, stated.scene(), nullptr,
                               {.columns = options.columns, .accept_missing = true});
-    return lab::with_recorded_noise(
-        problem, [&](std::span<double> readings) { return file.source().next(readings); });
-  } catch (const std::exception&) {
-    return problem;
+    const lab::SceneProblem taken = lab::with_recorded_noise(
+        stated, [&](std::span<double> readings) { return file.source().next(readings); });
+    return taken.scene().noise ? taken : without("too few of its frames are still to show it");
+  } catch (const InputError&) {
+    return stated;
   }
 }
 
-void solve_line(Scene scene, const SolveOptions& options, const Streams& streams) {
-  const lab::SceneProblem stated(std::move(scene));
-  const Method method = options.method;
-  const lab::SceneProblem problem = with_noise(stated, options);
-  const lab::Missing missing = options.missing;
-  if (missing == lab::Missing::estimate && !lab::traits(method).has_bands)
+/// What the scene, the method and the options have together, before anything is read.
+void refuse_for_lines(const SolveOptions& options, const lab::SceneProblem& problem) {
+  const bool has_bands = lab::traits(options.method).has_bands;
+  if (options.missing == lab::Missing::estimate && !has_bands)
     throw WrongUsage("--missing",
                      "estimate needs the method tikhonov or closed_form: dft takes a "
                      "dead taxel for a living one that reads 0");
   if (options.share_alpha && *options.share_alpha == 0)
     throw WrongUsage("--share-alpha", "must be at least 1 frame");
-  if (options.share_alpha && (problem.scene().reconstruct.alpha || !lab::traits(method).has_bands))
+  if (options.share_alpha && (problem.scene().reconstruct.alpha || !has_bands))
     throw WrongUsage("--share-alpha",
                      "needs an alpha that a rule chooses, for tikhonov or closed_form");
-  lab::RecordingSolver solver(problem, method,
-                              {.missing = missing, .share_alpha = options.share_alpha});
-  if (!options.uncertainty.empty() && (!lab::traits(method).has_bands || !problem.has_bands()))
+  if (!options.uncertainty.empty() && (!has_bands || !problem.has_bands()))
     throw WrongUsage("--uncertainty",
                      "needs the method tikhonov or closed_form, and under constraints fewer than " +
                          std::to_string(lab::large) + " tractions");
+}
+
+void solve_line(Scene scene, const SolveOptions& options, const Streams& streams) {
+  const lab::SceneProblem stated(std::move(scene));
+  refuse_for_lines(options, stated);
+  const Method method = options.method;
+  const lab::Missing missing = options.missing;
+  const lab::SceneProblem problem = with_noise(stated, options, streams.err);
+  lab::RecordingSolver solver(problem, method,
+                              {.missing = missing, .share_alpha = options.share_alpha});
   for (const std::string& warning : report::in_words(solver.remarks()))
     streams.err << name(options.method) << ": warning: " << warning << '\n';
 
@@ -210,7 +225,7 @@ void solve_line(Scene scene, const SolveOptions& options, const Streams& streams
   }
   outputs.commit();
   say_closing(streams.err, file.name(), file.source());
-  for (const std::string& sentence : report::in_words(solved))
+  for (const std::string& sentence : report::in_words(solved, problem.scene()))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
   lab::Findings findings = results ? results->findings() : solver.doubts();
   if (const auto taken = lab::noise_taken(stated, problem))

@@ -238,7 +238,7 @@ void solve_recording(const auto& scene, const SolveOptions& options, const Strea
   Replay all(plan, shape, file, options, streams);
   all.run();
   say_closing(streams.err, file.name(), file.source());
-  for (const std::string& sentence : report::in_words(all.solved()))
+  for (const std::string& sentence : report::in_words(all.solved(), scene))
     streams.err << "plan: note: " << sentence << '\n';
   if (all.saturated().count() > 0)
     streams.err << "plan: note: readings at the end of their range: "

@@ -188,7 +188,7 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
   }
   outputs.commit();
   say_closing(streams.err, file.name(), source);
-  for (const std::string& sentence : report::in_words(solver.solved()))
+  for (const std::string& sentence : report::in_words(solver.solved(), scene))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
   if (!results) return;
   Progress progress(streams);

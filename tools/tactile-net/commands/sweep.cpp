@@ -5,13 +5,17 @@
 #include <optional>
 #include <ostream>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/frames/folder_lock.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/numeric/counted.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/pages/sweep_page.hpp"
 #include "tactile_net/report/folder.hpp"
 #include "tactile_net/report/json/sweep_json.hpp"
@@ -19,6 +23,7 @@
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/sweep/slurm.hpp"
 #include "tactile_net/sweep/sweep.hpp"
+#include "tactile_net/system/printable.hpp"
 #include "terminal/interruption.hpp"
 #include "terminal/printable_stream.hpp"
 
@@ -98,6 +103,23 @@ class Ending {
   Streams streams_;
 };
 
+/// What every task of a job file is told of what was typed for the sweep.
+std::vector<std::string> options_of_tasks(const SweepOptions& options) {
+  const lab::SimulatorChoice& simulator = options.simulator;
+  const lab::SimulatorChoice standard;
+  std::vector<std::string> words;
+  if (options.force) words.emplace_back("--force");
+  if (options.allow_outside) words.emplace_back("--allow-outside");
+  if (simulator.kind != standard.kind) words.insert(words.end(), {"--simulator", simulator.kind});
+  if (const std::string& program = simulator.ngspice.program; program != standard.ngspice.program) {
+    const bool is_place = program.find('/') != program.npos;  // a task may begin elsewhere
+    words.insert(words.end(), {"--ngspice", is_place ? fs::absolute(program).string() : program});
+  }
+  if (simulator.time_limit != standard.time_limit)
+    words.insert(words.end(), {"--time-limit", shortest(simulator.time_limit)});
+  return words;
+}
+
 }  // namespace
 
 void run(const SweepOptions& options, const Streams& streams) {
@@ -106,15 +128,21 @@ void run(const SweepOptions& options, const Streams& streams) {
     throw WrongUsage("--json",
                      "tells of a sweep as a whole, which a part does not know: it is "
                      "for merge");
+  if (options.jobs && *options.jobs == 0) throw WrongUsage("--jobs", "must be at least 1");
+  if (options.slurm && shard.count > 1)
+    throw WrongUsage("--shard", "is what each task of --slurm has of its own: leave it out");
+  if (!options.slurm && options.time != SweepOptions{}.time)
+    throw WrongUsage("--time", "is of a task of a job file: it needs --slurm");
   const sweep::Study study(read_study(options.study, {options.allow_outside}));
   if (options.slurm) {
     streams.out << sweep::slurm_script({.study = fs::absolute(options.study).string(),
                                         .folder = fs::absolute(options.folder).string(),
                                         .tasks = *options.slurm,
-                                        .time = options.time});
+                                        .time = options.time,
+                                        .jobs = options.jobs.value_or(1),
+                                        .options = options_of_tasks(options)});
     return;
   }
-  if (options.jobs && *options.jobs == 0) throw WrongUsage("--jobs", "must be at least 1");
   const fs::path folder = options.folder;
   const Ending ending(folder, options.force, options.json, streams);
   SweepWatcher watcher(streams);
@@ -131,7 +159,8 @@ void run(const SweepOptions& options, const Streams& streams) {
   if (shard.count > 1) {
     streams.out << "shard " << options.shard << ": " << counted(progress.points, "point")
                 << (progress.points == 1 ? " is" : " are")
-                << " done; when all shards are: tactile-net merge " << folder.string() << '\n';
+                << " done; when all shards are: tactile-net merge "
+                << printable(shell_word(folder.string())) << '\n';
     if (const std::string nothing =
             report::nothing_found_in_words(sweep::shard_table(study, folder, shard));
         !nothing.empty())

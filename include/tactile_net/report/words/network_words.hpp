@@ -17,6 +17,12 @@ namespace tactile_net::report {
 /// "least_squares with a ladder": a realisation in the form that it has.
 [[nodiscard]] std::string circuit_in_words(Realization realization, bool ladder);
 
+/// Why its stability is not known. @pre  it is `not_modelled`
+[[nodiscard]] std::string unknown_in_words(const Certificate& certificate);
+
+/// "not with its op-amps": of a candidate that is not stable with what the scene states.
+[[nodiscard]] std::string stability_with_opamps_in_words(Stability stability);
+
 /// "a second pole": which of the theorem's conditions is not met; empty if it holds.
 [[nodiscard]] std::string condition_in_words(const Theorem& theorem);
 

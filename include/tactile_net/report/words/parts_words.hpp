@@ -15,12 +15,14 @@ namespace tactile_net::report {
 /// What to order and why, with where the better parts are.
 [[nodiscard]] std::string in_words(const lab::PartsList& list);
 
-/// ohm, tolerance, quantity and references of the chosen circuit's resistors, one value a row.
-/// @pre  there is a choice
+/// ohm, tolerance, quantity and designators of the chosen circuit's resistors, one value a row, and
+/// its op-amps. @pre  there is a choice
 [[nodiscard]] std::string order_csv(const lab::PartsList& list);
 
-/// The bill of materials: one resistor a row, with the other one of its pair, if it has one, and
-/// how many there are of its value and tolerance. @pre  there is a choice
+/// The bill of materials as assemblers take it, one part a row: Comment (its value), Designator and
+/// Footprint as on the board, MPN (empty: yours to fill in), Tolerance, Element (its name in the
+/// deck), the other one of its pair, and a note where it takes more power than its size carries.
+/// @pre  there is a choice
 [[nodiscard]] std::string bill_csv(const lab::PartsList& list);
 
 /// The board of the chosen circuit, as KiCad reads it. @pre  there is a choice

@@ -30,7 +30,8 @@ namespace tactile_net::report {
 
 /// "unstable: the answer depends on alpha ...", and what is doubtful about the readings; empty:
 /// nothing
-[[nodiscard]] std::string group_distrust(const lab::FrameGroup& group);
+[[nodiscard]] std::string group_distrust(const lab::RecordingOverview& overview,
+                                         const lab::FrameGroup& group);
 
 /// A sentence for every verdict but ok, and every doubt of the readings, with the number of frames.
 [[nodiscard]] std::vector<std::string> distrusted_in_words(const lab::RecordingOverview& overview);

@@ -16,9 +16,8 @@ namespace tactile_net::report {
 
 [[nodiscard]] std::vector<std::string> in_words(const lab::Remarks& remarks);
 
-/// What `remark::OffsetsFound` says, each channel with its constant written by whoever knows the
-/// unit.
-[[nodiscard]] std::string offsets_found(const std::vector<std::string>& each);
+/// "stress_x 12 kPa, strain_x 3e-5"; without units the numbers alone.
+[[nodiscard]] std::string in_words(const lab::remark::OffsetsFound& offsets);
 
 /// "2.5 % of the normal force lies beyond the ends of the array"
 [[nodiscard]] std::string in_words(const lab::SceneRemark& remark);

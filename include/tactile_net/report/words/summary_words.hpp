@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactile_net/lab/summary.hpp"
+#include "tactile_net/scene/any_scene.hpp"
 
 namespace tactile_net::report {
 
@@ -14,7 +15,8 @@ namespace tactile_net::report {
 
 /// "5 of 70 frames have the verdict border: frames 17, 40-43": one for each that is not ok; and how
 /// many were skipped or estimated.
-[[nodiscard]] std::vector<std::string> in_words(const lab::SolvedFrames& solved);
+[[nodiscard]] std::vector<std::string> in_words(const lab::SolvedFrames& solved,
+                                                const AnyScene& scene);
 
 /// "saturation cuts readings off in 3 of 11 frames": one for each effect that does.
 [[nodiscard]] std::vector<std::string> in_words(const lab::RecordedFrames& recorded);

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "tactile_net/lab/workload.hpp"
 
 namespace tactile_net::report {
+
+/// "the rule gcv"; of none that is named "the default rule".
+[[nodiscard]] std::string rule_in_words(std::optional<AlphaRule> rule);
 
 /// "forward model sampled: the sum over the taxels"
 [[nodiscard]] std::string why_in_words(const lab::Workload::Task& task);

@@ -27,7 +27,8 @@ class LargeSkinCone {
   LargeSkinCone(LargeSkinCone&&) noexcept;
   LargeSkinCone& operator=(LargeSkinCone&&) noexcept;
 
-  /// One frame, from 0. `too_large` if any weighted reading or traction would not be finite.
+  /// One frame, from 0, whatever was solved before. Uses the system's buffers: not for two threads
+  /// at once. `too_large` if any weighted reading or traction would not be finite.
   ///
   /// @param iteration_limit  steps after which the best so far is returned, with its verdict
   /// @param enough           residual at which it ends, as `SkinCone`'s

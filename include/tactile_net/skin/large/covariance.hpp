@@ -3,12 +3,13 @@
 /// decomposition of the whole.
 ///
 /// Sums over cells, such as a contact's force, are exact, by one solve each, and none where they
-/// follow from sums before: with x = P^-1 weights their variance is |W K x|^2 + alpha^2 /
-/// prior_alpha |L x|^2. The deviation of a single cell
-/// depends on what lies within a few depths: it is taken from a smaller skin of the same taxels, at
-/// the same distance from the nearest ends and dead taxels. That is an estimate, and how far it is
-/// off is measured: signs at tractions that lie far apart are solved for at once, which gives the
-/// deviation of each (probing; Tang and Saad 2012). The tests hold all cells to what is said.
+/// follow from sums before; their bits do not depend on what was asked for before. With x = P^-1
+/// weights their variance is |W K x|^2 + alpha^2 / prior_alpha |L x|^2. The deviation of a single
+/// cell depends on what lies within a few depths: it is taken from a smaller skin of the same
+/// taxels, at the same distance from the nearest ends and dead taxels. That is an estimate, and how
+/// far it is off is measured: signs at tractions that lie far apart are solved for at once, which
+/// gives the deviation of each (probing; Tang and Saad 2012). The tests hold all cells to what is
+/// said.
 #pragma once
 
 #include <cstddef>
@@ -55,7 +56,7 @@ class LargeSkinBands {
 
 class LargeSkinCovariance final : public CellCovariance {
  public:
-  /// Of the solver's alpha as it is now; another one starts anew.
+  /// Of the solver's alpha as it is now, which the solver takes again for whatever is asked for.
   ///
   /// @param bands               kept by reference
   /// @param prior_alpha         > 0
@@ -67,8 +68,8 @@ class LargeSkinCovariance final : public CellCovariance {
   /// Estimates as `deviations`; a window that a dead taxel's cell is in gets the prior's.
   [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
                                                       const CellWindow& window) const override;
-  /// Of `deviations`, measured by four to six solves; of alphas within a factor of two of those it
-  /// was measured for what it was there.
+  /// Of `deviations`, measured by four to six solves at the nearest alphas that are a power of two
+  /// from a size of the skin; of other alphas near these what it was there.
   [[nodiscard]] BandError error() const;
   /// Of weights in a single cell as `deviations`.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;

@@ -39,9 +39,14 @@ class LargeSkinFaceCovariance final : public Covariance {
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
                                   std::span<const double> b) const override;
+  /// Of several sums all are without constraints where a solve for one does not come to its end:
+  /// what they say of each other is of one covariance.
+  [[nodiscard]] std::vector<double> deviations_of(
+      std::span<const std::vector<double>> weights) const override;
+  [[nodiscard]] Matrix covariances(std::span<const std::vector<double>> weights) const override;
   [[nodiscard]] double degrees_of_freedom() const noexcept override;
-  /// Whether every solve so far came to its end; one that did not has the variance without
-  /// constraints.
+  /// Whether every solve so far came to its end; sums for which one did not have the variance
+  /// without constraints.
   [[nodiscard]] bool converged() const noexcept;
 
  private:

@@ -1,9 +1,9 @@
-#include "frames/field_value.hpp"
+#include "numeric/field_value.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace tactile_net::frames {
+namespace tactile_net {
 namespace {
 
 /// How spreadsheets, pandas, R, Julia and people write that there is no value; in small letters.
@@ -37,6 +37,18 @@ FieldKind read_unusual_field(std::string_view field, FieldKind kind, bool decima
   return kind == FieldKind::text && is_word_for_missing(field) ? FieldKind::missing : kind;
 }
 
+std::string how_to_write(std::string_view field) {
+  if (field.find_first_not_of("+-0123456789.,'eE") != field.npos) return {};
+  const auto commas = std::count(field.begin(), field.end(), ',');
+  const auto points = std::count(field.begin(), field.end(), '.');
+  const auto marks = std::count(field.begin(), field.end(), '\'');
+  if (commas == 1 && points + marks == 0)
+    return "a decimal comma? Where commas separate fields write decimal points; or write the table "
+           "with semicolons between fields";
+  if (commas + points + marks < 2) return {};
+  return "separators of thousands? Write the number without them";
+}
+
 std::string why_no_number(std::string_view field, FieldKind kind) {
   if (field.empty()) return "a number is missing";
   const std::string quoted = "'" + std::string(field.substr(0, 40)) + "'";
@@ -48,4 +60,4 @@ std::string why_no_number(std::string_view field, FieldKind kind) {
               : " is not a number");
 }
 
-}  // namespace tactile_net::frames
+}  // namespace tactile_net

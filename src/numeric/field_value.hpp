@@ -8,7 +8,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 
-namespace tactile_net::frames {
+namespace tactile_net {
 
 enum class FieldKind {
   number,   ///< finite
@@ -44,7 +44,11 @@ enum class FieldKind {
   return kind == FieldKind::number ? kind : read_unusual_field(field, kind, decimal_comma, value);
 }
 
+/// What to do about a field that has commas, or several points, in a number: decimal commas, or
+/// separators of thousands. Empty: it is nothing of the kind.
+[[nodiscard]] std::string how_to_write(std::string_view field);
+
 /// Why a field is no number, for a message: "'abc' is not a number".
 [[nodiscard]] std::string why_no_number(std::string_view field, FieldKind kind);
 
-}  // namespace tactile_net::frames
+}  // namespace tactile_net

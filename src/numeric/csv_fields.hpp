@@ -1,12 +1,13 @@
 /// @file
-/// How the rows of a text file are cut into fields. Private.
+/// How the rows of a text file are cut into fields: the one reader of CSV's fields. Private.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace tactile_net::frames {
+namespace tactile_net {
 
 struct CsvLayout {
   char separator = ',';  ///< ',', ';' or '\t'; ' ' stands for any run of blanks and tabs
@@ -17,6 +18,9 @@ struct CsvLayout {
 
 /// How a line is most likely cut: the line with the names, or one of numbers.
 [[nodiscard]] CsvLayout layout_of(std::string_view line);
+
+/// How often `c` stands in a line outside quotes.
+[[nodiscard]] std::ptrdiff_t count_outside_quotes(std::string_view line, char c) noexcept;
 
 /// Without surrounding blanks and quotes.
 [[nodiscard]] inline std::string_view trimmed(std::string_view field) noexcept {
@@ -45,7 +49,10 @@ struct CsvLayout {
 /// All fields of a row, as they stand.
 [[nodiscard]] std::vector<std::string_view> fields_of(std::string_view row, CsvLayout layout);
 
+/// The text of a field: without the quotes around it, and what it has of them once (RFC 4180).
+[[nodiscard]] std::string unquoted(std::string_view field);
+
 /// The fields of the line with the names: where blanks separate, "t [s]" is one.
 [[nodiscard]] std::vector<std::string_view> names_of(std::string_view row, CsvLayout layout);
 
-}  // namespace tactile_net::frames
+}  // namespace tactile_net

@@ -1,10 +1,10 @@
-#include "frames/csv_layout.hpp"
+#include "numeric/csv_fields.hpp"
 
 #include <algorithm>
 
-#include "frames/field_value.hpp"
+#include "numeric/field_value.hpp"
 
-namespace tactile_net::frames {
+namespace tactile_net {
 namespace {
 
 constexpr std::string_view blanks = " \t";
@@ -18,8 +18,21 @@ bool all_numbers(std::string_view line, CsvLayout layout) {
   return true;
 }
 
-/// How often `c` stands in a line outside quotes.
-std::ptrdiff_t count_outside_quotes(std::string_view line, char c) {
+/// Where the quote that closes the one at `open` stands; doubled ones belong to the field.
+std::size_t closing_quote(std::string_view text, std::size_t open) noexcept {
+  std::size_t at = text.find('"', open + 1);
+  while (at != text.npos && at + 1 < text.size() && text[at + 1] == '"')
+    at = text.find('"', at + 2);
+  return at;
+}
+
+bool begins_unit(std::string_view field) {
+  return !field.empty() && (field.front() == '[' || field.front() == '(');
+}
+
+}  // namespace
+
+std::ptrdiff_t count_outside_quotes(std::string_view line, char c) noexcept {
   std::ptrdiff_t count = 0;
   bool quoted = false;
   for (const char one : line) {
@@ -28,12 +41,6 @@ std::ptrdiff_t count_outside_quotes(std::string_view line, char c) {
   }
   return count;
 }
-
-bool begins_unit(std::string_view field) {
-  return !field.empty() && (field.front() == '[' || field.front() == '(');
-}
-
-}  // namespace
 
 CsvLayout layout_of(std::string_view line) {
   const auto semicolons = count_outside_quotes(line, ';');
@@ -64,7 +71,7 @@ std::string_view take_unusual_field(std::string_view& rest, bool& more, CsvLayou
   std::size_t from = 0;
   const std::size_t quote = layout.separator == ' ' ? 0 : begin;
   if (quote < rest.size() && rest[quote] == '"') {
-    const std::size_t closing = rest.find('"', quote + 1);
+    const std::size_t closing = closing_quote(rest, quote);
     if (closing != rest.npos) from = closing;
   }
   const std::size_t end = layout.separator == ' ' ? rest.find_first_of(blanks, from)
@@ -84,6 +91,16 @@ std::vector<std::string_view> fields_of(std::string_view row, CsvLayout layout) 
   return fields;
 }
 
+std::string unquoted(std::string_view field) {
+  if (field.size() < 2 || field.front() != '"' || field.back() != '"') return std::string(field);
+  std::string text;
+  for (std::size_t i = 1; i + 1 < field.size(); ++i) {
+    text += field[i];
+    if (field[i] == '"' && field[i + 1] == '"' && i + 2 < field.size()) ++i;
+  }
+  return text;
+}
+
 std::vector<std::string_view> names_of(std::string_view row, CsvLayout layout) {
   std::vector<std::string_view> names;
   for (const std::string_view field : fields_of(row, layout)) {
@@ -97,4 +114,4 @@ std::vector<std::string_view> names_of(std::string_view row, CsvLayout layout) {
   return names;
 }
 
-}  // namespace tactile_net::frames
+}  // namespace tactile_net

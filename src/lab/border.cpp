@@ -1,0 +1,94 @@
+#include "lab/border.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tactile_net/lab/skin_sight.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+constexpr double nearly = 0.7;  // of the highest pressure
+
+/// The index in 0 ... count - 1 of the place nearest to `at`, where place i is `first + i spacing`.
+std::size_t nearest_place(double at, double first, double spacing, std::size_t count) {
+  const double index = std::round((at - first) / spacing);
+  return static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
+}
+
+}  // namespace
+
+std::vector<std::size_t> border_values(const SceneProblem& problem) {
+  const Surface& surface = problem.surface();
+  const std::vector<std::size_t>& dead = problem.scene().dead_taxels;
+  double first = std::numeric_limits<double>::infinity();
+  double last = -first;
+  for (std::size_t taxel = 0; taxel < problem.scene().sensor.count; ++taxel) {
+    if (std::find(dead.begin(), dead.end(), taxel) != dead.end()) continue;
+    first = std::min(first, position(problem.scene().sensor, taxel));
+    last = std::max(last, position(problem.scene().sensor, taxel));
+  }
+  if (!(first <= last)) return {};
+  std::vector<std::size_t> ends;
+  for (const double y : {first, last})
+    ends.push_back(nearest_place(y, surface.position(0), surface.spacing, surface.count));
+  return ends;
+}
+
+std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,
+                                      const std::vector<bool>& unseen) {
+  const SkinArray& skin = problem.scene().sensor;
+  const SkinGrid& grid = problem.grid();
+  const SkinProblem& solved = problem.layout();
+  const double reach = sight_of(skin) + 1.01 * std::max(grid.spacing_y, grid.spacing_z);
+  // Across a single row of taxels every contact reaches beyond them.
+  const bool one_row = is_even(skin) && skin.rows == 1;
+  const bool one_column = is_even(skin) && skin.columns == 1;
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < solved.sites.size(); ++i) {
+    if (solved.weights[i] == 0.0) continue;
+    const SkinSite& site = solved.sites[i];
+    const std::size_t row = nearest_place(site.y, grid.y(0), grid.spacing_y, grid.rows);
+    const std::size_t column = nearest_place(site.z, grid.z(0), grid.spacing_z, grid.columns);
+    const auto down = one_row ? 0 : static_cast<std::ptrdiff_t>(reach / grid.spacing_y);
+    const auto across = one_column ? 0 : static_cast<std::ptrdiff_t>(reach / grid.spacing_z);
+    const auto is_blind = [&](std::ptrdiff_t m, std::ptrdiff_t n) {
+      if (m < 0 || n < 0 || m >= static_cast<std::ptrdiff_t>(grid.rows) ||
+          n >= static_cast<std::ptrdiff_t>(grid.columns))
+        return true;
+      return unseen[static_cast<std::size_t>(m) * grid.columns + static_cast<std::size_t>(n)] &&
+             std::hypot(grid.y(static_cast<std::size_t>(m)) - site.y,
+                        grid.z(static_cast<std::size_t>(n)) - site.z) <= reach;
+    };
+    bool beside = false;
+    for (std::ptrdiff_t m = -down; m <= down && !beside; ++m)
+      for (std::ptrdiff_t n = -across; n <= across && !beside; ++n)
+        beside =
+            is_blind(static_cast<std::ptrdiff_t>(row) + m, static_cast<std::ptrdiff_t>(column) + n);
+    if (beside) cells.push_back(row * grid.columns + column);
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+bool is_cut_off(const SceneProblem& problem, std::span<const double> readings,
+                std::span<const double> tractions, const FrameResult& result) {
+  constexpr double explained = 0.5;  // of the readings' size, at least: else noise may press there
+  if (result.verdict != Verdict::ok ||
+      !presses_at_border(tractions.first(problem.surface().count), border_values(problem)))
+    return false;
+  const SceneFrame frame(problem, readings);
+  return frame.residual(tractions) <
+         (1.0 - explained) * frame.residual(std::vector<double>(tractions.size()));
+}
+
+bool presses_at_border(std::span<const double> pressure, std::span<const std::size_t> border) {
+  const double highest = *std::max_element(pressure.begin(), pressure.end());
+  return highest > 0.0 && std::any_of(border.begin(), border.end(), [&](std::size_t place) {
+           return pressure[place] >= nearly * highest;
+         });
+}
+
+}  // namespace tactile_net::lab
