@@ -85,8 +85,8 @@ TEST_CASE("a frame of another size, or with NaN, is refused and leaves the room 
   CHECK(f == std::vector<double>(f.size(), 7.0));
 }
 
-TEST_CASE("the bands' prior is judged alone, whatever the other rules say", "[lab][bands]") {
-  // Three times the noise stated and an outlier: the rules disagree here, evidence by itself is
+TEST_CASE("the bands' prior is gml judged alone, whatever the other rules say", "[lab][bands]") {
+  // Three times the noise stated and an outlier: the rules disagree here, gml by itself is
   // sure.
   Scene scene = scene_that_reads(one_stress, "[noise]\nrms = 1e-3\n");
   scene.sensor.depths = {1.9 * scene.sensor.pitch};  // not dense: no windows
@@ -102,14 +102,14 @@ TEST_CASE("the bands' prior is judged alone, whatever the other rules say", "[la
     readings[static_cast<std::size_t>(k)] += 0.3 / k;
     const SceneFrame frame(problem, readings);
     const AlphaChoice heard =
-        choose_alpha(frame.analysed(), prior_rule(true), problem.stated_noise());
+        choose_alpha(frame.analysed(), AlphaRule::gml, problem.stated_noise());
     if (heard.verdict == AlphaVerdict::rules_disagree) ++disagreements;
 
     std::vector<double> f(solver->tractions());
     const FrameResult result = solver->solve(readings, f);
     const FrameUncertainty bands = uncertainty(frame, f, result);
     const AlphaChoice alone =
-        choose_alone(frame.analysed(), prior_rule(true), problem.stated_noise());
+        choose_alone(frame.analysed(), AlphaRule::gml, problem.stated_noise());
     const double prior = alone.verdict == AlphaVerdict::ok ? alone.alpha : result.alpha->value;
     const TractionCovariance covariance(problem.problem(), result.alpha->value, prior);
     std::vector<double> expected = covariance.deviations();

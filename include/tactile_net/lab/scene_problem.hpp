@@ -169,7 +169,8 @@ class SceneFrame {
   /// without constraints.
   [[nodiscard]] ChosenAlpha alpha() const;
 
-  /// What sizes the bands' prior, by `prior_rule`, judged without other rules.
+  /// What sizes the bands' prior, judged without other rules: evidence where the noise is stated
+  /// and few readings are left to tell it by, else gml.
   [[nodiscard]] const AlphaChoice& prior() const;
 
   /// |W (K f - g)|_2, by the best offsets where these are not known.
