@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "numeric/kept_or_made.hpp"
 
 namespace tactile_net {
 namespace {
@@ -28,21 +29,19 @@ std::vector<double> LongArrayCovariance::deviations() const {
 }
 
 const std::vector<double>& LongArrayCovariance::image(std::span<const double> weights) const {
-  for (auto one = images_.begin(); one != images_.end(); ++one)
-    if (std::ranges::equal(one->first, weights)) {
-      images_.splice(images_.begin(), images_, one);
-      return one->second;
-    }
-  check_weights(weights, solver_.tractions());
-  solver_.use_alpha(alpha_);
-  std::vector<double> image = solver_.stacked_product(solver_.solve_normal(weights));
-  // Below the readings stands sqrt(alpha) L x.
-  const auto smooth = image.begin() + static_cast<std::ptrdiff_t>(solver_.readings());
-  const double prior = std::sqrt(alpha_ / prior_alpha_);
-  std::for_each(smooth, image.end(), [=](double& value) { value *= prior; });
-  images_.emplace_front(std::vector<double>(weights.begin(), weights.end()), std::move(image));
-  if (images_.size() > most_images) images_.pop_back();
-  return images_.front().second;
+  const auto is = [&](const std::vector<double>& kept) {
+    return std::ranges::equal(kept, weights);
+  };
+  return kept_or_made(images_, most_images, is, [&] {
+    check_weights(weights, solver_.tractions());
+    solver_.use_alpha(alpha_);
+    std::vector<double> image = solver_.stacked_product(solver_.solve_normal(weights));
+    // Below the readings stands sqrt(alpha) L x.
+    const auto smooth = image.begin() + static_cast<std::ptrdiff_t>(solver_.readings());
+    const double prior = std::sqrt(alpha_ / prior_alpha_);
+    std::for_each(smooth, image.end(), [=](double& value) { value *= prior; });
+    return std::pair(std::vector<double>(weights.begin(), weights.end()), std::move(image));
+  });
 }
 
 double LongArrayCovariance::deviation(std::span<const double> weights) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tactile_net/lab/skin_sight.hpp"
 
@@ -22,17 +21,19 @@ std::size_t nearest_place(double at, double first, double spacing, std::size_t c
 std::vector<std::size_t> border_values(const SceneProblem& problem) {
   const Surface& surface = problem.surface();
   const std::vector<std::size_t>& dead = problem.scene().dead_taxels;
-  double first = std::numeric_limits<double>::infinity();
-  double last = -first;
-  for (std::size_t taxel = 0; taxel < problem.scene().sensor.count; ++taxel) {
-    if (std::find(dead.begin(), dead.end(), taxel) != dead.end()) continue;
-    first = std::min(first, position(problem.scene().sensor, taxel));
-    last = std::max(last, position(problem.scene().sensor, taxel));
-  }
-  if (!(first <= last)) return {};
+  const SensorArray& array = problem.scene().sensor;
+  const auto is_live = [&](std::size_t taxel) {
+    return std::find(dead.begin(), dead.end(), taxel) == dead.end();
+  };
+  std::size_t first = 0;  // taxels are numbered by their place
+  while (first < array.count && !is_live(first)) ++first;
+  if (first == array.count) return {};
+  std::size_t last = array.count - 1;
+  while (!is_live(last)) --last;
   std::vector<std::size_t> ends;
-  for (const double y : {first, last})
-    ends.push_back(nearest_place(y, surface.position(0), surface.spacing, surface.count));
+  for (const std::size_t taxel : {first, last})
+    ends.push_back(
+        nearest_place(position(array, taxel), surface.position(0), surface.spacing, surface.count));
   return ends;
 }
 
@@ -74,14 +75,11 @@ std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,
 }
 
 bool is_cut_off(const SceneProblem& problem, std::span<const double> readings,
-                std::span<const double> tractions, const FrameResult& result) {
+                std::span<const double> tractions) {
   constexpr double explained = 0.5;  // of the readings' size, at least: else noise may press there
-  if (result.verdict != Verdict::ok ||
-      !presses_at_border(tractions.first(problem.surface().count), border_values(problem)))
-    return false;
-  const SceneFrame frame(problem, readings);
-  return frame.residual(tractions) <
-         (1.0 - explained) * frame.residual(std::vector<double>(tractions.size()));
+  return presses_at_border(tractions.first(problem.surface().count), problem.border()) &&
+         problem.residual(readings, tractions) <
+             (1.0 - explained) * problem.residual(readings, std::vector<double>(tractions.size()));
 }
 
 bool presses_at_border(std::span<const double> pressure, std::span<const std::size_t> border) {

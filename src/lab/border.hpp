@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
 
@@ -23,7 +22,7 @@ namespace tactile_net::lab {
 
 /// Whether a line's answer is a lower bound: its readings are explained, and its ends are pressed.
 [[nodiscard]] bool is_cut_off(const SceneProblem& problem, std::span<const double> readings,
-                              std::span<const double> tractions, const FrameResult& result);
+                              std::span<const double> tractions);
 
 /// Whether the border is pressed nearly as hard as any place. What presses beside it is then not
 /// known, and the force that is found is a lower bound: under contacts that end at the outermost

@@ -58,7 +58,8 @@ std::optional<FrameResult> RecordingSolver::solve(std::span<double> readings,
   }
   if (result->status != FrameStatus::ok) return result;
 
-  if (traits(method_).has_bands && is_cut_off(this->problem(), readings, tractions, *result)) {
+  if (traits(method_).has_bands && result->verdict == Verdict::ok &&
+      is_cut_off(this->problem(), readings, tractions)) {
     result->verdict = Verdict::cut_off;
     result->remarks.emplace_back(remark::LowerBound{});
   }

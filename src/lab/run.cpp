@@ -114,8 +114,10 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
     degrade(result, Verdict::ill_conditioned);
     result.remarks.emplace_back(remark::Rounding{*result.error_bound});
   }
-  if (is_cut_off(run.problem, run.frame.readings(), f, {.verdict = result.verdict})) {
-    degrade(result, Verdict::cut_off);
+  // A verdict that is ok says by now that the readings are explained, and not noise.
+  if (result.verdict == Verdict::ok &&
+      presses_at_border(f.first(run.problem.surface().count), run.problem.border())) {
+    result.verdict = Verdict::cut_off;
     result.remarks.emplace_back(remark::LowerBound{});
   }
   if (const auto weight = run.frame.estimated_weight())

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "lab/border.hpp"
 #include "lab/lines_and_skins.hpp"
 #include "tactile_net/inverse/long_array_covariance.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
@@ -60,6 +61,7 @@ struct SceneProblem::Parts {
   std::optional<LongArrayFamily> sections;
   std::optional<FftTikhonov> products;
   std::optional<AlphaTables> alpha_tables;
+  std::optional<std::vector<std::size_t>> border;
   std::optional<ModeSpace> hidden;
   std::optional<DataJudge> data_judge;
   std::unique_ptr<Covariance> covariance;
@@ -180,6 +182,26 @@ AlphaRule SceneProblem::alpha_rule(const FilterFrame& frame) const {
   return default_rule(alpha_tables(frame), stated_noise().has_value());
 }
 
+const std::vector<std::size_t>& SceneProblem::border() const {
+  if (!parts_->border) parts_->border = border_values(*this);
+  return *parts_->border;
+}
+
+double SceneProblem::residual(std::span<const double> readings,
+                              std::span<const double> tractions) const {
+  if (is_large()) return products().residual(readings, tractions);
+  const InverseProblem& problem = this->problem();
+  const std::vector<double> explained = weighted(problem, readings);
+  double size = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (problem.weights[i] == 0.0) continue;
+    const std::span<const double> row = problem.kernel.row(i);
+    size = std::hypot(size,
+                      std::inner_product(row.begin(), row.end(), tractions.begin(), -explained[i]));
+  }
+  return size;
+}
+
 const ModeSpace& SceneProblem::hidden() const {
   if (parts_->hidden) return *parts_->hidden;
   if (surface().basis == SurfaceBasis::taxels) {
@@ -284,7 +306,7 @@ SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings,
       problem_(weights_.empty() ? given_ : given_.weighed(most_likely(weights_).value)),
       readings_(readings.begin(), readings.end()) {}
 
-SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings)
+SceneFrame::SceneFrame(const SceneProblem& problem, std::span<const double> readings)
     : SceneFrame(problem, readings, likely_weights_of(problem, readings)) {}
 
 std::optional<double> SceneFrame::estimated_weight() const noexcept {
@@ -329,20 +351,6 @@ ChosenAlpha SceneFrame::alpha() const {
           .rule = choice.rule,
           .verdict = choice.verdict,
           .tangential_weight = estimated_weight()};
-}
-
-double SceneFrame::residual(std::span<const double> tractions) const {
-  if (problem_.is_large()) return problem_.products().residual(readings_, tractions);
-  const InverseProblem& problem = problem_.problem();
-  const std::vector<double> explained = weighted(problem, readings_);
-  double size = 0.0;
-  for (std::size_t i = 0; i < readings_.size(); ++i) {
-    if (problem.weights[i] == 0.0) continue;
-    const std::span<const double> row = problem.kernel.row(i);
-    size = std::hypot(size,
-                      std::inner_product(row.begin(), row.end(), tractions.begin(), -explained[i]));
-  }
-  return size;
 }
 
 const AlphaChoice& SceneFrame::prior() const {

@@ -177,23 +177,14 @@ void doubt_what_is_left_out(UncertainWrench& wrench, const SkinGrid& grid,
   if (sizes.empty()) return;
   const double least = outstanding * quantile(std::move(sizes), quiet_share);
   // What adjoins the contact is its own rim.
-  std::vector<bool> standing_out(beside.size());
-  for (std::size_t cell = 0; cell < beside.size(); ++cell)
-    standing_out[cell] = beside[cell] && tractions[cell] > least;
-  for (const std::size_t cell : with_neighbours(grid, cells)) standing_out[cell] = false;
-  std::vector<std::size_t> left_out;
-  for (std::size_t cell = 0; cell < standing_out.size(); ++cell)
-    if (standing_out[cell]) left_out.push_back(cell);
-  if (left_out.empty()) return;
-  const auto widen = [&](std::size_t at, std::optional<Uncertain>& sum, double doubt) {
-    if (!sum) return;
-    sum->deviation = std::hypot(sum->deviation, doubt);
-    wrench.covariance[7 * at] += doubt * doubt;
-  };
+  for (const std::size_t cell : with_neighbours(grid, cells)) beside[cell] = false;
   // Moments about the centre that was found, over its force.
-  double normal = 0.0, y = 0.0, z = 0.0;
+  double normal = 0.0;
+  double y = 0.0;
+  double z = 0.0;
   std::array<double, 2> drags{};
-  for (const std::size_t cell : left_out) {
+  for (std::size_t cell = 0; cell < beside.size(); ++cell) {
+    if (!beside[cell] || !(tractions[cell] > least)) continue;
     const double force = grid.area() * tractions[cell];
     normal += force;
     if (wrench.centre_y) y += force * (grid.y(cell / grid.columns) - wrench.centre_y->value);
@@ -201,6 +192,12 @@ void doubt_what_is_left_out(UncertainWrench& wrench, const SkinGrid& grid,
     for (std::size_t u = 0; u < drags.size() && wrench.tangential_y; ++u)
       drags[u] += grid.area() * tractions[(u + 1) * grid.count() + cell];
   }
+  if (normal == 0.0) return;
+  const auto widen = [&](std::size_t at, std::optional<Uncertain>& sum, double doubt) {
+    if (!sum) return;
+    sum->deviation = std::hypot(sum->deviation, doubt);
+    wrench.covariance[7 * at] += doubt * doubt;
+  };
   wrench.normal.deviation = std::hypot(wrench.normal.deviation, normal);
   wrench.covariance[0] += normal * normal;
   widen(1, wrench.tangential_y, drags[0]);

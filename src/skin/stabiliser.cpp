@@ -63,8 +63,7 @@ Eigen::SparseMatrix<double> sparse_stabiliser(const SkinProblem& problem) {
 double prior_deviation(const SkinProblem& problem, std::span<const double> weights, double alpha) {
   check_alpha(alpha);
   const SkinGrid& grid = problem.grid;
-  if (weights.size() != problem.components * grid.count())
-    throw std::invalid_argument("a sum needs a weight for every traction");
+  check_weights(weights, problem.components * grid.count());
   const Eigen::MatrixXd down = cosine_waves(grid.rows, grid.rows);
   const Eigen::MatrixXd across = cosine_waves(grid.columns, grid.columns);
   const double y = std::pow(problem.smoothing_length / grid.spacing_y, 2);

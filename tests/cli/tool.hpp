@@ -13,6 +13,7 @@
 #include "tactile_net/simulator/child_process.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/in_process.hpp"
+#include "tests/replaced.hpp"
 
 namespace tactile_net {
 
@@ -70,11 +71,6 @@ inline ProcessResult program(std::vector<std::string> arguments, const std::stri
 inline std::string scene(const std::string& name) {
   std::string path = SCENES "/";
   return path += name;
-}
-
-inline std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  REQUIRE(text.find(what) != std::string::npos);
-  return text.replace(text.find(what), what.size(), with);
 }
 
 /// scenes/skins/circuit.toml with 3 x 3 taxels in place of 4 x 4: its circuit takes a fifth of the

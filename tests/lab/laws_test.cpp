@@ -18,6 +18,8 @@
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/euclidean.hpp"
+#include "tests/replaced.hpp"
 
 using namespace tactile_net;
 
@@ -36,8 +38,21 @@ struct FrameNumbers {
 const std::string pad = "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n";
 const std::string stated_noise = "[noise]\nrms = 1e-3\n";
 
+/// A sensor's problem, and what its own scene reads.
+template <class Problem>
+struct SensorProblem {
+  [[nodiscard]] std::vector<double> readings() const {
+    return lab::simulate(problem.scene()).readings;
+  }
+  [[nodiscard]] FilterFrame analysed(std::span<const double> g) const {
+    return problem.family().analyse(g);
+  }
+
+  Problem problem;
+};
+
 /// Taxels in a line, a third of their depth apart, that read two quantities.
-struct Lines {
+struct Lines : SensorProblem<lab::SceneProblem> {
   static constexpr std::size_t taxels = 21, channels = 2;
   static constexpr const char* coarse = "pitch = 3.0";
   static inline const std::string sensor =
@@ -51,14 +66,9 @@ struct Lines {
   static constexpr const char* within = "center = 3.5";
   using Solver = lab::RecordingSolver;
 
-  explicit Lines(const std::string& toml) : problem(parse_scene(toml, "line.toml")) {}
+  explicit Lines(const std::string& toml)
+      : SensorProblem{lab::SceneProblem(parse_scene(toml, "line.toml"))} {}
 
-  [[nodiscard]] std::vector<double> readings() const {
-    return lab::simulate(problem.scene()).readings;
-  }
-  [[nodiscard]] FilterFrame analysed(std::span<const double> g) const {
-    return problem.family().analyse(g);
-  }
   [[nodiscard]] static FrameNumbers answer(Solver& solver, std::vector<double> g) {
     FrameNumbers all{.tractions = std::vector<double>(solver.tractions())};
     const auto result = solver.solve(g, all.tractions);
@@ -99,12 +109,10 @@ struct Lines {
     }
     return m;
   }
-
-  lab::SceneProblem problem;
 };
 
 /// Taxels of a lattice that read three quantities.
-struct Skins {
+struct Skins : SensorProblem<lab::SkinSceneProblem> {
   static constexpr std::size_t rows = 6, columns = 5, taxels = rows * columns, channels = 3;
   static constexpr const char* coarse = "pitch = 3.0";
   static inline const std::string sensor =
@@ -119,14 +127,9 @@ struct Skins {
   using Solver = lab::SkinRecordingSolver;
 
   explicit Skins(const std::string& toml)
-      : problem(std::get<SkinScene>(parse_any_scene(toml, "skin.toml"))) {}
+      : SensorProblem{
+            lab::SkinSceneProblem(std::get<SkinScene>(parse_any_scene(toml, "skin.toml")))} {}
 
-  [[nodiscard]] std::vector<double> readings() const {
-    return lab::simulate(problem.scene()).readings;
-  }
-  [[nodiscard]] FilterFrame analysed(std::span<const double> g) const {
-    return problem.family().analyse(g);
-  }
   [[nodiscard]] static FrameNumbers answer(Solver& solver, std::vector<double> g) {
     const auto found = solver.solve(g);
     REQUIRE(found);
@@ -162,8 +165,6 @@ struct Skins {
   [[nodiscard]] std::vector<double> mirrored_tractions(const std::vector<double>& f) const {
     return mirrored(f, problem.grid().rows, problem.grid().columns);
   }
-
-  lab::SkinSceneProblem problem;
 };
 
 template <class Sensor>
@@ -172,29 +173,16 @@ std::string scene(const std::string& more = "[reconstruct]\ntangential_weight = 
   return Sensor::sensor + pad + Sensor::contact + noise + more;
 }
 
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const std::size_t at = text.find(what);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, what.size(), with);
-}
-
-double norm(std::span<const double> x) {
-  double sum = 0.0;
-  for (const double value : x) sum = std::hypot(sum, value);
-  return sum;
-}
-
-/// The distance of `x` from `factor` times `y`, over the latter's norm.
-double apart(std::span<const double> x, std::span<const double> y, double factor = 1.0) {
-  REQUIRE(x.size() == y.size());
-  double sum = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum = std::hypot(sum, x[i] - factor * y[i]);
-  return sum / (std::abs(factor) * norm(y));
-}
-
 std::vector<double> scaled(std::vector<double> x, double factor) {
   for (double& value : x) value *= factor;
   return x;
+}
+
+/// The distance of `x` from `factor` times `y`, over the latter's norm.
+double apart(const std::vector<double>& x, const std::vector<double>& y, double factor = 1.0) {
+  REQUIRE(x.size() == y.size());
+  const std::vector<double> expected = scaled(y, factor);
+  return distance(x, expected) / norm(expected);
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "tests/catch.hpp"
+#include "tests/simulator/caller.hpp"
 
 using namespace tactile_net;
 using namespace std::chrono_literals;
@@ -26,46 +26,12 @@ std::ptrdiff_t open_descriptors() {
   return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), {});
 }
 
-/// What a caller does with the ends of its children, while this lives.
-class Ends {
- public:
-  explicit Ends(void (*handler)(int)) {
-    struct sigaction action {};
-    action.sa_handler = handler;
-    ::sigaction(SIGCHLD, &action, &before_);
-  }
-  ~Ends() { ::sigaction(SIGCHLD, &before_, nullptr); }
-  Ends(const Ends&) = delete;
-  Ends& operator=(const Ends&) = delete;
-
- private:
-  struct sigaction before_ {};
-};
-
 void collect_all(int) {
   const int saved = errno;
   while (::waitpid(-1, nullptr, WNOHANG) > 0) {
   }
   errno = saved;
 }
-
-/// The process without an environment variable, while this lives.
-class Without {
- public:
-  explicit Without(const char* name) : name_(name) {
-    if (const char* value = std::getenv(name)) value_ = value;
-    ::unsetenv(name);
-  }
-  ~Without() {
-    if (value_) ::setenv(name_, value_->c_str(), 1);
-  }
-  Without(const Without&) = delete;
-  Without& operator=(const Without&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> value_{};
-};
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "tactile_net/simulator/ngspice.hpp"
+#include "tests/simulator/caller.hpp"
 #include "tests/simulator/failure.hpp"
 #include "tests/simulator/network_deck.hpp"
 
@@ -216,10 +217,8 @@ TEST_CASE("a worker that crashes is told by its signal, and replaced", "[spice]"
 }
 
 TEST_CASE("a caller without HOME that ignores its children gets the same", "[spice]") {
-  const char* value = std::getenv("HOME");
-  const std::string home = value == nullptr ? "" : value;
-  ::unsetenv("HOME");
-  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const Without home("HOME");
+  const Ends ignored(SIG_IGN);
   NgspiceLibrary library;
   CHECK(voltage(library, deck_of(1.0)) == 1.0);
   check_kept(failure(library, singular), Cause::failed, "singular matrix");
@@ -228,8 +227,6 @@ TEST_CASE("a caller without HOME that ignores its children gets the same", "[spi
   ::kill(library.worker(), SIGSEGV);
   check_kept(failure(library, deck_of(3.0)), Cause::crashed, "SIGCHLD");
   CHECK(voltage(library, deck_of(4.0)) == 4.0);
-  std::signal(SIGCHLD, before);
-  if (value != nullptr) ::setenv("HOME", home.c_str(), 1);
 }
 
 TEST_CASE("the worker ends with the object", "[spice]") {

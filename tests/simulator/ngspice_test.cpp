@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/catch.hpp"
+#include "tests/simulator/caller.hpp"
 #include "tests/simulator/failure.hpp"
 
 using namespace tactile_net;
@@ -53,15 +54,11 @@ TEST_CASE("a network solved by hand comes back, and no folder stays", "[spice]")
 }
 
 TEST_CASE("ngspice answers a caller without HOME, and one that ignores its children", "[spice]") {
-  const char* value = std::getenv("HOME");
-  const std::string home = value == nullptr ? "" : value;
-  ::unsetenv("HOME");
-  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const Without home("HOME");
+  const Ends ignored(SIG_IGN);
   Ngspice ngspice;
   CHECK_THAT(operating_point(ngspice, good, node_a).voltages[0], WithinRel(3.0, 1e-14));
   check_kept(failure(no_element), Cause::failed, "exit status 1");
-  std::signal(SIGCHLD, before);
-  if (value != nullptr) ::setenv("HOME", home.c_str(), 1);
 }
 
 TEST_CASE("what ngspice fails at with exit status 0 is a failure", "[spice]") {

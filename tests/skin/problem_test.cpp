@@ -179,5 +179,5 @@ TEST_CASE("before anything is read a sum is known as the stabiliser's inverse ha
   }
   CHECK_THAT(prior_deviation(problem, sum, alpha), WithinRel(std::sqrt(dot(sum, x)), 1e-10));
   CHECK_THROWS_WITH(prior_deviation(problem, std::vector<double>{1.0}, alpha),
-                    ContainsSubstring("for every traction"));
+                    ContainsSubstring("needs one weight per traction"));
 }

@@ -12,6 +12,7 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/study/processor.hpp"
 #include "tests/catch.hpp"
+#include "tests/replaced.hpp"
 #include "tests/study/ticking.hpp"
 
 using namespace tactile_net;
@@ -90,10 +91,6 @@ const std::string pressed_line =
 
 Study digital_study(const std::string& text, StudyObserver& observer = silent_study) {
   return tradeoff(parse_scene(text, "s.toml"), {.circuits = false, .clock = ticking}, observer);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
 }
 
 /// The failures of that curve.

@@ -12,6 +12,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sweep/row.hpp"
 #include "tests/catch.hpp"
+#include "tests/replaced.hpp"
 #include "tests/sweep/small_study.hpp"
 
 using namespace tactile_net;
@@ -47,10 +48,6 @@ struct Failing final : Simulator {
 /// The scene of a line array at a point.
 Scene line(const sweep::Study& study, const sweep::Point& point) {
   return std::get<Scene>(study.scene(point));
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  return text.replace(text.find(what), what.size(), by);
 }
 
 double number(const AxisValue& value) {

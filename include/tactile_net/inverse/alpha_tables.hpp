@@ -46,10 +46,11 @@ class AlphaTables {
 /// docs/internals/alpha.md.
 [[nodiscard]] AlphaRule default_rule(const AlphaTables& tables, bool noise_known) noexcept;
 
-/// The rule that sizes the prior of bands: evidence, or gml where the noise is not known. Others
-/// find the best tractions, and a prior that is too small (docs/internals/decisions.md).
-[[nodiscard]] constexpr AlphaRule prior_rule(bool noise_known) noexcept {
-  return noise_known ? AlphaRule::evidence : AlphaRule::gml;
+/// The rule that sizes the prior of bands: evidence where the noise that is stated is relied on,
+/// else gml, which bears another noise. Other rules find the best tractions, and a prior that is
+/// too small (docs/internals/decisions.md).
+[[nodiscard]] constexpr AlphaRule prior_rule(bool relies_on_noise) noexcept {
+  return relies_on_noise ? AlphaRule::evidence : AlphaRule::gml;
 }
 
 /// `sweep_alpha` and `choose_alone` of a frame whose gamma and rows are those of the tables: the

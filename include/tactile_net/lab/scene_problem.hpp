@@ -98,6 +98,13 @@ class SceneProblem {
   /// `default_rule`. @param frame  as above
   [[nodiscard]] AlphaRule alpha_rule(const FilterFrame& frame) const;
 
+  /// The tractions above the outermost live taxels: `border_values` (border.hpp).
+  [[nodiscard]] const std::vector<std::size_t>& border() const;
+
+  /// |W (K f - g)|_2, by the best offsets where these are not known.
+  [[nodiscard]] double residual(std::span<const double> readings,
+                                std::span<const double> tractions) const;
+
   /// What no reading shows of line loads over the taxels. Of a finer surface every array hides
   /// what changes from one taxel to the next.
   [[nodiscard]] const ModeSpace& hidden() const;
@@ -135,7 +142,7 @@ class SceneFrame {
   /// @param readings  channels x count, as the scene's sensor; copied
   /// @throw std::invalid_argument  a weight is to be estimated of readings that have the wrong size
   ///                               or are not finite, or for a large problem
-  SceneFrame(SceneProblem problem, std::span<const double> readings);
+  SceneFrame(const SceneProblem& problem, std::span<const double> readings);
 
   /// As given: without a weight that is estimated.
   [[nodiscard]] const SceneProblem& given() const noexcept { return given_; }
@@ -173,8 +180,10 @@ class SceneFrame {
   /// and few readings are left to tell it by, else gml.
   [[nodiscard]] const AlphaChoice& prior() const;
 
-  /// |W (K f - g)|_2, by the best offsets where these are not known.
-  [[nodiscard]] double residual(std::span<const double> tractions) const;
+  /// As `SceneProblem::residual`.
+  [[nodiscard]] double residual(std::span<const double> tractions) const {
+    return problem_.residual(readings_, tractions);
+  }
 
  private:
   SceneFrame(SceneProblem problem, std::span<const double> readings,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "numeric/eigen.hpp"
+#include "numeric/kept_or_made.hpp"
 #include "tactile_net/skin/grid.hpp"
 
 namespace tactile_net {
@@ -48,10 +49,6 @@ class SolvedSums {
  private:
   /// Weights that are not 0, by their place.
   using Direction = std::vector<std::pair<Eigen::Index, double>>;
-  struct Solved {
-    Direction direction;
-    Eigen::VectorXd image;
-  };
   static constexpr std::size_t most = 24;
   static constexpr double known = 1e-10;  // of weights: no more than rounding
 
@@ -124,19 +121,16 @@ class SolvedSums {
   /// Valid until the next call.
   const Eigen::VectorXd& solved(const Direction& direction, Eigen::Index weights,
                                 const auto& make) {
-    for (auto one = solved_.begin(); one != solved_.end(); ++one)
-      if (one->direction == direction) {
-        solved_.splice(solved_.begin(), solved_, one);
-        return one->image;
-      }
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(weights);
-    for (const auto& [place, weight] : direction) all(place) = weight;
-    solved_.push_front({direction, make(all)});
-    if (solved_.size() > most) solved_.pop_back();
-    return solved_.front().image;
+    const auto is = [&](const Direction& kept) { return kept == direction; };
+    return kept_or_made(solved_, most, is, [&] {
+      Eigen::VectorXd all = Eigen::VectorXd::Zero(weights);
+      for (const auto& [place, weight] : direction) all(place) = weight;
+      return std::pair<Direction, Eigen::VectorXd>(direction, make(all));
+    });
   }
 
-  std::list<Solved> solved_{};  // the one asked for last is the first
+  std::list<std::pair<Direction, Eigen::VectorXd>>
+      solved_{};  // the one asked for last is the first
 };
 
 }  // namespace tactile_net
