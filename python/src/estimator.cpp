@@ -241,6 +241,9 @@ void bind_contact(nb::module_& module) {
       module, "ContactEstimate",
       "What is known of one frame's contact. It stays as it is when the next frame comes.")
       .def_ro("normal_force", &ContactEstimate::normal_force, "F_v [N/m], of skins [N]")
+      .def_ro("force_deviation", &ContactEstimate::force_deviation,
+              "what noise and smoothing may have made of it, one standard deviation; nan where the "
+              "plan knows no noise")
       .def_ro("tangential_force", &ContactEstimate::tangential_force,
               "F_t [N/m], of skins its size [N]; nan where only normal tractions are solved for")
       .def_ro("tangential_y", &ContactEstimate::tangential_y, "of a skin, along y [N]; else nan")
@@ -252,11 +255,16 @@ void bind_contact(nb::module_& module) {
               "else nan")
       .def_ro("angle", &ContactEstimate::angle, "atan2(F_t, F_v) [rad]; nan as the two above")
       .def_ro("friction_margin", &ContactEstimate::friction_margin,
-              "mu F_v - |F_t| [N/m], of skins [N], below 0 it slips; nan without a friction "
-              "coefficient")
+              "mu F_v - |F_t| [N/m], of skins [N], below 0 it slips; of several contacts the one "
+              "nearest to slipping; nan without a friction coefficient")
       .def_ro("slip_margin", &ContactEstimate::slip_margin,
               "of a skin, what drag and torsion together leave of friction, 1 at rest, below 0 it "
               "slips or turns; nan as above")
+      .def_ro("margin_centre", &ContactEstimate::margin_centre,
+              "y of the contact that the margins are of [m]; nan as above")
+      .def_ro("margin_centre_z", &ContactEstimate::margin_centre_z, "its z, of a skin [m]")
+      .def_ro("contacts", &ContactEstimate::contacts,
+              "contacts that lie apart, of which the margins are the worst; 0: no margins")
       .def_ro("touching", &ContactEstimate::touching,
               "of a skin, the cells that forces are sums over; 0: all")
       .def_ro("residual_rms", &ContactEstimate::residual_rms,
@@ -265,6 +273,10 @@ void bind_contact(nb::module_& module) {
       .def_ro("pulls", &ContactEstimate::pulls, "the pad is pulled, which no contact does")
       .def_ro("implausible", &ContactEstimate::implausible, "a strain of more than 1")
       .def_ro("misfit", &ContactEstimate::misfit, "the residual is more than noise explains")
+      .def_ro("beyond_edge", &ContactEstimate::beyond_edge,
+              "it presses at the outermost taxels as hard as anywhere: the force is a lower bound")
+      .def_ro("baseline_moved", &ContactEstimate::baseline_moved,
+              "a constant is nearly all that a channel reads: record a new baseline")
       .def_ro("saturated", &ContactEstimate::saturated, "a reading is at its range's end")
       .def_prop_ro("outlier", &outlier_of,
                    "index of the reading that the others explain least, or None");

@@ -10,6 +10,7 @@
 #include "tactile_net/pages/skin_page.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/json/skin_json.hpp"
+#include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 
@@ -30,7 +31,8 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
     : shared_(std::move(shared)),
       times_(std::move(times)),
       readings_(readings.data(), readings.data() + readings.size()),
-      size_(readings.shape(1)) {
+      size_(readings.shape(1)),
+      checker_(shared_->scene()) {
   const auto locked = shared_->lock();
   grid_ = locked.problem.grid();
   width_ = locked.problem.tractions();
@@ -39,6 +41,8 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
     watcher.frame();
     const std::span frame(readings_.data() + i * size_, size_);
     check_finite(frame, i, options.missing != lab::Missing::fail);
+    checker_.add(times_.empty() || std::isnan(times_[i]) ? std::nullopt : std::optional(times_[i]),
+                 frame);
     try {
       answers_.push_back(solver.solve(frame));
     } catch (const lab::FrameOverflow&) {
@@ -46,6 +50,7 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
     }
   }
   solved_ = solver.solved();
+  doubts_ = solver.doubts();
 }
 
 lab::SkinAnswer answer_of(const lab::SkinSceneProblem& problem, std::span<const double> readings,
@@ -73,10 +78,18 @@ lab::SkinRecordingAnswer SolvedSkin::recording() const {
   return recording;
 }
 
+lab::SkinRecordingAnswer SolvedSkin::checked_recording() const {
+  lab::SkinRecordingAnswer all = recording();
+  all.findings = checker_.result().findings;
+  return all;
+}
+
 const SkinScene& SolvedSkin::scene() const noexcept { return shared_->scene(); }
 
 std::vector<std::string> SolvedSkin::notes() const {
   std::vector<std::string> notes = report::in_words(solved_, scene());
+  for (const lab::Finding& doubt : doubts_)
+    notes.push_back(report::in_words(doubt, scene()) + "; " + report::advice(doubt, scene()));
   const lab::SkinRecordingAnswer all = recording();
   if (!all.answer) return notes;
   for (std::string& warning : report::warnings({.scene = all.scene,
@@ -88,11 +101,11 @@ std::vector<std::string> SolvedSkin::notes() const {
 }
 
 std::string SolvedSkin::json(const std::string& name) const {
-  return report::recording_json(recording(), name);
+  return report::recording_json(checked_recording(), name);
 }
 
 std::string SolvedSkin::html(const std::string& name) const {
-  return pages::recording_page(recording(), name, "").html;
+  return pages::recording_page(checked_recording(), name, "").html;
 }
 
 std::string SolvedSkin::tractions_csv() const {
@@ -107,7 +120,7 @@ std::string SolvedSkin::tractions_csv() const {
 }
 
 std::string SolvedSkin::report(const PageFolder& folder, const std::string& name) const {
-  const lab::SkinRecordingAnswer all = recording();
+  const lab::SkinRecordingAnswer all = checked_recording();
   drawing::Page page = pages::recording_page(all, name, "");
   page.files.emplace_back("tractions-of-frames.csv", tractions_csv());
   return write_page(folder, page, "result.json", report::recording_json(all, name));

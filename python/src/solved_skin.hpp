@@ -51,6 +51,8 @@ class SolvedSkin {
 
  private:
   [[nodiscard]] lab::SkinRecordingAnswer recording() const;
+  /// With what is suspicious about the readings; solves some frames for it.
+  [[nodiscard]] lab::SkinRecordingAnswer checked_recording() const;
   [[nodiscard]] std::string tractions_csv() const;
   [[nodiscard]] std::string time(std::size_t frame) const;
 
@@ -62,6 +64,8 @@ class SolvedSkin {
   std::size_t width_ = 0;
   std::vector<std::optional<lab::SkinAnswer>> answers_{};
   lab::SolvedFrames solved_{};
+  lab::Findings doubts_{};
+  lab::ReadingsChecker checker_;
 };
 
 }  // namespace tactile_net::python

@@ -146,6 +146,8 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
           noise_limit(plan.weights, static_cast<std::size_t>(Weighting(problem).rows()));
   }
 
+  plan.known_offsets = options.judge_baseline && options.diagnostics && options.noise_rms > 0.0 &&
+                       !problem.unknown_offsets;
   if (options.diagnostics) {
     const ProductTask prediction = prediction_task(task, Weighting(problem));
     plan.prediction = plan_product(prediction).plan;

@@ -92,6 +92,9 @@ void take_options(PlannedEstimator& planned, const PlannerOptions& options) {
   }
   plan.noise_rms = options.noise_rms;
   plan.traction_limit = options.traction_limit;
+  if (options.diagnostics)
+    for (const std::size_t value : options.border)
+      plan.border.push_back(static_cast<std::uint32_t>(value));
   plan.friction_coefficient = options.friction_coefficient;
   plan.ranges = options.ranges;
 }

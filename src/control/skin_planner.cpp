@@ -296,6 +296,8 @@ PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& fa
   plan.weights = problem.weights;
   take_options(planned, options);
   if (options.noise_rms > 0.0) take_noise(plan, problem, family, alpha, options);
+  plan.known_offsets = options.judge_baseline && options.diagnostics && options.noise_rms > 0.0 &&
+                       !problem.unknown_offsets;
 
   if (options.diagnostics) {
     // W K M W^-1: the readings that the tractions explain, and the constants where they are free;

@@ -10,6 +10,7 @@
 #include "inverse/significance.hpp"
 #include "inverse/stabiliser.hpp"
 #include "inverse/weighting.hpp"
+#include "realtime/line_contacts.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net {
@@ -165,8 +166,12 @@ UncertainResultant resultant_of(const InverseProblem& problem, std::span<const d
   return resultant_of(problem.surface, tractions, covariance, noise_rms);
 }
 
-UncertainResultant resultant_of(const Surface& surface, std::span<const double> tractions,
-                                const Covariance& covariance, double noise_rms) {
+namespace {
+
+/// Of the values from `first` to before `last`. @param tractions  0 elsewhere
+UncertainResultant resultant_between(std::size_t first, std::size_t last, const Surface& surface,
+                                     std::span<const double> tractions,
+                                     const Covariance& covariance, double noise_rms) {
   const std::size_t n = surface.count;
   const double d = surface.spacing;
   const bool two = tractions.size() > n;
@@ -177,7 +182,7 @@ UncertainResultant resultant_of(const Surface& surface, std::span<const double> 
   gradients.fill(std::vector<double>(tractions.size()));
   auto& [on_normal, on_tangential, on_centre] = gradients;
   const std::optional<double> centre = sum.centre();
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     on_normal[i] = d;
     if (two) on_tangential[n + i] = d;
     if (centre) on_centre[i] = d * (surface.position(i) - *centre) / sum.normal;
@@ -203,6 +208,33 @@ UncertainResultant resultant_of(const Surface& surface, std::span<const double> 
       result.covariance[3 * i + j] = result.covariance[3 * j + i] =
           covariance.covariance(gradients[i], gradients[j]) * noise_rms * noise_rms;
   return result;
+}
+
+}  // namespace
+
+UncertainResultant resultant_of(const Surface& surface, std::span<const double> tractions,
+                                const Covariance& covariance, double noise_rms) {
+  return resultant_between(0, surface.count, surface, tractions, covariance, noise_rms);
+}
+
+std::optional<UncertainResultant> nearest_to_slipping(const Surface& surface,
+                                                      std::span<const double> tractions,
+                                                      const Covariance& covariance,
+                                                      double noise_rms,
+                                                      const UncertainResultant& whole) {
+  constexpr double deviations = 6.0;
+  const std::size_t n = surface.count;
+  if (tractions.size() == n) return std::nullopt;
+  const LineContact worst =
+      nearest_to_slipping(tractions.data(), tractions.data() + n, n,
+                          deviations * whole.normal.deviation / surface.spacing);
+  if (worst.contacts < 2) return std::nullopt;
+  std::vector<double> own(tractions.size());
+  for (std::size_t i = worst.first; i < worst.last; ++i) {
+    own[i] = tractions[i];
+    own[n + i] = tractions[n + i];
+  }
+  return resultant_between(worst.first, worst.last, surface, own, covariance, noise_rms);
 }
 
 }  // namespace tactile_net

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "realtime/border_pressure.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 
 namespace tactile_net::lab {
 namespace {
-
-constexpr double nearly = 0.7;  // of the highest pressure
 
 /// The index in 0 ... count - 1 of the place nearest to `at`, where place i is `first + i spacing`.
 std::size_t nearest_place(double at, double first, double spacing, std::size_t count) {
@@ -34,6 +33,7 @@ std::vector<std::size_t> border_values(const SceneProblem& problem) {
   for (const std::size_t taxel : {first, last})
     ends.push_back(
         nearest_place(position(array, taxel), surface.position(0), surface.spacing, surface.count));
+  if (ends.back() == ends.front()) ends.pop_back();
   return ends;
 }
 
@@ -83,10 +83,7 @@ bool is_cut_off(const SceneProblem& problem, std::span<const double> readings,
 }
 
 bool presses_at_border(std::span<const double> pressure, std::span<const std::size_t> border) {
-  const double highest = *std::max_element(pressure.begin(), pressure.end());
-  return highest > 0.0 && std::any_of(border.begin(), border.end(), [&](std::size_t place) {
-           return pressure[place] >= nearly * highest;
-         });
+  return tactile_net::presses_at_border(pressure, border);
 }
 
 }  // namespace tactile_net::lab

@@ -9,6 +9,7 @@
 
 #include "lab/referred_file.hpp"
 #include "numeric/named.hpp"
+#include "realtime/line_contacts.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -40,12 +41,35 @@ UncertainResultant certain(std::span<const double> normal, std::span<const doubl
   return result;
 }
 
-/// Takes a resultant for the fingertip's force.
-void press(Fingertip& tip, const UncertainResultant& resultant, double breadth) {
+/// Of the contact that needs the most friction; absent: there is one.
+std::optional<UncertainResultant> certain_nearest_to_slipping(std::span<const double> normal,
+                                                              std::span<const double> tangential,
+                                                              const Surface& surface) {
+  if (tangential.empty()) return std::nullopt;
+  const LineContact worst =
+      nearest_to_slipping(normal.data(), tangential.data(), normal.size(), 0.0);
+  if (worst.contacts < 2) return std::nullopt;
+  std::vector<double> p(normal.size());
+  std::vector<double> q(normal.size());
+  for (std::size_t i = worst.first; i < worst.last; ++i) {
+    p[i] = normal[i];
+    q[i] = tangential[i];
+  }
+  return certain(p, q, surface);
+}
+
+/// Takes a resultant for the fingertip's force, and of several contacts the one nearest to
+/// slipping.
+void press(Fingertip& tip, const UncertainResultant& resultant,
+           const std::optional<UncertainResultant>& worst, double breadth) {
   if (!resultant.centre)
     fail_fingertip(tip, "the normal force is " + brief(resultant.normal.value) +
                             ", and must be > 0: nothing presses on the pad");
   tip.force = fingertip_force(resultant, breadth);
+  if (worst) {
+    tip.nearest_to_slipping = fingertip_force(*worst, breadth);
+    tip.remarks.emplace_back(remark::SeveralContacts{});
+  }
   if (!resultant.tangential) tip.remarks.emplace_back(remark::TangentialUnseen{});
   const double end = tip.finger.pad.half_width;
   if (std::abs(tip.force->centre) > end)
@@ -83,9 +107,9 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger,
   const TractionField f = unquoted(
       explain_tractions, [&] { return frame_of_.tractions(folder_ / source.file, source.frame); });
   tip.finger = finger.with_pad(half_width(f.normal.size(), source.pitch));
-  lab::press(tip,
-             certain(f.normal, f.tangential, {.count = f.normal.size(), .spacing = source.pitch}),
-             finger.breadth);
+  const Surface surface{.count = f.normal.size(), .spacing = source.pitch};
+  lab::press(tip, certain(f.normal, f.tangential, surface),
+             certain_nearest_to_slipping(f.normal, f.tangential, surface), finger.breadth);
 }
 
 std::vector<double> FingertipMaker::readings_of(Fingertip& tip, const FingertipScene& source,
@@ -118,10 +142,11 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const Finge
   if (result.verdict != Verdict::ok) tip.remarks.emplace_back(remark::Doubtful{result.verdict});
   if (!scene.problem.has_bands()) {
     tip.remarks.emplace_back(remark::NoBands{});
-    const std::span<const double> all(f);
     const Surface& surface = scene.problem.surface();
-    lab::press(tip, certain(all.first(surface.count), all.subspan(surface.count), surface),
-               finger.breadth);
+    const auto normal = std::span<const double>(f).first(surface.count);
+    const auto tangential = std::span<const double>(f).subspan(surface.count);
+    lab::press(tip, certain(normal, tangential, surface),
+               certain_nearest_to_slipping(normal, tangential, surface), finger.breadth);
     return;
   }
   const FrameUncertainty bands = uncertainty(frame, f, result);
@@ -130,7 +155,7 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const Finge
                    [](double value) { return std::isfinite(value); }))
     fail_fingertip(tip, "the frame's tractions overflow a double");
   if (const auto off = model_error(bands)) tip.remarks.emplace_back(*off);
-  lab::press(tip, bands.resultant, finger.breadth);
+  lab::press(tip, bands.resultant, bands.nearest_to_slipping, finger.breadth);
 }
 
 Fingertip FingertipMaker::make(const HandFinger& finger) {

@@ -11,13 +11,30 @@
 namespace tactile_net::lab {
 namespace {
 
+/// What fingers do, with the force of the contact nearest to slipping for the sum of several.
+std::vector<FingerAction> at_nearest_to_slipping(std::vector<FingerAction> actions,
+                                                 const std::vector<Fingertip>& tips) {
+  using enum ContactValue;
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    if (!tips[i].nearest_to_slipping) continue;
+    const FingertipForce& force = *tips[i].nearest_to_slipping;
+    actions[i].normal = force.normal;
+    actions[i].tangential = force.tangential;
+    for (const ContactValue a : {normal, tangential})
+      for (const ContactValue b : {normal, tangential})
+        actions[i].covariance(a, b) = force.covariance(a, b);
+  }
+  return actions;
+}
+
 void measure(GraspResult& result, const std::vector<Finger>& fingers) {
   std::vector<FingertipForce> forces;
   for (const Fingertip& tip : result.tips) forces.push_back(*tip.force);
   const auto& load = result.hand.load;
   MeasuredAnswer& answer = result.measured.emplace();
   answer.grasp = measured_grasp(fingers, forces, load.value_or(ExternalLoad{}));
-  judge(result, GraspAnswer::measured, answer);
+  judge(result, GraspAnswer::measured, answer,
+        at_nearest_to_slipping(answer.grasp.fingers, result.tips));
   answer.balanced = balanced(result, answer.grasp.chi_squared, balanced_limit);
 }
 
@@ -57,7 +74,7 @@ void hold_load(GraspResult& result, const std::vector<Finger>& fingers) {
                                .reason = error.reason()});
     return;
   }
-  judge(result, GraspAnswer::held, answer);
+  judge(result, GraspAnswer::held, answer, answer.grasp.fingers);
   const bool as_thesis = fingers.size() == 2 && fingers[0].links.size() == 2 &&
                          fingers[1].links.size() == 2 && hand.squeeze.grasping_force;
   if (as_thesis) {

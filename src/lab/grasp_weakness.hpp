@@ -11,7 +11,7 @@
 namespace tactile_net::lab {
 
 /// @param fingers  of the hand's file, with friction and limits
-/// @param actions  what each does
+/// @param actions  what each does, for friction at the contact nearest to slipping
 [[nodiscard]] std::vector<FingerMargins> margins_of(const auto& fingers, const auto& actions) {
   std::vector<FingerMargins> margins;
   for (std::size_t i = 0; i < actions.size(); ++i) {
@@ -62,9 +62,11 @@ void require_finite(const auto& actions) {
 }
 
 /// Margins of what a grasp's fingers do, and what of it is weak.
-void judge(auto& result, GraspAnswer which, auto& answer) {
+///
+/// @param gripping  the same at the contacts that are nearest to slipping
+void judge(auto& result, GraspAnswer which, auto& answer, const auto& gripping) {
   require_finite(answer.grasp.fingers);
-  answer.margins = margins_of(result.hand.fingers, answer.grasp.fingers);
+  answer.margins = margins_of(result.hand.fingers, gripping);
   find_weak(result, which, answer.grasp.fingers, answer.margins);
 }
 

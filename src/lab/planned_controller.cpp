@@ -6,10 +6,15 @@
 #include <stdexcept>
 #include <vector>
 
+#include "lab/border.hpp"
 #include "tactile_net/control/skin_planner.hpp"
+#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/sensing/resultant.hpp"
 #include "tactile_net/system/memory.hpp"
 
 namespace tactile_net::lab {
@@ -137,6 +142,8 @@ PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& 
   if (!options.calibration) options.calibration = scene.calibration;
   if (scene.quantization) options.ranges = ranges_of(scene, options.calibration);
   options.label = scene.title.empty() ? scene.file : scene.title;
+  options.judge_baseline = true;
+  options.border = problem.border();
   return {.alpha = alpha,
           .estimator = plan_estimator(problem.problem(), alpha.value, options),
           .for_raw_numbers = options.calibration.has_value(),
@@ -167,6 +174,8 @@ PlannedController plan_controller(const SkinSceneProblem& problem, const PlanAlp
   if (!options.calibration) options.calibration = scene.calibration;
   if (scene.quantization) options.ranges = ranges_of(scene, options.calibration);
   options.label = scene.title.empty() ? scene.file : scene.title;
+  options.judge_baseline = true;
+  options.border = problem.border();
   std::optional<SkinSceneProblem> whole;
   if (!scene.dead_taxels.empty()) whole = problem.without({});
   return {.alpha = alpha,
@@ -174,6 +183,53 @@ PlannedController plan_controller(const SkinSceneProblem& problem, const PlanAlp
                                       whole ? &whole->problem() : nullptr),
           .for_raw_numbers = options.calibration.has_value(),
           .needs_baseline = options.calibration && options.calibration->baseline_frames};
+}
+
+namespace {
+
+/// @param solved  of the readings, the solver's
+std::optional<PlannedForce> force_beside(const EstimatorPlan& plan, std::vector<double> readings,
+                                         const std::optional<Calibration>& calibration,
+                                         double solved) {
+  if (calibration) uncalibrate(*calibration, readings);
+  ContactEstimator estimator(plan);
+  std::vector<double> tractions(estimator.tractions());
+  ContactEstimate estimate{.tractions = tractions};
+  if (estimator.update(readings, estimate) != FrameStatus::ok || !estimate.contact ||
+      !(solved > 0.0))
+    return std::nullopt;
+  return PlannedForce{.planned = estimate.normal_force, .solved = solved};
+}
+
+bool needs_convolution(const EstimatorPlan& plan) {
+  return plan.reconstruction.structure == Structure::fft ||
+         (plan.prediction && plan.prediction->structure == Structure::fft);
+}
+
+}  // namespace
+
+std::optional<PlannedForce> planned_force(const SceneProblem& problem, const EstimatorPlan& plan,
+                                          const std::optional<Calibration>& calibration) {
+  const Scene& scene = problem.scene();
+  if (scene.contacts.empty() || needs_convolution(plan)) return std::nullopt;
+  std::vector<double> readings = simulate(scene).readings;
+  const auto solver = make_solver(problem, Method::tikhonov);
+  std::vector<double> f(solver->tractions());
+  if (solver->solve(readings, f).status != FrameStatus::ok) return std::nullopt;
+  const auto normal = std::span<const double>(f).first(problem.surface().count);
+  return force_beside(plan, std::move(readings), calibration ? calibration : scene.calibration,
+                      resultant_of(normal, {}, problem.surface()).normal);
+}
+
+std::optional<PlannedForce> planned_force(const SkinSceneProblem& problem,
+                                          const EstimatorPlan& plan,
+                                          const std::optional<Calibration>& calibration) {
+  const SkinScene& scene = problem.scene();
+  if (scene.contacts.empty()) return std::nullopt;
+  std::vector<double> readings = simulate(scene).readings;
+  const double solved = solve(problem, readings).wrench.normal.value;
+  return force_beside(plan, std::move(readings), calibration ? calibration : scene.calibration,
+                      solved);
 }
 
 }  // namespace tactile_net::lab

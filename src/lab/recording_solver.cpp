@@ -31,6 +31,7 @@ RecordingSolver::RecordingSolver(SceneProblem problem, Method method,
 std::optional<FrameResult> RecordingSolver::solve(std::span<double> readings,
                                                   std::span<double> tractions) {
   repeating_.add(readings);
+  doubts_.read(readings);
   const bool misses =
       missing_ != Missing::fail &&
       std::any_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); });

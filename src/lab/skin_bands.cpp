@@ -159,10 +159,16 @@ void doubt_force(SkinAnswer& answer, double doubt) {
   if (!answer.friction) return;
   Uncertain& ratio = answer.friction->ratio;
   ratio.deviation = std::hypot(ratio.deviation, ratio.value * (doubt / force.value));
+  if (!answer.friction->wrench) return;
+  Uncertain& part = answer.friction->wrench->normal;
+  const double share = part.value * (doubt / force.value);
+  part.deviation = std::hypot(part.deviation, share);
+  answer.friction->wrench->covariance[0] += share * share;
 }
 
 /// What stands out of the map beside the contact's cells, and these leave out: a contact that is
-/// weak for the strongest one. It may be there, or not: every sum's deviation holds it.
+/// weak for the strongest one. It may be there, or not: every sum's deviation holds it. Where
+/// several stand out they are there, or not, one by one.
 void doubt_what_is_left_out(UncertainWrench& wrench, const SkinGrid& grid,
                             std::span<const double> tractions, std::span<const std::size_t> cells,
                             const std::vector<bool>& unseen) {
@@ -174,36 +180,36 @@ void doubt_what_is_left_out(UncertainWrench& wrench, const SkinGrid& grid,
   std::vector<double> sizes;
   for (std::size_t cell = 0; cell < beside.size(); ++cell)
     if (beside[cell]) sizes.push_back(std::abs(tractions[cell]));
-  if (sizes.empty()) return;
+  if (sizes.empty() || wrench.normal.value == 0.0) return;
   const double least = outstanding * quantile(std::move(sizes), quiet_share);
   // What adjoins the contact is its own rim.
   for (const std::size_t cell : with_neighbours(grid, cells)) beside[cell] = false;
-  // Moments about the centre that was found, over its force.
-  double normal = 0.0;
-  double y = 0.0;
-  double z = 0.0;
-  std::array<double, 2> drags{};
-  for (std::size_t cell = 0; cell < beside.size(); ++cell) {
-    if (!beside[cell] || !(tractions[cell] > least)) continue;
-    const double force = grid.area() * tractions[cell];
-    normal += force;
-    if (wrench.centre_y) y += force * (grid.y(cell / grid.columns) - wrench.centre_y->value);
-    if (wrench.centre_z) z += force * (grid.z(cell % grid.columns) - wrench.centre_z->value);
-    for (std::size_t u = 0; u < drags.size() && wrench.tangential_y; ++u)
-      drags[u] += grid.area() * tractions[(u + 1) * grid.count() + cell];
-  }
-  if (normal == 0.0) return;
-  const auto widen = [&](std::size_t at, std::optional<Uncertain>& sum, double doubt) {
-    if (!sum) return;
-    sum->deviation = std::hypot(sum->deviation, doubt);
+  std::vector<std::size_t> left_out;
+  for (std::size_t cell = 0; cell < beside.size(); ++cell)
+    if (beside[cell] && tractions[cell] > least) left_out.push_back(cell);
+  const auto widen = [&](std::size_t at, Uncertain& sum, double doubt) {
+    sum.deviation = std::hypot(sum.deviation, doubt);
     wrench.covariance[7 * at] += doubt * doubt;
   };
-  wrench.normal.deviation = std::hypot(wrench.normal.deviation, normal);
-  wrench.covariance[0] += normal * normal;
-  widen(1, wrench.tangential_y, drags[0]);
-  widen(2, wrench.tangential_z, drags[1]);
-  widen(3, wrench.centre_y, y / wrench.normal.value);
-  widen(4, wrench.centre_z, z / wrench.normal.value);
+  for (const std::vector<std::size_t>& patch : separate_contacts(grid, tractions, left_out)) {
+    double share = 0.0;  // of the force that was found: a force times a length may be too large
+    double y = 0.0;      // by how much the centre would move
+    double z = 0.0;
+    std::array<double, 2> drags{};
+    for (const std::size_t cell : patch) {
+      const double part = grid.area() * tractions[cell] / wrench.normal.value;
+      share += part;
+      if (wrench.centre_y) y += part * (grid.y(cell / grid.columns) - wrench.centre_y->value);
+      if (wrench.centre_z) z += part * (grid.z(cell % grid.columns) - wrench.centre_z->value);
+      for (std::size_t u = 0; u < drags.size() && wrench.tangential_y; ++u)
+        drags[u] += grid.area() * tractions[(u + 1) * grid.count() + cell];
+    }
+    widen(0, wrench.normal, share * wrench.normal.value);
+    if (wrench.tangential_y) widen(1, *wrench.tangential_y, drags[0]);
+    if (wrench.tangential_z) widen(2, *wrench.tangential_z, drags[1]);
+    if (wrench.centre_y) widen(3, *wrench.centre_y, y);
+    if (wrench.centre_z) widen(4, *wrench.centre_z, z);
+  }
 }
 
 /// Where constraints leave a single row or column of cells, its place is what they have decided,

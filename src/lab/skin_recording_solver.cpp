@@ -54,6 +54,12 @@ struct SkinRecordingSolver::Parts {
            std::any_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); });
   }
 
+  /// The next frame, as it was recorded.
+  void read(std::span<const double> readings) {
+    if (!checker) checker = std::make_unique<ReadingsChecker>(problem.scene());
+    checker->add(std::nullopt, readings);
+  }
+
   /// In the order of frames.
   void count(const std::optional<SkinAnswer>& answer, bool incomplete) {
     if (answer)
@@ -73,6 +79,7 @@ struct SkinRecordingSolver::Parts {
   std::optional<SharedAlpha> shared{};
   std::optional<SkinSceneProblem> last{};  // absent: the recording's
   SolvedFrames solved{};
+  std::unique_ptr<ReadingsChecker> checker{};  // made with the first frame
 };
 
 SkinRecordingSolver::SkinRecordingSolver(SkinSceneProblem problem, RecordingSolverOptions options)
@@ -83,6 +90,7 @@ SkinRecordingSolver& SkinRecordingSolver::operator=(SkinRecordingSolver&&) noexc
 
 std::optional<SkinAnswer> SkinRecordingSolver::solve(std::span<double> readings) {
   Parts& p = *parts_;
+  p.read(readings);
   const bool incomplete = p.is_incomplete(readings);
   std::optional<SkinAnswer> answer;
   if (!incomplete) {
@@ -116,6 +124,7 @@ void SkinRecordingSolver::solve_all(const NextFrame& next, const UseAnswer& use,
       threads == 0 ? processors() : threads,
       [&](Frame& frame) {
         if (!next(frame.readings)) return false;
+        p.read(frame.readings);
         frame.incomplete = p.is_incomplete(frame.readings);
         if (!frame.incomplete)
           frame.solved_with = p.problem;
@@ -138,5 +147,9 @@ const SkinSceneProblem& SkinRecordingSolver::problem() const noexcept {
 }
 
 const SolvedFrames& SkinRecordingSolver::solved() const noexcept { return parts_->solved; }
+
+Findings SkinRecordingSolver::doubts() const {
+  return parts_->checker ? parts_->checker->doubts() : Findings{};
+}
 
 }  // namespace tactile_net::lab

@@ -37,8 +37,9 @@ double mean_spacing(std::span<const SkinSite> sites) {
 /// Whether taxels stand all around a place, near enough for each to read what presses there: what
 /// is loaded between them cannot be much more, or elsewhere, without their seeing it.
 bool is_surrounded(double y, double z, const SkinProblem& problem) {
-  constexpr double near = 1.5;                                 // of a taxel's own depth
-  constexpr double widest = 150.0 / 180.0 * std::numbers::pi;  // between neighbours' directions
+  constexpr double rounding = 1e-9;        // what lies just as far is near in every unit
+  constexpr double near = 1.5 + rounding;  // of a taxel's own depth
+  constexpr double widest = 150.0 / 180.0 * std::numbers::pi + rounding;  // between neighbours
   std::vector<double> directions;
   for (std::size_t i = 0; i < problem.sites.size(); ++i) {
     const SkinSite& site = problem.sites[i];
@@ -60,7 +61,8 @@ double sight_of(const SkinArray& skin) {
   const double pitch = is_even(skin) ? std::max(skin.rows > 1 ? skin.pitch_y : 0.0,
                                                 skin.columns > 1 ? skin.pitch_z : 0.0)
                                      : std::max(skin.pitch_y, mean_spacing(sites(skin)));
-  return std::max(0.75 * pitch, 0.5 * least_depth(skin));
+  constexpr double rounding = 1e-9;  // cells that lie just as far are seen in every unit
+  return (1.0 + rounding) * std::max(0.75 * pitch, 0.5 * least_depth(skin));
 }
 
 std::vector<bool> unseen_cells(const SkinSceneProblem& problem) {

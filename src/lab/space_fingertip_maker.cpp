@@ -23,9 +23,9 @@ SkinScene read_skin(const std::filesystem::path& path) {
 
 /// Torsion that the field bears without drag, over mu times the force.
 double radius_of(const SpaceFingertip& tip, const SkinAnswer& answer) {
-  if (!answer.friction || !(answer.friction->lever > 0.0))
+  if (!answer.friction || !(answer.friction->lever_of_all > 0.0))
     fail_fingertip(tip, "its skin does not tell the torsion that it bears: give torsion_radius");
-  return answer.friction->lever / answer.wrench.normal.value;
+  return answer.friction->lever_of_all / answer.wrench.normal.value;
 }
 
 SpaceFingertipForce force_of(const UncertainWrench& wrench, std::optional<double> radius) {
@@ -88,6 +88,13 @@ void SpaceFingertipMaker::press(SpaceFingertip& tip, const SpaceHandFinger& fing
   std::optional<double> radius;
   if (finger.soft) radius = finger.torsion_radius ? *finger.torsion_radius : radius_of(tip, answer);
   tip.force = force_of(wrench, radius);
+  if (answer.friction && answer.friction->wrench) {
+    const UncertainWrench& worst = *answer.friction->wrench;
+    std::optional<double> of_worst = finger.torsion_radius;
+    if (!of_worst) of_worst = answer.friction->lever / worst.normal.value;
+    tip.nearest_to_slipping = force_of(worst, finger.soft ? of_worst : std::nullopt);
+    tip.remarks.emplace_back(remark::SeveralContacts{});
+  }
   if (!radius && wrench.torsion &&
       std::abs(wrench.torsion->value) > 2.0 * wrench.torsion->deviation)
     tip.torsion_left_out = remark::TorsionLeftOut{*wrench.torsion};

@@ -11,12 +11,33 @@
 namespace tactile_net::lab {
 namespace {
 
+/// What fingers do, with the force of the contact nearest to slipping for the sum of several.
+std::vector<SpaceAction> at_nearest_to_slipping(std::vector<SpaceAction> actions,
+                                                const std::vector<SpaceFingertip>& tips) {
+  constexpr std::size_t felt[] = {0, 1, 2, 5};  // of a force's six values
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    if (!tips[i].nearest_to_slipping) continue;
+    const SpaceFingertipForce& force = *tips[i].nearest_to_slipping;
+    SpaceAction& action = actions[i];
+    action.normal = force.normal;
+    action.tangential_y = force.tangential_y;
+    action.tangential_z = force.tangential_z;
+    action.torsion = force.torsion;
+    action.torsion_radius = force.place.torsion_radius;
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = 0; k < 4; ++k)
+        action.covariance[4 * j + k] = force.covariance[6 * felt[j] + felt[k]];
+  }
+  return actions;
+}
+
 void measure(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers) {
   std::vector<SpaceFingertipForce> forces;
   for (const SpaceFingertip& tip : result.tips) forces.push_back(*tip.force);
   MeasuredSpaceAnswer& answer = result.measured.emplace();
   answer.grasp = measured_grasp(fingers, forces, result.hand.load.value_or(SpaceLoad{}));
-  judge(result, GraspAnswer::measured, answer);
+  judge(result, GraspAnswer::measured, answer,
+        at_nearest_to_slipping(answer.grasp.fingers, result.tips));
   answer.balanced = balanced(result, answer.grasp.chi_squared, balanced_space_limit);
   answer.internal = internal_forces(fingers, answer.grasp.fingers);
 }
@@ -53,7 +74,7 @@ void hold_load(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers
     result.refusal = {error.motion(), spread_of(result), error.least_squeeze()};
     return;
   }
-  judge(result, GraspAnswer::held, answer);
+  judge(result, GraspAnswer::held, answer, answer.grasp.fingers);
   answer.internal = internal_forces(fingers, answer.grasp.fingers);
   result.held = std::move(answer);
 }

@@ -106,6 +106,7 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
   const auto fill = [&](const Covariance& covariance, std::span<const double> f,
                         const Surface& surface) {
     bands.resultant = resultant_of(surface, f, covariance, rms);
+    bands.nearest_to_slipping = nearest_to_slipping(surface, f, covariance, rms, bands.resultant);
     bands.deviation = without_margins(covariance.deviations(), scene.surface(), surface);
     for (double& value : bands.deviation) value *= rms;
   };

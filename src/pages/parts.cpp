@@ -5,6 +5,7 @@
 
 #include "pages/style.hpp"
 #include "tactile_net/drawing/html.hpp"
+#include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
 
@@ -89,6 +90,14 @@ std::string verdict_table(std::vector<std::vector<std::string>> rows) {
 std::string paragraphs(const std::vector<std::string>& texts, std::string_view type) {
   std::string html;
   for (const std::string& text : texts) html += element("p", text, type);
+  return html;
+}
+
+std::string suspicions(const lab::Findings& findings, const AnyScene& scene) {
+  std::string html;
+  for (const lab::Finding& one : findings)
+    html += "<details class=\"note\">" + element("summary", report::in_words(one, scene)) +
+            element("p", report::advice(one, scene)) + "</details>\n";
   return html;
 }
 

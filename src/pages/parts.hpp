@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "tactile_net/drawing/figure.hpp"
+#include "tactile_net/lab/finding.hpp"
 #include "tactile_net/pages/made.hpp"
 #include "tactile_net/report/words/answers.hpp"
-#include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::pages {
 
@@ -31,6 +32,9 @@ namespace tactile_net::pages {
 
 /// Paragraphs, each in its class.
 [[nodiscard]] std::string paragraphs(const std::vector<std::string>& texts, std::string_view type);
+
+/// What is suspicious about readings; a click says what to do about it.
+[[nodiscard]] std::string suspicions(const lab::Findings& findings, const AnyScene& scene);
 
 /// A scene in words: sensor, material, contacts, effects.
 [[nodiscard]] std::string scene_html(const Scene& scene);

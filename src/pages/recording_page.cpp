@@ -12,7 +12,6 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/json/recording_json.hpp"
-#include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/recording_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -267,15 +266,6 @@ std::string one_frame(const RecordingOverview& overview) {
          "single frames are not shown.</p></noscript>\n";
 }
 
-/// What is suspicious about the readings; a click says what to do about it.
-std::string suspicions(const RecordingOverview& overview) {
-  std::string html;
-  for (const lab::Finding& one : overview.findings)
-    html += "<details class=\"note\">" + element("summary", report::in_words(one, overview.scene)) +
-            element("p", report::advice(one, overview.scene)) + "</details>\n";
-  return html;
-}
-
 }  // namespace
 
 drawing::Page recording_page(const RecordingOverview& overview, const std::string& readings,
@@ -285,7 +275,7 @@ drawing::Page recording_page(const RecordingOverview& overview, const std::strin
   html += element("p", recording_in_words(overview), "quiet");
   html += overview.groups.empty() ? enclosed("p", escaped(readings) + " holds no frame.", "bad")
                                   : answer_box(answers(overview));
-  html += suspicions(overview) + paragraphs(notes, "note");
+  html += suspicions(overview.findings, scene) + paragraphs(notes, "note");
   if (!overview.groups.empty())
     html += one_frame(overview) + heat_maps(overview) + forces(overview) + residuals(overview) +
             verdicts(overview);

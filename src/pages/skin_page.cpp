@@ -160,6 +160,7 @@ drawing::Page recording_page(const lab::SkinRecordingAnswer& recording, const st
                   (recording.frames.size() == 1 ? " frame; " : " frames; ") +
                   report::sensor_in_words(scene) + "; " + report::material_in_words(scene));
   html += answer_box(report::answers(recording));
+  html += suspicions(recording.findings, scene);
   html += paragraphs(report::warnings(hardest), "note") + frames_figure(recording);
   if (recording.answer && recording.frames.size() > 1)
     html += element("h2", "Frame " + std::to_string(recording.hardest) + ", which presses hardest");

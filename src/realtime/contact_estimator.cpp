@@ -7,8 +7,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "realtime/border_pressure.hpp"
 #include "realtime/estimator_state.hpp"
 #include "realtime/finite.hpp"
+#include "realtime/line_contacts.hpp"
 
 namespace tactile_net {
 namespace {
@@ -27,8 +29,8 @@ std::unique_ptr<Convolution> cloned(const std::unique_ptr<Convolution>& convolut
   return convolution ? convolution->clone() : nullptr;
 }
 
-/// Sum and first moment of f. Only for plans with a convolution, which changes f after the product;
-/// without one the product returns them.
+/// Sum and first moment of f, about its middle. Of all of a line only for plans with a convolution,
+/// which changes f after the product; without one the product returns them.
 Moments moments_of(std::span<const double> f) noexcept {
   Moments moments;
   const double centre = 0.5 * static_cast<double>(f.size() - 1);
@@ -82,6 +84,7 @@ InstructionSet ContactEstimator::instruction_set() const noexcept { return ready
 [[gnu::always_inline]] inline void ContactEstimator::add_resultant(
     ContactEstimate& estimate, std::span<const Moments> moments) noexcept {
   const Ready& ready = *ready_;
+  estimate.force_deviation = ready.force_deviation;
   estimate.tangential_force = ContactEstimate::unknown;
   estimate.tangential_y = ContactEstimate::unknown;
   estimate.tangential_z = ContactEstimate::unknown;
@@ -91,14 +94,19 @@ InstructionSet ContactEstimator::instruction_set() const noexcept { return ready
   estimate.angle = ContactEstimate::unknown;
   estimate.friction_margin = ContactEstimate::unknown;
   estimate.slip_margin = ContactEstimate::unknown;
+  estimate.margin_centre = ContactEstimate::unknown;
+  estimate.margin_centre_z = ContactEstimate::unknown;
+  estimate.contacts = 0;
   estimate.residual_rms = ContactEstimate::unknown;
   estimate.touching = 0;
   estimate.misfit = false;
+  estimate.beyond_edge = false;
+  estimate.baseline_moved = false;
   estimate.outlier = -1;
   if (ready.cells)
     return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
-                              ready.friction, ready.certain_force, ready.highest_force,
-                              ready.lowest_force, scratch_->marks, estimate);
+                              ready.friction, ready.window_variances, ready.certain_force,
+                              ready.highest_force, ready.lowest_force, scratch_->marks, estimate);
   const Moments& normal = moments[0];
   estimate.normal_force = ready.spacing * normal.sum;
   estimate.contact = estimate.normal_force > 0.0;
@@ -110,9 +118,32 @@ InstructionSet ContactEstimator::instruction_set() const noexcept { return ready
   estimate.tangential_force = ready.spacing * moments[1].sum;
   if (estimate.contact)
     estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
-  if (ready.friction)
-    estimate.friction_margin =
-        *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
+  if (!ready.friction) return;
+  estimate.friction_margin =
+      *ready.friction * estimate.normal_force - std::abs(estimate.tangential_force);
+  if (!estimate.contact) return;
+  estimate.contacts = 1;
+  estimate.margin_centre = estimate.centre;
+  if (ready.loops.stretches(estimate.tractions.data(), ready.values, least_share) > 1)
+    add_worst_margin(estimate);
+}
+
+/// Where several contacts lie apart, the margin of the one that needs the most friction.
+void ContactEstimator::add_worst_margin(ContactEstimate& estimate) const noexcept {
+  const Ready& ready = *ready_;
+  const double* const p = estimate.tractions.data();
+  const double* const q = p + ready.values;
+  const LineContact worst =
+      nearest_to_slipping(p, q, ready.values, ready.certain_force / ready.spacing);
+  estimate.contacts = worst.contacts;
+  if (worst.contacts < 2) return;
+  const std::size_t size = worst.last - worst.first;
+  const Moments normal = moments_of({p + worst.first, size});
+  const double drag = std::abs(moments_of({q + worst.first, size}).sum);
+  estimate.friction_margin = ready.spacing * (*ready.friction * normal.sum - drag);
+  const double middle =
+      0.5 * (static_cast<double>(worst.first + worst.last) - static_cast<double>(ready.values));
+  estimate.margin_centre = ready.centre + ready.spacing * (middle + normal.first / normal.sum);
 }
 
 /// A frame that a product may take.
@@ -244,6 +275,9 @@ void ContactEstimator::judge(ContactEstimate& estimate, const double* x,
   const std::size_t n = ready.readings();
   const Misfit misfit = ready.loops.misfit(x, explained, scratch.weights.data(),
                                            scratch.shares.data(), scratch.spread.data(), n);
+  if (estimate.contact && estimate.normal_force > ready.certain_force && !ready.border.empty())
+    estimate.beyond_edge = presses_at_border(estimate.tractions.first(ready.values), ready.border);
+  estimate.baseline_moved = is_baseline_moved(x);
   estimate.residual_rms = std::sqrt(misfit.sum_of_squares / static_cast<double>(scratch.live));
   if (ready.residual_limit > 0.0) {
     // (W g)'(I - H)(W g) = |W r|^2 + alpha |L f|^2.
@@ -264,6 +298,29 @@ void ContactEstimator::judge(ContactEstimate& estimate, const double* x,
   if (!(largest > ready.outlier_limit * ready.outlier_limit * others)) return;
   const double* const spread = scratch.spread.data();
   estimate.outlier = std::find(spread, spread + n, largest) - spread;
+}
+
+/// Whether a constant is more than noise, and nearly all that a channel reads: a contact, unless it
+/// is wider than the patch, presses on some taxels more than on others.
+bool ContactEstimator::is_baseline_moved(const double* x) const noexcept {
+  constexpr double nearly_all = 0.95;  // of a channel's sum of squares
+  const Ready& ready = *ready_;
+  const Scratch& scratch = *scratch_;
+  const double least = ready.outlier_limit * ready.noise_rms;
+  std::size_t first = 0;
+  for (std::size_t channel = 0; channel < ready.channel_ends.size(); ++channel) {
+    const std::size_t end = ready.channel_ends[channel];
+    const double size = scratch.constants[channel];
+    const double sum =
+        ready.loops.dot(scratch.squared_weights.data() + first, x + first, end - first);
+    if (size > 0.0 && std::abs(sum) > least * size) {
+      double squares = 0.0;
+      for (std::size_t i = first; i < end; ++i) squares += scratch.squared_weights[i] * x[i] * x[i];
+      if (sum * sum > nearly_all * squares * size * size) return true;
+    }
+    first = end;
+  }
+  return false;
 }
 
 /// The readings that the plan itself leaves out, from what the others read.

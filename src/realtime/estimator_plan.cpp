@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -85,6 +86,10 @@ void check(const EstimatorPlan& plan) {
   require(std::all_of(plan.unjudged.begin(), plan.unjudged.end(),
                       [&](std::uint32_t taxel) { return taxel < plan.count; }),
           "unjudged taxels must be < count");
+  require(std::adjacent_find(plan.border.begin(), plan.border.end(), std::greater_equal<>()) ==
+                  plan.border.end() &&
+              (plan.border.empty() || plan.border.back() < plan.values),
+          "the border must be rising indices of values");
   require(positive(plan.spacing), "spacing must be > 0");
   require(std::isfinite(plan.centre), "centre must be finite");
   require(positive(plan.alpha), "alpha must be > 0");

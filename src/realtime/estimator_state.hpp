@@ -78,12 +78,17 @@ struct ContactEstimator::Ready {
         lowest_force(plan.force_deviation > 0.0 ? -4.0 * plan.force_deviation
                                                 : -std::numeric_limits<double>::infinity()),
         certain_force(6.0 * plan.force_deviation),
+        force_deviation(plan.force_deviation > 0.0 ? plan.force_deviation
+                                                   : ContactEstimate::unknown),
+        border(plan.border),
         cells(plan.cells),
         set(std::min(chosen, widest_instruction_set())),
         loops(kernels(set)) {
     for (std::size_t i = 0; i < taxels.size(); ++i)
       taxels[i] = static_cast<std::uint32_t>(plan.taxel_of(i));
     most_dead = most_dead_of(taxels);
+    if (plan.prediction && plan.known_offsets) channel_ends = ends_of_channels(plan);
+    if (plan.cells) window_variances = variances_of(*plan.cells);
     if (plan.reconstruction.precision == Precision::float64)
       product64.emplace(plan.reconstruction, loops.most_lines, loops.most_shared);
     else
@@ -121,6 +126,31 @@ struct ContactEstimator::Ready {
 
   [[nodiscard]] std::size_t readings() const noexcept { return taxels.size(); }
 
+  /// What follows the last reading of each channel, whose taxels rise; none: they are not so.
+  [[nodiscard]] static std::vector<std::size_t> ends_of_channels(const EstimatorPlan& plan) {
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 1; i < plan.readings(); ++i)
+      if (plan.taxel_of(i) <= plan.taxel_of(i - 1)) ends.push_back(i);
+    ends.push_back(plan.readings());
+    if (ends.size() != plan.channels) ends.clear();
+    return ends;
+  }
+
+  /// Of the force of a window around each cell, shared out among its cells [N^2].
+  [[nodiscard]] static std::vector<double> variances_of(const PlanCells& cells) {
+    std::vector<double> variances;
+    const auto reach = [](std::size_t at, std::size_t count, std::size_t window) {
+      return std::min(at + window, count - 1) - (at - std::min(at, window)) + 1;
+    };
+    for (std::size_t cell = 0; cell < cells.window_deviations.size(); ++cell) {
+      const double force = cells.area() * cells.window_deviations[cell];
+      const std::size_t size = reach(cell / cells.columns, cells.rows, cells.window_rows) *
+                               reach(cell % cells.columns, cells.columns, cells.window_columns);
+      variances.push_back(force * force / static_cast<double>(size));
+    }
+    return variances;
+  }
+
   /// Readings of the taxels that have most.
   [[nodiscard]] static std::size_t most_dead_of(std::vector<std::uint32_t> taxels) {
     std::sort(taxels.begin(), taxels.end());
@@ -147,7 +177,11 @@ struct ContactEstimator::Ready {
   double accuracy;  // of the prediction, relative to the weighted readings
   double noise_rms, outlier_limit, residual_limit;
   double highest_force, lowest_force;  // normal forces beyond are doubted
-  double certain_force;                // of a skin: 6 deviations
+  double certain_force;                // 6 deviations: less may be noise
+  double force_deviation;              // of all; NaN: not known
+  std::vector<std::uint32_t> border;
+  std::vector<std::size_t> channel_ends;  // none: baselines are not judged
+  std::vector<double> window_variances;   // of cells; none: not known
   std::optional<PlanCells> cells;
   std::vector<bool> judged;  // readings that may be outliers
   Aligned<double> fill;      // fill_rows x readings
@@ -170,13 +204,15 @@ struct ContactEstimator::Scratch {
         predicted(ready.prediction ? ready.readings() : 0),
         spread(ready.prediction ? ready.readings() : 0),
         weights(ready.readings()),
+        squared_weights(ready.channel_ends.empty() ? 0 : ready.readings()),
+        constants(ready.channel_ends.size()),
         remaining(ready.prediction ? ready.readings() : 0),
         shares(ready.prediction ? ready.readings() : 0),
         product64(std::max(ready.product64 ? ready.product64->scratch_size() : 0,
                            ready.prediction ? ready.prediction->scratch_size() : 0)),
         product32(ready.product32 ? ready.product32->scratch_size() : 0),
         fill(ready.fill_rows),
-        marks(ready.cells ? ready.values : 0,
+        marks(ready.cells ? ready.cells->rows : 0, ready.cells ? ready.cells->columns : 0,
               ready.cells && !ready.cells->window_deviations.empty()),
         block(FrameBlock::of(ready)) {
     for (std::size_t i = 0; i < ready.readings(); ++i)
@@ -210,6 +246,15 @@ struct ContactEstimator::Scratch {
       if (ready.prediction) degrees += remaining[i];
     }
     if (!ready.prediction) return;
+    std::size_t at = 0;
+    for (std::size_t channel = 0; channel < constants.size(); ++channel) {
+      double size = 0.0;
+      for (; at < ready.channel_ends[channel]; ++at) {
+        squared_weights[at] = weights[at] * weights[at];
+        size += squared_weights[at];
+      }
+      constants[channel] = std::sqrt(size);
+    }
     for (std::size_t i = 0; i < ready.readings(); ++i) {
       const bool judged = weights[i] > 0.0 && remaining[i] > least_pivot && ready.judged[i];
       shares[i] = judged ? 1.0 / remaining[i] : 0.0;
@@ -217,8 +262,10 @@ struct ContactEstimator::Scratch {
   }
 
   Aligned<double> baseline, zero, x, predicted, spread, weights;  // weights: 0 for what is dead
-  Aligned<double> remaining;  // 1 - h_i, of the live readings' own problem
-  Aligned<double> shares;     // 1 / remaining of what may be an outlier, else 0
+  Aligned<double> squared_weights;                                // none: baselines are not judged
+  std::vector<double> constants;  // of each channel the 2-norm of a weighted constant
+  Aligned<double> remaining;      // 1 - h_i, of the live readings' own problem
+  Aligned<double> shares;         // 1 / remaining of what may be an outlier, else 0
   Aligned<double> product64;
   Aligned<float> product32;
   Aligned<double> fill;  // what the plan's dead readings are taken to be

@@ -200,6 +200,21 @@ template <int Bytes, class T>
   return largest;
 }
 
+/// Bits order as the doubles do where these are above 0, and all others' are less.
+[[gnu::always_inline]] inline std::size_t stretches_of(const double* p, std::size_t n,
+                                                       double share) noexcept {
+  std::int64_t largest = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    largest = std::max(largest, std::bit_cast<std::int64_t>(p[i]));
+  if (largest == 0) return 0;
+  const auto limit = std::bit_cast<std::int64_t>(share * std::bit_cast<double>(largest));
+  std::int64_t starts = std::bit_cast<std::int64_t>(p[0]) > limit ? 1 : 0;
+  for (std::size_t i = 1; i < n; ++i)
+    starts += (std::bit_cast<std::int64_t>(p[i - 1]) <= limit ? 1 : 0) &
+              (std::bit_cast<std::int64_t>(p[i]) > limit ? 1 : 0);
+  return static_cast<std::size_t>(starts);
+}
+
 template <int Bytes>
 [[gnu::always_inline]] inline Misfit misfit_of(const double* x, const double* p,
                                                const double* weights, const double* shares,
@@ -325,12 +340,22 @@ template <class T>
   TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                    \
     return dot_of<BYTES>(a, b, n);                                                                 \
   }                                                                                                \
+  TARGET std::size_t stretches(const double* p, std::size_t n, double share) noexcept {            \
+    return stretches_of(p, n, share);                                                              \
+  }                                                                                                \
   TARGET Misfit misfit(const double* x, const double* p, const double* weights,                    \
                        const double* shares, double* spread, std::size_t n) noexcept {             \
     return misfit_of<BYTES>(x, p, weights, shares, spread, n);                                     \
   }                                                                                                \
-  constexpr Kernels all{most_lines(BYTES), most_shared(BYTES), subtract, largest,                  \
-                        multiply64,        multiply32,         dot,      misfit};                  \
+  constexpr Kernels all{most_lines(BYTES),                                                         \
+                        most_shared(BYTES),                                                        \
+                        subtract,                                                                  \
+                        largest,                                                                   \
+                        multiply64,                                                                \
+                        multiply32,                                                                \
+                        dot,                                                                       \
+                        stretches,                                                                 \
+                        misfit};                                                                   \
   }                                                                                                \
   }
 

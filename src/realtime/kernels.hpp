@@ -49,6 +49,8 @@ struct Kernels {
   bool (*multiply32)(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,
                      double magnitude, std::span<Moments> moments, std::uint64_t limit) noexcept;
   double (*dot)(const double* a, const double* b, std::size_t n) noexcept;
+  /// Stretches of values above a share in (0, 1) of the largest one; 0: none is above 0.
+  std::size_t (*stretches)(const double* p, std::size_t n, double share) noexcept;
   /// spread_i = (w_i (x_i - p_i))^2 share_i
   Misfit (*misfit)(const double* x, const double* p, const double* weights, const double* shares,
                    double* spread, std::size_t n) noexcept;

@@ -218,6 +218,7 @@ class Reader {
 };
 
 PlanVersion version_of(const EstimatorPlan& plan) {
+  if (plan.known_offsets || !plan.border.empty()) return PlanVersion::border;
   if (plan.cells)
     return plan.cells->window_deviations.empty() ? PlanVersion::skin : PlanVersion::windows;
   if (!plan.taxels.empty()) return PlanVersion::taxels;
@@ -262,7 +263,9 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
     plan.force_deviation = in.number();
   }
   if (version >= PlanVersion::taxels) plan.taxels = in.indices();
-  if (version >= PlanVersion::skin) {
+  const bool of_either = version >= PlanVersion::border;  // a line or a skin
+  const bool skin = version >= PlanVersion::skin && (!of_either || in.flag());
+  if (skin) {
     plan.cells = in.cells();
     plan.unjudged = in.indices();
     if (in.flag()) {
@@ -272,10 +275,14 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
       fill.values = in.numbers();
     }
   }
-  if (version >= PlanVersion::windows) {
+  if (skin && version >= PlanVersion::windows) {
     plan.cells->window_deviations = in.numbers();
     plan.cells->window_rows = in.size();
     plan.cells->window_columns = in.size();
+  }
+  if (version >= PlanVersion::border) {
+    plan.border = in.indices();
+    plan.known_offsets = in.flag();
   }
   if (version_of(plan) != version)
     throw std::runtime_error("the plan holds nothing of what its version is for");
@@ -325,7 +332,8 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.number(plan.force_deviation);
   }
   if (version >= PlanVersion::taxels) payload.indices(plan.taxels);
-  if (version >= PlanVersion::skin) {
+  if (version >= PlanVersion::border) payload.integer<std::uint8_t>(plan.cells.has_value());
+  if (plan.cells) {
     payload.cells(*plan.cells);
     payload.indices(plan.unjudged);
     payload.integer<std::uint8_t>(plan.fill.has_value());
@@ -334,10 +342,14 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
       payload.numbers(plan.fill->values);
     }
   }
-  if (version >= PlanVersion::windows) {
+  if (plan.cells && version >= PlanVersion::windows) {
     payload.numbers(plan.cells->window_deviations);
     payload.size(plan.cells->window_rows);
     payload.size(plan.cells->window_columns);
+  }
+  if (version >= PlanVersion::border) {
+    payload.indices(plan.border);
+    payload.integer<std::uint8_t>(plan.known_offsets);
   }
 
   Writer file;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "realtime/touching_cells.hpp"
 
@@ -21,19 +22,13 @@ void for_each_cell(const PlanCells& cells, const std::uint8_t* marks, const auto
               (static_cast<double>(column) - middle_z) * cells.spacing_z);
 }
 
-/// Sums of tractions, times an area forces and moments.
-struct Sums {
-  double p = 0.0, q_y = 0.0, q_z = 0.0;
-  double y_p = 0.0, z_p = 0.0;
-  double torque = 0.0;
-};
-
-Sums sums_of(const PlanCells& cells, std::size_t unknowns, const double* f,
-             const std::uint8_t* marks) noexcept {
-  Sums sums;
+/// Sums of marked cells, or all; `sums_of(cell)` is where a cell's go.
+void add_cells(const PlanCells& cells, std::size_t unknowns, const double* f,
+               const std::uint8_t* marks, const auto& sums_of) noexcept {
   const double* const q_y = f + cells.rows * cells.columns;
   const double* const q_z = q_y + cells.rows * cells.columns;
   for_each_cell(cells, marks, [&](std::size_t cell, double y, double z) {
+    CellSums& sums = sums_of(cell);
     sums.p += f[cell];
     sums.y_p += y * f[cell];
     sums.z_p += z * f[cell];
@@ -42,14 +37,89 @@ Sums sums_of(const PlanCells& cells, std::size_t unknowns, const double* f,
     sums.q_z += q_z[cell];
     sums.torque += y * q_z[cell] - z * q_y[cell];
   });
-  return sums;
+}
+
+/// After the sums. @pre  p > 0 of those that are asked for
+void add_levers(const PlanCells& cells, const double* f, const std::uint8_t* marks,
+                const auto& sums_of) noexcept {
+  for_each_cell(cells, marks, [&](std::size_t cell, double y, double z) {
+    CellSums& sums = sums_of(cell);
+    const double from_y = y - sums.y_p / sums.p;
+    const double from_z = z - sums.z_p / sums.p;
+    sums.lever += std::max(f[cell], 0.0) * std::sqrt(from_y * from_y + from_z * from_z);
+  });
+}
+
+/// About the centre of pressure, over an area.
+double torsion_of(const CellSums& sums) noexcept {
+  return sums.torque - sums.y_p / sums.p * sums.q_z + sums.z_p / sums.p * sums.q_y;
+}
+
+/// The friction that a contact needs, for drag and torsion together.
+double friction_needed(const CellSums& sums) noexcept {
+  const double twist = sums.lever > 0.0 ? torsion_of(sums) / sums.lever : 0.0;
+  return std::hypot(std::hypot(sums.q_y, sums.q_z) / sums.p, twist);
+}
+
+/// Of patches that press, the one that is nearest to slipping; absent: they are not two at least.
+/// A patch that is nothing beside the strongest one does not count.
+const CellSums* nearest_to_slipping(const PlanCells& cells, const double* f, CellMarks& scratch,
+                                    ContactEstimate& estimate) noexcept {
+  const std::size_t count =
+      label_patches({cells.rows, cells.columns, 0, 0}, scratch.marks.data(), scratch.queue.data());
+  if (count < 2) return nullptr;
+  CellSums* const patches = scratch.patches.data();
+  const auto of_patch = [&](std::size_t cell) -> CellSums& { return patches[scratch.queue[cell]]; };
+  std::fill_n(patches, count, CellSums{});
+  add_cells(cells, 3, f, scratch.marks.data(), of_patch);
+  double strongest = 0.0;
+  for (std::size_t i = 0; i < count; ++i) strongest = std::max(strongest, patches[i].p);
+  const auto counts = [&](const CellSums& patch) { return patch.p > least_share * strongest; };
+  const auto contacts = std::count_if(patches, patches + count, counts);
+  if (contacts < 2) return nullptr;
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!counts(patches[i])) patches[i] = {.p = 1.0, .lever = none};
+  add_levers(cells, f, scratch.marks.data(), of_patch);
+  estimate.contacts = static_cast<std::size_t>(contacts);
+  const CellSums* worst = nullptr;
+  double most = -1.0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (patches[i].lever >= 0.0 && friction_needed(patches[i]) > most) {
+      most = friction_needed(patches[i]);
+      worst = &patches[i];
+    }
+  return worst;
+}
+
+/// Margins of the sums, or where several contacts lie apart of the one nearest to slipping.
+void add_margins(const PlanCells& cells, const double* f, const std::uint8_t* marks, CellSums sums,
+                 double friction, std::size_t patches, CellMarks& scratch,
+                 ContactEstimate& estimate) noexcept {
+  estimate.contacts = 1;
+  if (const CellSums* const worst =
+          patches > 1 ? nearest_to_slipping(cells, f, scratch, estimate) : nullptr)
+    sums = *worst;
+  else
+    add_levers(cells, f, marks, [&](std::size_t) -> CellSums& { return sums; });
+  const double area = cells.area();
+  const double hold = friction * (area * sums.p);
+  const double drag = std::hypot(area * sums.q_y, area * sums.q_z);
+  estimate.friction_margin = hold - drag;
+  estimate.margin_centre = cells.centre_y + sums.y_p / sums.p;
+  estimate.margin_centre_z = cells.centre_z + sums.z_p / sums.p;
+  if (!(hold > 0.0)) return;
+  const double turn = friction * area * sums.lever;
+  const double twist = turn > 0.0 ? area * torsion_of(sums) / turn : 0.0;
+  estimate.slip_margin = 1.0 - std::hypot(drag / hold, twist);
 }
 
 }  // namespace
 
 void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
-                        std::optional<double> friction, double certain_force, double highest,
-                        double lowest, CellMarks& scratch, ContactEstimate& estimate) noexcept {
+                        std::optional<double> friction, std::span<const double> variances,
+                        double certain_force, double highest, double lowest, CellMarks& scratch,
+                        ContactEstimate& estimate) noexcept {
   const double area = cells.area();
   const std::size_t count = cells.rows * cells.columns;
   double all = 0.0;
@@ -58,15 +128,32 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
   const TouchedWindows windows{cells.window_rows, cells.window_columns,
                                cells.window_deviations.data(), scratch.sums.data(),
                                scratch.along.data()};
-  estimate.touching =
+  const Touching touching =
       cells.deviations.empty()
-          ? 0
+          ? Touching{}
           : mark_touching({cells.rows, cells.columns, cells.rim_rows, cells.rim_columns}, f,
                           cells.deviations.data(),
                           cells.window_deviations.empty() ? nullptr : &windows,
                           scratch.marks.data(), scratch.queue.data(), [](std::size_t) {});
-  const std::uint8_t* const marks = estimate.touching > 0 ? scratch.marks.data() : nullptr;
-  const Sums sums = sums_of(cells, unknowns, f, marks);
+  estimate.touching = touching.cells;
+  const std::uint8_t* const marks = touching.cells > 0 ? scratch.marks.data() : nullptr;
+  CellSums sums;
+  if (marks != nullptr && !variances.empty()) {
+    // Less than a window errs as much as that: its cells share what is told of them.
+    double variance = 0.0;
+    double largest = 0.0;
+    add_cells(cells, unknowns, f, marks, [&](std::size_t cell) -> CellSums& {
+      variance += variances[cell];
+      largest = std::max(largest, variances[cell]);
+      return sums;
+    });
+    const double window =
+        static_cast<double>((2 * cells.window_rows + 1) * (2 * cells.window_columns + 1));
+    estimate.force_deviation = std::sqrt(std::max(variance, window * largest));
+  } else {
+    add_cells(cells, unknowns, f, marks, [&](std::size_t) -> CellSums& { return sums; });
+    if (marks != nullptr) estimate.force_deviation = ContactEstimate::unknown;
+  }
 
   estimate.normal_force = area * sums.p;
   estimate.contact = estimate.normal_force > 0.0 && (marks != nullptr || all > certain_force);
@@ -80,25 +167,12 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
       estimate.friction_margin = *friction * estimate.normal_force - estimate.tangential_force;
   }
   if (!estimate.contact) return;
-  const double y = sums.y_p / sums.p;
-  const double z = sums.z_p / sums.p;
-  estimate.centre = cells.centre_y + y;
-  estimate.centre_z = cells.centre_z + z;
+  estimate.centre = cells.centre_y + sums.y_p / sums.p;
+  estimate.centre_z = cells.centre_z + sums.z_p / sums.p;
   if (unknowns == 1) return;
   estimate.angle = std::atan2(estimate.tangential_force, estimate.normal_force);
-  estimate.torsion = area * (sums.torque - y * sums.q_z + z * sums.q_y);
-  const double hold = friction ? *friction * estimate.normal_force : 0.0;
-  if (!(hold > 0.0)) return;
-  double lever = 0.0;
-  for_each_cell(cells, marks, [&](std::size_t cell, double at_y, double at_z) {
-    const double from_y = at_y - y;
-    const double from_z = at_z - z;
-    lever += std::max(f[cell], 0.0) * std::sqrt(from_y * from_y + from_z * from_z);
-  });
-  const double turn = *friction * area * lever;
-  const double slide = estimate.tangential_force / hold;
-  const double twist = turn > 0.0 ? estimate.torsion / turn : 0.0;
-  estimate.slip_margin = 1.0 - std::hypot(slide, twist);
+  estimate.torsion = area * torsion_of(sums);
+  if (friction) add_margins(cells, f, marks, sums, *friction, touching.patches, scratch, estimate);
 }
 
 }  // namespace tactile_net

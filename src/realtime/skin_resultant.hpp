@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "realtime/aligned.hpp"
@@ -11,25 +12,40 @@
 
 namespace tactile_net {
 
-/// Scratch of one thread.
-struct CellMarks {
-  CellMarks(std::size_t cells, bool windows)
-      : marks(cells), queue(cells), sums(windows ? cells : 0), along(windows ? cells : 0) {}
-
-  Aligned<std::uint8_t> marks;
-  Aligned<std::uint32_t> queue;
-  Aligned<double> sums, along;  // over windows, where the plan has any
+/// Sums of tractions over cells, times an area forces and moments; places from the grid's middle.
+struct CellSums {
+  double p = 0.0, q_y = 0.0, q_z = 0.0;
+  double y_p = 0.0, z_p = 0.0;
+  double torque = 0.0;
+  double lever = 0.0;  // sum p r, r from the centre of pressure
 };
 
-/// Fills in forces, centre, torsion, margins, contact and touching. At the cost of `mark_touching`;
-/// no allocation.
+/// Scratch of one thread.
+struct CellMarks {
+  CellMarks(std::size_t rows, std::size_t columns, bool windows)
+      : marks(rows * columns),
+        queue(rows * columns),
+        sums(windows ? rows * columns : 0),
+        along(windows ? rows * columns : 0),
+        patches(((rows + 1) / 2) * ((columns + 1) / 2)) {}
+
+  Aligned<std::uint8_t> marks;
+  Aligned<std::uint32_t> queue;   // and then the number of each touching cell's patch
+  Aligned<double> sums, along;    // over windows, where the plan has any
+  std::vector<CellSums> patches;  // as many as can lie apart
+};
+
+/// Fills in forces, centre, torsion, margins, contact and touching. At the cost of `mark_touching`,
+/// and where several patches touch of one more look at each cell; no allocation.
 ///
 /// @param f                 tractions: normal, and with three unknowns tangential ones
+/// @param variances         of the force, a share for each cell; none: not known
 /// @param certain_force     from which the sum over all cells is a contact's, though no single cell
 ///                          may be
 /// @param highest, lowest   sums over all cells beyond are doubted
 void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
-                        std::optional<double> friction, double certain_force, double highest,
-                        double lowest, CellMarks& scratch, ContactEstimate& estimate) noexcept;
+                        std::optional<double> friction, std::span<const double> variances,
+                        double certain_force, double highest, double lowest, CellMarks& scratch,
+                        ContactEstimate& estimate) noexcept;
 
 }  // namespace tactile_net

@@ -12,6 +12,10 @@ namespace tactile_net {
 inline constexpr double touched = 2.0;
 inline constexpr double certain = 4.0;
 
+/// Share of the strongest contact's force from which another one counts where contacts are judged
+/// one by one, as for friction: less is what smoothing leaves beside a strong one.
+inline constexpr double least_share = 0.1;
+
 /// Widens marks along a line of cells.
 inline void widen(std::uint8_t* marks, std::size_t count, std::size_t stride,
                   std::size_t reach) noexcept {
@@ -63,7 +67,7 @@ inline void sum_along(const double* values, double* sums, std::size_t count, std
 /// Marks with 1, among cells that are not marked, the patches of neighbours, by edges or corners,
 /// that are `touched` with a peak that is `certain`. Those without such a peak go to `doubt`.
 ///
-/// @return how many cells are marked anew
+/// @return how many patches are marked anew
 inline std::size_t mark_patches(const TouchedGrid& grid, const double* values,
                                 const double* deviations, std::uint8_t* marks, std::uint32_t* queue,
                                 const auto& doubt) {
@@ -91,7 +95,7 @@ inline std::size_t mark_patches(const TouchedGrid& grid, const double* values,
           if (marks[m * grid.columns + n] == above) take(m * grid.columns + n);
     }
     if (is_certain) {
-      found += size;
+      ++found;
       continue;
     }
     for (std::size_t at = 0; at < size; ++at) {
@@ -111,6 +115,12 @@ inline void widen(const TouchedGrid& grid, std::uint8_t* marks) noexcept {
     widen(marks + column, grid.rows, grid.columns, grid.rim_rows);
 }
 
+/// What is marked.
+struct Touching {
+  std::size_t cells = 0;
+  std::size_t patches = 0;  ///< before they were widened: no fewer than lie apart
+};
+
 /// Marks the cells that touch with 1, others with 0: patches of cells, widened by the rim; then,
 /// of what is left, patches of windows, which tell of a contact of which no cell is certain: cells
 /// that are narrow for their depth share what is told of them. No allocation. O(cells) for patches,
@@ -121,13 +131,14 @@ inline void widen(const TouchedGrid& grid, std::uint8_t* marks) noexcept {
 /// @param windows     absent: cells alone
 /// @param marks       one for each cell, as the queue
 /// @param doubt       takes the cells of windows that are above noise, and not certain
-/// @return how many touch
-inline std::size_t mark_touching(const TouchedGrid& grid, const double* p, const double* deviations,
-                                 const TouchedWindows* windows, std::uint8_t* marks,
-                                 std::uint32_t* queue, const auto& doubt) {
+inline Touching mark_touching(const TouchedGrid& grid, const double* p, const double* deviations,
+                              const TouchedWindows* windows, std::uint8_t* marks,
+                              std::uint32_t* queue, const auto& doubt) {
   const std::size_t count = grid.count();
   std::fill_n(marks, count, std::uint8_t{0});
-  if (mark_patches(grid, p, deviations, marks, queue, [](std::size_t) {}) > 0) widen(grid, marks);
+  Touching found;
+  found.patches = mark_patches(grid, p, deviations, marks, queue, [](std::size_t) {});
+  if (found.patches > 0) widen(grid, marks);
   if (windows != nullptr) {
     for (std::size_t i = 0; i < count; ++i) windows->sums[i] = marks[i] != 0 ? 0.0 : p[i];
     for (std::size_t row = 0; row < grid.rows; ++row)
@@ -136,11 +147,53 @@ inline std::size_t mark_touching(const TouchedGrid& grid, const double* p, const
     for (std::size_t column = 0; column < grid.columns; ++column)
       sum_along(windows->along + column, windows->sums + column, grid.rows, grid.columns,
                 windows->rows);
-    mark_patches(grid, windows->sums, windows->deviations, marks, queue, doubt);
+    found.patches += mark_patches(grid, windows->sums, windows->deviations, marks, queue, doubt);
   }
-  std::size_t found = 0;
-  for (std::size_t i = 0; i < count; ++i) found += marks[i];
+  for (std::size_t i = 0; i < count; ++i) found.cells += marks[i];
   return found;
+}
+
+/// Numbers the patches of marked cells that touch one another, by an edge or a corner, from 0 on in
+/// the order of their first cells. O(cells); no allocation.
+///
+/// @param labels  of each marked cell the number of its patch; of others nothing
+/// @return how many patches there are
+inline std::size_t label_patches(const TouchedGrid& grid, const std::uint8_t* marks,
+                                 std::uint32_t* labels) noexcept {
+  // First each cell points to one of its patch that comes before it, the first one to itself.
+  const auto first_of = [&](std::size_t cell) {
+    while (labels[cell] != cell) cell = labels[cell] = labels[labels[cell]];
+    return cell;
+  };
+  std::size_t cell = 0;
+  for (std::size_t row = 0; row < grid.rows; ++row)
+    for (std::size_t column = 0; column < grid.columns; ++column, ++cell) {
+      if (marks[cell] == 0) continue;
+      const std::size_t above = cell - grid.columns;
+      const bool on_left = column > 0;
+      std::size_t first = cell;
+      if (row > 0 && marks[above] != 0) {
+        first = first_of(above);  // the other three are its own neighbours
+      } else {
+        if (on_left && marks[cell - 1] != 0)
+          first = first_of(cell - 1);
+        else if (row > 0 && on_left && marks[above - 1] != 0)
+          first = first_of(above - 1);
+        if (row > 0 && column + 1 < grid.columns && marks[above + 1] != 0) {
+          const std::size_t other = first_of(above + 1);
+          const std::size_t later = std::max(first, other);
+          first = std::min(first, other);
+          labels[later] = static_cast<std::uint32_t>(first);
+        }
+      }
+      labels[cell] = static_cast<std::uint32_t>(first);
+    }
+  std::size_t patches = 0;
+  for (cell = 0; cell < grid.count(); ++cell)
+    if (marks[cell] != 0)
+      labels[cell] =
+          labels[cell] == cell ? static_cast<std::uint32_t>(patches++) : labels[labels[cell]];
+  return patches;
 }
 
 }  // namespace tactile_net

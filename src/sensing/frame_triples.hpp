@@ -26,9 +26,15 @@ class FrameTriples {
   explicit FrameTriples(std::size_t most) : most_(most) {}
 
   void add(std::span<const double> readings);
+  /// The next frame, with the two that are to stand before it: each frame is added so, or skipped.
+  void add(const std::array<std::vector<double>, 3>& frames);
+  void skip() noexcept { ++frames_; }
   [[nodiscard]] std::span<const FrameTriple> all() const noexcept { return triples_; }
 
  private:
+  /// Whether the group that the next frame completes is one of those that are kept.
+  bool is_next_kept();
+
   std::size_t most_;
   std::size_t stride_ = 1;
   std::size_t frames_ = 0;

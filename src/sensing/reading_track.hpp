@@ -31,8 +31,8 @@ class RangeEnd {
   [[nodiscard]] std::size_t count() const noexcept { return outer_count_; }
   /// Whether values pile up there: noise, and what rises and falls, leave no more of the outermost
   /// than of the next.
-  [[nodiscard]] bool piles_up() const noexcept {
-    return outer_count_ >= 5 && outer_count_ > 3 * next_count_;
+  [[nodiscard]] bool piles_up(std::size_t least = 5, std::size_t times = 3) const noexcept {
+    return outer_count_ >= least && outer_count_ > times * next_count_;
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "realtime/touching_cells.hpp"
 #include "tactile_net/skin/load.hpp"
 
 namespace tactile_net {
@@ -40,6 +41,13 @@ class Contact {
   /// Of pressure [m]. @pre  it presses
   [[nodiscard]] const SkinWrench::Centre& centre() const noexcept { return centre_; }
   [[nodiscard]] double torsion() const noexcept { return torsion_; }
+  /// sum p r A: torsion at which all slides about the centre, over mu [N m].
+  [[nodiscard]] double lever() const {
+    double sum = 0.0;
+    for (const std::size_t cell : cells_)
+      sum += area() * std::max(p(cell), 0.0) * std::hypot(y(cell), z(cell));
+    return sum;
+  }
   [[nodiscard]] bool drags() const noexcept { return own_.size() > count_; }
   [[nodiscard]] std::span<const std::size_t> cells() const noexcept { return cells_; }
 
@@ -174,6 +182,36 @@ std::size_t ninety_percent(const Contact& contact) {
   return order.back();
 }
 
+/// The cells of the contact that needs the most friction, and how many it is one of.
+struct NearestToSlipping {
+  std::vector<std::size_t> cells;
+  std::size_t contacts;
+};
+
+/// One contact alone has all cells, those of nothing beside it too.
+/// @param torsion  counts too
+NearestToSlipping nearest_to_slipping(const SkinGrid& grid, std::span<const double> tractions,
+                                      std::span<const std::size_t> cells, bool torsion) {
+  NearestToSlipping nearest{{cells.begin(), cells.end()}, 0};
+  double strongest = 0.0;
+  double most = -1.0;
+  for (std::vector<std::size_t>& patch : separate_contacts(grid, tractions, cells)) {
+    const Contact contact(grid, tractions, patch);
+    const auto& force = contact.wrench().force;
+    strongest = std::max(strongest, force[0]);
+    if (!contact.presses() || !(force[0] > least_share * strongest)) continue;
+    ++nearest.contacts;
+    const double lever = contact.lever();
+    const double twist = torsion && lever > 0.0 ? contact.torsion() / lever : 0.0;
+    const double needed = std::hypot(std::hypot(force[1], force[2]) / force[0], twist);
+    if (!(needed > most)) continue;
+    most = needed;
+    nearest.cells = std::move(patch);
+  }
+  if (nearest.contacts < 2) return {{cells.begin(), cells.end()}, 1};
+  return nearest;
+}
+
 }  // namespace
 
 UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tractions,
@@ -223,8 +261,10 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
                                         const Covariance& covariance, double noise_rms,
                                         std::optional<double> limit) {
   if (limit && !(*limit > 0.0)) throw std::invalid_argument("friction limit must be > 0");
-  const Contact contact(grid, tractions, cells);
-  if (!contact.presses() || !contact.drags()) return std::nullopt;
+  const Contact all(grid, tractions, cells);
+  if (!all.presses() || !all.drags()) return std::nullopt;
+  const NearestToSlipping nearest = nearest_to_slipping(grid, tractions, cells, limit.has_value());
+  const Contact contact(grid, tractions, nearest.cells);
   const auto& force = contact.wrench().force;
   const double drag = std::hypot(force[1], force[2]);
   const double along_y = drag > 0.0 ? force[1] / drag : 1.0;
@@ -233,32 +273,28 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
   const Gradient of_drag = sum(along_y, contact.of_force(1), along_z, contact.of_force(2));
   const Gradient of_ratio = sum(1.0 / force[0], of_drag, -ratio / force[0], contact.of_force(0));
 
-  SkinFriction friction;
+  SkinFriction friction{
+      .contacts = nearest.contacts, .lever = contact.lever(), .lever_of_all = all.lever()};
+  if (nearest.contacts > 1)
+    friction.wrench = resultant_of(grid, tractions, nearest.cells, covariance, noise_rms);
   std::vector<Result> results{{ratio, of_ratio}, ratio_at(contact, ninety_percent(contact))};
-  const auto tell = [&] {
-    const std::vector<Uncertain> all = uncertain(results, covariance, noise_rms);
-    friction.ratio = all[0];
-    friction.least_limit = all[1];
-    if (all.size() > 2) friction.margin = all[2];
-  };
-  for (const std::size_t cell : cells)
-    friction.lever += contact.area() * std::max(contact.p(cell), 0.0) *
-                      std::hypot(contact.y(cell), contact.z(cell));
-  if (!limit) {
-    tell();
-    return friction;
+  if (limit) {
+    const double slide = ratio / *limit;
+    const double most = *limit * friction.lever;
+    const double twist = most > 0.0 ? contact.torsion() / most : 0.0;
+    const double used = std::hypot(slide, twist);
+    // The lever's own error is of second order beside the torsion's.
+    const Gradient of_margin =
+        used > 0.0 ? sum(-slide / used / *limit, of_ratio, most > 0.0 ? -twist / used / most : 0.0,
+                         contact.of_torsion())
+                   : Gradient(tractions.size());
+    results.push_back({1.0 - used, of_margin});
   }
-  const double slide = ratio / *limit;
-  const double most = *limit * friction.lever;
-  const double twist = most > 0.0 ? contact.torsion() / most : 0.0;
-  const double used = std::hypot(slide, twist);
-  // The lever's own error is of second order beside the torsion's.
-  const Gradient of_margin =
-      used > 0.0 ? sum(-slide / used / *limit, of_ratio, most > 0.0 ? -twist / used / most : 0.0,
-                       contact.of_torsion())
-                 : Gradient(tractions.size());
-  results.push_back({1.0 - used, of_margin});
-  tell();
+  const std::vector<Uncertain> told = uncertain(results, covariance, noise_rms);
+  friction.ratio = told[0];
+  friction.least_limit = told[1];
+  if (!limit) return friction;
+  friction.margin = told[2];
   // Some at a time: of a large skin a weight for every traction and cell would be gigabytes.
   constexpr std::size_t most_weights = std::size_t{1} << 20;
   const std::size_t batch = std::max<std::size_t>(most_weights / tractions.size(), 1);
@@ -270,11 +306,10 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
     of_cells.clear();
   };
   for (const std::size_t cell : cells) {
-    const double q = std::hypot(contact.q_y(cell), contact.q_z(cell));
+    const double q = std::hypot(all.q_y(cell), all.q_z(cell));
     const double over = q > 0.0 ? -1.0 / q : 0.0;
-    friction.cell_margins.push_back({*limit * contact.p(cell) - q, 0.0});
-    of_cells.push_back(
-        contact.at(cell, *limit, contact.q_y(cell) * over, contact.q_z(cell) * over));
+    friction.cell_margins.push_back({*limit * all.p(cell) - q, 0.0});
+    of_cells.push_back(all.at(cell, *limit, all.q_y(cell) * over, all.q_z(cell) * over));
     if (of_cells.size() == batch) add_deviations();
   }
   add_deviations();

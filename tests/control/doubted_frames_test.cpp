@@ -20,7 +20,9 @@ EstimatorPlan plan_with(const PlannerOptions& options) {
   return plan_estimator(problem, pad_alpha, options).plan;
 }
 
-EstimatorPlan whole_plan() { return plan_with({.noise_rms = noise_rms, .traction_limit = 1.0}); }
+EstimatorPlan whole_plan() {
+  return plan_with({.noise_rms = noise_rms, .traction_limit = 1.0, .judge_baseline = true});
+}
 
 std::vector<double> frame(std::size_t number) {
   const std::vector<Contact> contacts = {
@@ -78,6 +80,68 @@ TEST_CASE("what a plan does not have, its frames are not doubted by", "[planner]
         Flags{.pulls = true});
 }
 
+namespace {
+
+ContactEstimate estimate_of(const EstimatorPlan& plan, const std::vector<double>& readings) {
+  ContactEstimator estimator(plan);
+  std::vector<double> f(estimator.tractions());
+  ContactEstimate estimate{.tractions = f};
+  REQUIRE(estimator.update(readings, estimate) == FrameStatus::ok);
+  estimate.tractions = {};
+  return estimate;
+}
+
+std::vector<double> noisy(std::vector<double> readings, std::size_t number) {
+  add_noise(readings, noise_rms, number, 0);
+  return readings;
+}
+
+}  // namespace
+
+TEST_CASE("what presses at the outermost taxels may press beyond them", "[planner]") {
+  const EstimatorPlan plan = plan_with({.noise_rms = noise_rms, .border = {0, 40}});
+  const auto pressed_at = [&](double center) {
+    const std::vector<Contact> contacts = {
+        RigidContact{.center = center, .half_width = 2.0, .force = 0.4}};
+    return estimate_of(plan, noisy(exact_readings(pad_array, pad, contacts), 3));
+  };
+  for (const double side : {-1.0, 1.0}) {
+    CHECK(pressed_at(side * 10.0).beyond_edge);       // its middle is above the last taxel
+    CHECK_FALSE(pressed_at(side * 7.5).beyond_edge);  // it ends inside
+  }
+  CHECK_FALSE(pressed_at(0.0).beyond_edge);
+  for (std::size_t k = 0; k < 100; ++k)
+    CHECK_FALSE(estimate_of(plan, noisy(std::vector<double>(41), k)).beyond_edge);
+  CHECK(estimate_of(plan, frame(1)).force_deviation == plan.force_deviation);
+  CHECK(plan_with({.diagnostics = false, .border = {0, 40}}).border.empty());
+  CHECK_THROWS_AS(plan_with({.border = {0, 41}}), std::invalid_argument);
+}
+
+TEST_CASE("a baseline that moved presses, and is doubted", "[planner]") {
+  const EstimatorPlan plan = whole_plan();
+  const InverseProblem with_offsets =
+      make_problem(pad_array, pad, {.smoothing_length = 1.5, .unknown_offsets = true});
+  const EstimatorPlan freed =
+      plan_estimator(with_offsets, pad_alpha, {.noise_rms = noise_rms, .judge_baseline = true})
+          .plan;
+  for (std::size_t k = 0; k < 50; ++k) {
+    const double side = k % 2 == 0 ? 1.0 : -1.0;
+    const std::vector<double> moved = noisy(std::vector<double>(41, side * 10.0 * noise_rms), k);
+    CHECK(estimate_of(plan, moved).baseline_moved);
+    CHECK_FALSE(estimate_of(freed, moved).baseline_moved);
+    CHECK_FALSE(estimate_of(plan, frame(k)).baseline_moved);
+    CHECK_FALSE(estimate_of(plan, noisy(std::vector<double>(41), k)).baseline_moved);
+    // An unloaded frame is the new baseline.
+    ContactEstimator estimator(plan);
+    std::vector<double> f(estimator.tractions());
+    ContactEstimate estimate{.tractions = f};
+    REQUIRE(estimator.set_baseline(std::vector<double>(41, side * 10.0 * noise_rms)) ==
+            FrameStatus::ok);
+    REQUIRE(estimator.update(moved, estimate) == FrameStatus::ok);
+    CHECK_FALSE(estimate.baseline_moved);
+  }
+}
+
 TEST_CASE("the deviation of a plan's force is that of the noise and of the smoothing",
           "[planner]") {
   const EstimatorPlan plan = whole_plan();
@@ -91,7 +155,8 @@ TEST_CASE("the deviation of a plan's force is that of the noise and of the smoot
 TEST_CASE("a plan's limits survive its file, and have a version of their own", "[planner]") {
   const EstimatorPlan plan = whole_plan();
   const std::vector<std::byte> bytes = encode_plan(plan);
-  CHECK(bytes[8] == std::byte{4});
+  CHECK(bytes[8] == std::byte{8});
+  CHECK(encode_plan(plan_with({.diagnostics = false, .noise_rms = noise_rms}))[8] == std::byte{4});
   const EstimatorPlan again = decode_plan(bytes);
   CHECK(again.residual_limit == plan.residual_limit);
   CHECK(again.traction_limit == plan.traction_limit);

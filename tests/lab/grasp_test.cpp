@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tactile_net/frames/frame_of.hpp"
+#include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net;
@@ -250,4 +251,40 @@ TEST_CASE("hold says what it lacks", "[grasp]") {
                   std::invalid_argument);
   CHECK_THROWS_WITH(held(mirrored_finger(-1.0, "{ scene = \"" + thin_pad + "\" }")),
                     ContainsSubstring("nothing presses on this fingertip"));
+}
+
+TEST_CASE("contacts that are dragged apart on a pad are judged as one of them alone", "[grasp]") {
+  // Of a recorded frame's sensor; the frame is made here. Two contacts slide apart at 0.9 of the
+  // friction: their sum is dragged nowhere.
+  const double friction = 0.5;
+  const auto grasp_of = [&](const std::vector<Contact>& contacts) {
+    const FrameOf frame_of{
+        .readings = [&](const std::filesystem::path&, const Scene& scene, std::size_t) {
+          return exact_readings(scene.sensor, scene.material, contacts);
+        }};
+    return held("[grasp]\nfriction = 0.5\n" +
+                    mirrored_finger(-1.0, recorded_contact(SCENES "/recorded/thin-pad.csv", 0)),
+                frame_of);
+  };
+  const RigidContact left{
+      .center = -5e-3, .half_width = 2e-3, .force = 100.0, .friction = 0.9 * friction};
+  RigidContact right = left;
+  right.center = -left.center;
+  right.friction = -left.friction;
+  const GraspResult alone = grasp_of({left});
+  const GraspResult apart = grasp_of({left, right});
+  REQUIRE(alone.measured);
+  REQUIRE(apart.measured);
+  CHECK(remark_count<remark::SeveralContacts>(alone.tips[0]) == 0);
+  CHECK(remark_count<remark::SeveralContacts>(apart.tips[0]) == 1);
+  const FrictionMargin& one = *alone.measured->margins[0].friction;
+  const FrictionMargin& worst = *apart.measured->margins[0].friction;
+  CHECK_THAT(worst.used, WithinAbs(one.used, 0.1));
+  CHECK_THAT(worst.distance.value,
+             WithinAbs(one.distance.value,
+                       4.0 * std::hypot(one.distance.deviation, worst.distance.deviation)));
+  // The force that carries the load is the sum.
+  const FingerAction& sum = apart.measured->grasp.fingers[0];
+  CHECK_THAT(sum.normal, WithinRel(2.0 * alone.measured->grasp.fingers[0].normal, 0.05));
+  CHECK(std::abs(sum.tangential) < 0.02 * sum.normal);
 }

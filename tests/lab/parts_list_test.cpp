@@ -232,7 +232,7 @@ TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_
   const lab::SceneCircuit circuit = board_circuit();
   const lab::PartsList none = lab::parts_list(circuit, 1e-6);
   CHECK_FALSE(none.choice);
-  CHECK_THAT(report::in_words(none), StartsWith("No list of parts"));
+  CHECK_THAT(report::in_words(none), StartsWith("No resistors keep"));
   CHECK_THROWS_AS(lab::parts_list(circuit, 0.0), std::invalid_argument);
 }
 

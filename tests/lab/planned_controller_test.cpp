@@ -1,6 +1,9 @@
 #include "tactile_net/lab/planned_controller.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -84,6 +87,26 @@ TEST_CASE("the scene fills in what a controller's options leave open", "[lab][co
   CHECK(plan.ranges[0].lowest == -2.0);
   CHECK(plan.ranges[0].highest == 3.0);
   CHECK(plan.readings() == problem.readings());
+}
+
+TEST_CASE("a plan's force beside the solver's: the same, but for constraints",
+          "[lab][controller]") {
+  const auto force_of = [](const std::string& reconstruct, bool raw = false) {
+    const SceneProblem problem =
+        line_problem(cylinder_contact + "[reconstruct]\nalpha = 1e-4\n" + reconstruct +
+                     (raw ? "[calibration]\ngain = 0.25\noffset = 0.5\n" : ""));
+    const PlannedController planned = plan_controller(problem, *plan_alpha(problem));
+    CHECK(planned.estimator.plan.border == std::vector<std::uint32_t>{0, 20});
+    return planned_force(problem, planned.estimator.plan).value();
+  };
+  const PlannedForce free = force_of("");
+  CHECK_THAT(free.planned, WithinRel(free.solved, 1e-6));
+  CHECK_THAT(force_of("", true).planned, WithinRel(free.solved, 1e-6));
+  const PlannedForce bound = force_of("nonnegative = true\n");
+  CHECK_THAT(bound.planned, WithinRel(free.planned, 1e-6));
+  CHECK(std::abs(bound.solved - bound.planned) > 1e-4 * bound.solved);
+  const SceneProblem empty = line_problem("[reconstruct]\nalpha = 1e-4\n");
+  CHECK_FALSE(planned_force(empty, plan_controller(empty, *plan_alpha(empty)).estimator.plan));
 }
 
 }  // namespace tactile_net::lab

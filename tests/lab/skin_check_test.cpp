@@ -1,4 +1,5 @@
 // Recordings of a skin, clean and with one defect planted: what the check finds, and what not.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -7,7 +8,11 @@
 #include <vector>
 
 #include "tactile_net/lab/readings_check.hpp"
+#include "tactile_net/lab/skin_recording.hpp"
+#include "tactile_net/lab/skin_recording_solver.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
+#include "tactile_net/pages/skin_page.hpp"
+#include "tactile_net/report/json/skin_json.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "tests/catch.hpp"
 #include "tests/lab/checked_recording.hpp"
@@ -190,4 +195,115 @@ TEST_CASE("readings that know no direction say nothing of the taxels' order",
   RecordedSkin recording = recorded_skin(skin_pad("\"stress_x\"", false));
   for (auto& frame : recording.frames) std::reverse(frame.begin(), frame.end());
   CHECK(kinds(check(recording)) == Names{});
+}
+
+TEST_CASE(
+    "a skin's taxels that are equal in every frame are named, and so is a quantity of its "
+    "own rate",
+    "[lab][check][skin]") {
+  const RecordedSkin clean = recorded_skin(skin_pad(three_stresses, false));
+  RecordedSkin twins = clean;
+  constexpr std::size_t n = 7 * taxel_columns;
+  for (auto& frame : twins.frames)
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      frame[channel * n + middle_taxel] = frame[channel * n + middle_taxel + taxel_columns];
+  const lab::ReadingsCheck result = check(twins);
+  REQUIRE(kinds(result).contains("equal_readings"));
+  for (const lab::Finding& one : result.findings)
+    if (const auto* equal = std::get_if<finding::EqualReadings>(&one)) {
+      CHECK(equal->taxels == std::vector<std::size_t>{middle_taxel, middle_taxel + taxel_columns});
+      CHECK(equal->groups.size() == 3);
+    }
+  RecordedSkin slow = clean;
+  for (std::size_t k = 0; k < slow.frames.size(); ++k)
+    if (k % 4 != 0)
+      std::copy(slow.frames[k - 1].begin() + n, slow.frames[k - 1].end(),
+                slow.frames[k].begin() + n);
+  const lab::ReadingsCheck of_slow = check(slow);
+  CHECK(kinds(of_slow) == Names{"slow_channels"});
+  for (const lab::Finding& one : of_slow.findings)
+    CHECK(std::get<finding::SlowChannels>(one).channels == std::vector<std::size_t>{1, 2});
+}
+
+TEST_CASE("rows that are read there and back are found by what a contact presses",
+          "[lab][check][skin]") {
+  const std::string reads = GENERATE(std::string("\"stress_x\""), three_stresses);
+  const bool columns = GENERATE(false, true);
+  const std::size_t first = GENERATE(0u, 1u);
+  CAPTURE(reads, columns, first);
+  const RecordedSkin clean = recorded_skin(skin_pad(reads, false));
+  RecordedSkin recording = clean;
+  constexpr std::size_t rows = 7;
+  const std::size_t channels = clean.frames.front().size() / (rows * taxel_columns);
+  for (std::size_t k = 0; k < recording.frames.size(); ++k)
+    for (std::size_t channel = 0; channel < channels; ++channel)
+      for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < taxel_columns; ++column) {
+          const bool turned = (columns ? column : row) % 2 == first;
+          const std::size_t y = turned && columns ? rows - 1 - row : row;
+          const std::size_t z = turned && !columns ? taxel_columns - 1 - column : column;
+          recording.frames[k][(channel * rows + row) * taxel_columns + column] =
+              clean.frames[k][(channel * rows + y) * taxel_columns + z];
+        }
+  const lab::ReadingsCheck result = check(recording);
+  REQUIRE(kinds(result).contains("order_serpentine"));
+  CHECK_FALSE(kinds(result).contains("order_mirrored"));
+  for (const lab::Finding& one : result.findings)
+    if (const auto* order = std::get_if<finding::OrderSerpentine>(&one)) {
+      CHECK(order->columns == columns);
+      // Pressures know no direction, and a mirror image is as good a pad.
+      if (channels > 1) CHECK(order->first == first);
+    }
+}
+
+TEST_CASE("a skin's drift is told whoever solves it, frame by frame or all at once",
+          "[lab][check][skin]") {
+  RecordedSkin recording = recorded_skin(skin_pad("\"stress_x\"", false));
+  std::vector<std::vector<double>> third;  // which are quick to solve
+  for (std::size_t k = 0; k < recording.frames.size(); k += 3) third.push_back(recording.frames[k]);
+  recording.frames = std::move(third);
+  constexpr double slope = 0.3 * pad_noise;  // a frame
+  for (std::size_t k = 0; k < recording.frames.size(); ++k)
+    for (double& value : recording.frames[k]) value += slope * static_cast<double>(k);
+  const auto doubts_of = [&](auto solve) {
+    lab::SkinRecordingSolver solver{lab::SkinSceneProblem(recording.scene)};
+    solve(solver);
+    return solver.doubts();
+  };
+  const lab::Findings one_by_one = doubts_of([&](lab::SkinRecordingSolver& solver) {
+    for (std::vector<double> frame : recording.frames) (void)solver.solve(frame);
+  });
+  const lab::Findings at_once = doubts_of([&](lab::SkinRecordingSolver& solver) {
+    std::size_t next = 0;
+    solver.solve_all(
+        [&](std::vector<double>& readings) {
+          if (next == recording.frames.size()) return false;
+          readings = recording.frames[next++];
+          return true;
+        },
+        [](std::span<const double>, const std::optional<lab::SkinAnswer>&) {}, 2);
+  });
+  REQUIRE(one_by_one.size() == 1);
+  REQUIRE(at_once.size() == 1);
+  const finding::Drift& drift = std::get<finding::Drift>(one_by_one.front());
+  CHECK(drift.largest == std::get<finding::Drift>(at_once.front()).largest);
+  // Of two rests in which nothing presses, the change is the drift's.
+  CHECK_THAT(drift.largest, WithinRel(slope * static_cast<double>(drift.to - drift.from), 0.25));
+}
+
+TEST_CASE("a skin's page and its JSON have every finding", "[lab][check][skin]") {
+  RecordedSkin recording = recorded_skin(skin_pad("\"stress_x\"", false));
+  for (auto& frame : recording.frames) frame[middle_taxel] = frame[middle_taxel + 1];
+  const lab::SkinSceneProblem problem(recording.scene);
+  lab::SkinRecordingAnswer all{.scene = recording.scene, .grid = problem.grid()};
+  all.add("", recording.frames[100], lab::solve(problem, recording.frames[100]));
+  all.findings = check(recording).findings;
+  REQUIRE_FALSE(all.findings.empty());
+  const std::string page = pages::recording_page(all, "skin.csv", "").html;
+  const std::string json = report::recording_json(all, "skin.csv");
+  for (const lab::Finding& one : all.findings) {
+    CHECK_THAT(page, ContainsSubstring(report::in_words(one, recording.scene)));
+    CHECK_THAT(page, ContainsSubstring("indices = ["));
+    CHECK_THAT(json, ContainsSubstring("\"" + std::string(lab::name(one)) + "\""));
+  }
 }

@@ -118,6 +118,44 @@ TEST_CASE("the weaker of two contacts counts, and the stronger too", "[lab][skin
   CHECK(force.deviation < 0.05 * force.value);
 }
 
+TEST_CASE("contacts that are dragged apart slip as one of them alone", "[lab][skin][contacts]") {
+  const double limit = 0.8;
+  const double used = 0.9;
+  const auto friction = [&](bool left, bool right, double of_right) {
+    const auto contact = [&](double y, double drag) {
+      return "[[contact]]\nshape = \"sphere\"\nplace = [" + std::to_string(y) +
+             ", 0.0]\nradius = 2.0\nforce = 500.0\nfriction = " + std::to_string(std::abs(drag)) +
+             "\ndirection = " + (drag < 0.0 ? "180.0\n" : "0.0\n");
+    };
+    const auto scene = std::get<SkinScene>(parse_any_scene(
+        "[sensor]\nrows = 7\ncolumns = 5\npitch = 2.0\ndepth = 1.5\n"
+        "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+        "[material]\nyoungs_modulus = 250.0\npoisson_ratio = 0.48\n" +
+            (left ? contact(-4.0, used * limit) : "") + (right ? contact(4.0, of_right) : "") +
+            "[noise]\nrms = 0.3\n[reconstruct]\nfriction_limit = " + std::to_string(limit) + "\n",
+        "apart.toml"));
+    const lab::SkinExperiment found = lab::run(scene);
+    REQUIRE(found.answer);
+    REQUIRE(found.answer->friction);
+    return *found.answer->friction;
+  };
+  const SkinFriction alone = friction(true, false, 0.0);
+  const SkinFriction both = friction(true, true, -used * limit);
+  CHECK(alone.contacts == 1);
+  CHECK(both.contacts == 2);
+  const double deviation = std::hypot(alone.margin->deviation, both.margin->deviation);
+  CHECK_THAT(both.margin->value, WithinAbs(alone.margin->value, 3.0 * deviation));
+  CHECK(both.margin->value < 0.3);
+  CHECK_THAT(
+      both.ratio.value,
+      WithinAbs(alone.ratio.value, 3.0 * std::hypot(alone.ratio.deviation, both.ratio.deviation)));
+  // The one that is held well does not speak for the other.
+  const SkinFriction one = friction(true, true, -0.1 * limit);
+  REQUIRE(one.wrench);
+  CHECK_THAT(one.wrench->centre_y->value, WithinAbs(-4.0, 0.5));
+  CHECK_THAT(one.margin->value, WithinAbs(alone.margin->value, 3.0 * deviation));
+}
+
 TEST_CASE("deviations hold the forces of one, two and three contacts", "[lab][skin][contacts]") {
   Coverage all;
   for (const std::size_t contacts : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {

@@ -61,8 +61,9 @@ TEST_CASE("the resultant, the margin and the residual are those of the tractions
     if (problem.unknowns == 2) {
       CHECK_THAT(found.tangential_force,
                  WithinAbs(problem.surface.spacing * sum(tangential), 1e-15 * size));
-      CHECK_THAT(found.friction_margin,
-                 WithinRel(0.7 * found.normal_force - std::abs(found.tangential_force), 1e-14));
+      if (found.contacts < 2)  // else that of the one nearest to slipping
+        CHECK_THAT(found.friction_margin,
+                   WithinRel(0.7 * found.normal_force - std::abs(found.tangential_force), 1e-14));
       if (found.contact) {  // the angle turns the resultant onto the normal
         const double length = std::hypot(found.normal_force, found.tangential_force);
         CHECK_THAT(length * std::cos(found.angle), WithinRel(found.normal_force, 1e-14));

@@ -94,6 +94,8 @@ void check_same(const EstimatorPlan& a, const EstimatorPlan& b) {
   check_same(a.weights, b.weights);
   check_same(a.leverages, b.leverages);
   check_same(a.baseline, b.baseline);
+  CHECK(a.border == b.border);
+  CHECK(a.known_offsets == b.known_offsets);
   CHECK(a.friction_coefficient == b.friction_coefficient);
   REQUIRE(a.ranges.size() == b.ranges.size());
   for (std::size_t i = 0; i < a.ranges.size(); ++i)
@@ -184,11 +186,11 @@ TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
 TEST_CASE("other versions, other files and bytes that follow are refused", "[plan_file]") {
   std::vector<std::byte> bytes = encode_plan(made_plan({}));
   CHECK_THAT(refusal({}), ContainsSubstring("this is no plan"));
-  for (const int version : {0, 8}) {
+  for (const int version : {0, 9}) {
     bytes[8] = static_cast<std::byte>(version);
     sign(bytes);
     CHECK_THAT(refusal(bytes), ContainsSubstring("has version " + std::to_string(version) +
-                                                 ", this library reads versions 1 to 7"));
+                                                 ", this library reads versions 1 to 8"));
   }
   bytes[8] = std::byte{1};
   sign(bytes);
@@ -344,4 +346,27 @@ TEST_CASE("a plan is loaded from its file, and what cannot be is named", "[plan_
   std::filesystem::remove(path);
   refused(path, "cannot be opened");
   refused(std::filesystem::temp_directory_path(), "cannot be read");
+}
+
+TEST_CASE("where nothing is seen beyond survives a plan's file, of lines and of skins",
+          "[plan_file]") {
+  for (EstimatorPlan plan : {made_plan({}), made_skin_plan({})}) {
+    const std::vector<std::byte> before = encode_plan(plan);
+    plan.border = {0, 3, 12};
+    plan.known_offsets = true;
+    const std::vector<std::byte> bytes = encode_plan(plan);
+    CHECK(bytes[8] == std::byte{8});
+    const EstimatorPlan again = decode_plan(bytes);
+    CHECK(again.border == plan.border);
+    CHECK(again.known_offsets);
+    CHECK(again.cells.has_value() == plan.cells.has_value());
+    CHECK(encode_plan(again) == bytes);
+    plan.border.clear();
+    plan.known_offsets = false;
+    CHECK(encode_plan(plan) == before);  // readers of older versions understand it
+    plan.border = {3, 3};
+    CHECK_THROWS_WITH(encode_plan(plan), ContainsSubstring("border"));
+    plan.border = {static_cast<std::uint32_t>(plan.values)};
+    CHECK_THROWS_WITH(encode_plan(plan), ContainsSubstring("border"));
+  }
 }

@@ -39,9 +39,14 @@ std::vector<std::vector<double>> sums_over(const SkinProblem& problem,
   return sums;
 }
 
+SkinArray oblong_skin() {
+  SkinArray skin = square_skin(20, 2e-3);
+  skin.columns = 17;
+  return skin;
+}
+
 struct Solved {
   explicit Solved(std::size_t components = 3) {
-    skin.columns = 17;
     options.components = components;
     dense = make_problem(skin, silicone, options);
     alpha = 1e-4 * size_of(dense);
@@ -51,7 +56,7 @@ struct Solved {
     contact = cells_within(dense.grid, 3e-3);
   }
 
-  SkinArray skin = square_skin(20, 2e-3);
+  SkinArray skin = oblong_skin();
   SkinProblemOptions options = with_dead({50, 51, 128});
   SkinProblem dense{};
   double alpha = 0.0;
@@ -96,15 +101,15 @@ void check_bands(std::size_t components, double prior_share) {
 }  // namespace
 
 TEST_CASE("a part of a large skin reads what the whole reads of its cells", "[skin][large][face]") {
-  const Solved s;
+  const SkinArray skin = oblong_skin();
   const std::size_t stride = GENERATE(std::size_t{1}, std::size_t{2});
-  SkinProblemOptions options = s.options;
-  options.grid.spacing = 1e-3 / static_cast<double>(stride);
-  const SkinProblem whole = make_problem(s.skin, thin, options);
+  const SkinProblemOptions options =
+      with_dead({50, 51, 128}, {.spacing = 1e-3 / static_cast<double>(stride)});
+  const SkinProblem whole = make_problem(skin, thin, options);
   const std::vector<std::size_t> corner{0, 1};
   const std::vector<std::size_t> contact = cells_within(whole.grid, 2e-3);
   for (const auto& cells : {corner, contact}) {
-    const LargeSkinPart part(s.skin, thin, options, whole, cells, 3e-3);
+    const LargeSkinPart part(skin, thin, options, whole, cells, 3e-3);
     const SkinProblem& own = problem_of(*part.system());
     REQUIRE(own.grid.count() < whole.grid.count());
     CHECK_THAT(own.grid.spacing_y, WithinRel(whole.grid.spacing_y, 1e-12));
@@ -121,10 +126,10 @@ TEST_CASE("a part of a large skin reads what the whole reads of its cells", "[sk
     const std::vector<double> expected = part.readings(product(whole.kernel, all));
     CHECK(distance(weighted_product(*part.system(), tractions), expected) < 1e-9 * norm(expected));
   }
-  CHECK_THROWS_WITH(LargeSkinPart(s.skin, thin, options, whole, {}, 1e-3),
+  CHECK_THROWS_WITH(LargeSkinPart(skin, thin, options, whole, {}, 1e-3),
                     ContainsSubstring("needs a cell"));
   const std::vector<std::size_t> strange{whole.grid.count()};
-  CHECK_THROWS_WITH(LargeSkinPart(s.skin, thin, options, whole, strange, 1e-3),
+  CHECK_THROWS_WITH(LargeSkinPart(skin, thin, options, whole, strange, 1e-3),
                     ContainsSubstring("another grid"));
 }
 

@@ -131,7 +131,7 @@ TEST_CASE("the sum over tiles is symmetric and positive, and mirrors what the sk
 }
 
 TEST_CASE("steps of conjugate gradients hold at every alpha", "[skin][large][tiles]") {
-  for (const Material& material : {silicone, thin}) check_steps(square_skin(32, 2e-3), material);
+  for (const Material& material : {silicone, thin}) check_steps(square_skin(24, 2e-3), material);
 }
 
 TEST_CASE("steps of conjugate gradients hold on a larger skin", "[skin][large][tiles][long]") {
@@ -140,8 +140,14 @@ TEST_CASE("steps of conjugate gradients hold on a larger skin", "[skin][large][t
 
 TEST_CASE("conjugate gradients reach the minimiser of the dense problem", "[skin][large]") {
   for (const Material& material : {silicone, thin})
-    for (const auto& dead : {std::vector<std::size_t>{}, {0, 21, 22, 137, 310}})
-      check_reaches_minimiser(square_skin(18, 2e-3), material, dead);
+    for (const auto& dead : {std::vector<std::size_t>{}, {0, 17, 18, 105, 190}})
+      check_reaches_minimiser(square_skin(14, 2e-3), material, dead);
+}
+
+TEST_CASE("conjugate gradients reach the minimiser of a larger dense problem",
+          "[skin][large][long]") {
+  for (const Material& material : {silicone, thin})
+    check_reaches_minimiser(square_skin(18, 2e-3), material, {0, 21, 22, 137, 310});
 }
 
 TEST_CASE("dead taxels cost conjugate gradients next to no steps", "[skin][large]") {

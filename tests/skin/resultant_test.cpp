@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 
+#include "realtime/touching_cells.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/covariance.hpp"
@@ -273,6 +276,84 @@ TEST_CASE("friction: what slides is at its limit, what is twisted is too", "[ski
   CHECK_FALSE(
       friction_of(grid, std::vector<double>(3 * grid.count()), cells, white, 1.0).has_value());
   CHECK_THROWS_WITH(friction({}, 0.0), ContainsSubstring("limit"));
+}
+
+TEST_CASE("of contacts that lie apart friction is that of the one nearest to slipping",
+          "[skin][resultant]") {
+  const SkinGrid grid = make_problem(square_skin(16, 2e-3), silicone).grid;
+  const White white(3 * grid.count());
+  constexpr double limit = 0.4;
+  const SkinContact left{.y = -4e-3, .radius = 2.5e-3, .force = 0.5, .friction = 0.36};
+  const auto friction = [&](const std::vector<SkinLoad>& loads, std::optional<double> mu) {
+    const std::vector<double> means = cell_means(loads, grid);
+    std::vector<std::size_t> cells;
+    for (std::size_t cell = 0; cell < grid.count(); ++cell)
+      if (means[cell] > 0.0) cells.push_back(cell);
+    return *friction_of(grid, means, cells, white, 1.0, mu);
+  };
+  const auto check_same = [](const SkinFriction& found, const SkinFriction& alone) {
+    CHECK_THAT(found.ratio.value, WithinRel(alone.ratio.value, 1e-9));
+    CHECK_THAT(found.ratio.deviation, WithinRel(alone.ratio.deviation, 1e-9));
+    CHECK_THAT(found.least_limit.value, WithinRel(alone.least_limit.value, 1e-9));
+    CHECK_THAT(found.lever, WithinRel(alone.lever, 1e-9));
+    REQUIRE(found.margin.has_value() == alone.margin.has_value());
+    if (!alone.margin) return;
+    CHECK_THAT(found.margin->value, WithinRel(alone.margin->value, 1e-9));
+    CHECK_THAT(found.margin->deviation, WithinRel(alone.margin->deviation, 1e-9));
+  };
+  const SkinFriction alone = friction({left}, limit);
+  CHECK(alone.contacts == 1);
+  CHECK_FALSE(alone.wrench);
+  CHECK(alone.lever == alone.lever_of_all);
+  CHECK_THAT(alone.margin->value, WithinAbs(0.1, 1e-3));
+  // Dragged apart: their sum is dragged nowhere.
+  SkinContact right = left;
+  right.y = -left.y;
+  right.direction = std::numbers::pi;
+  const SkinFriction apart = friction({left, right}, limit);
+  check_same(apart, alone);
+  CHECK(apart.contacts == 2);
+  // A stronger one that is held well, and one that is nothing beside it.
+  right.force = 4.0;
+  right.friction = 0.1;
+  const SkinFriction weaker = friction({left, right}, limit);
+  check_same(weaker, alone);
+  REQUIRE(weaker.wrench);
+  CHECK_THAT(weaker.wrench->centre_y->value, WithinAbs(left.y, 1e-4));
+  CHECK_THAT(weaker.wrench->normal.value, WithinRel(left.force, 1e-9));
+  CHECK_THAT(weaker.ratio.value, WithinRel(weaker.wrench->tangential_y->value / left.force, 1e-9));
+  right.force = 50.0;
+  CHECK(friction({left, right}, limit).contacts == 1);
+  // Torsion counts against a limit.
+  right.force = 0.5;
+  right.torsion = 0.95 * limit * alone.lever;
+  CHECK_THAT(friction({left, right}, limit).wrench->centre_y->value, WithinAbs(right.y, 1e-4));
+  check_same(friction({left, right}, {}), friction({left}, {}));
+}
+
+TEST_CASE("patches that a loop numbers are the contacts that a solver tells apart",
+          "[skin][resultant]") {
+  std::mt19937 random(4);
+  for (int mask = 0; mask < 200; ++mask) {
+    const SkinGrid grid{
+        .rows = 1 + random() % 9, .columns = 1 + random() % 9, .spacing_y = 1.0, .spacing_z = 1.0};
+    std::vector<std::uint8_t> marks(grid.count());
+    std::vector<std::size_t> cells;
+    const unsigned share = 1 + static_cast<unsigned>(random() % 5);
+    for (std::size_t cell = 0; cell < grid.count(); ++cell)
+      if (random() % 6 < share) {
+        marks[cell] = 1;
+        cells.push_back(cell);
+      }
+    std::vector<std::uint32_t> labels(grid.count());
+    const std::size_t count =
+        label_patches({grid.rows, grid.columns, 0, 0}, marks.data(), labels.data());
+    std::vector<std::vector<std::size_t>> patches(count);
+    for (const std::size_t cell : cells) patches.at(labels[cell]).push_back(cell);
+    // Without any force they are in the order of their first cells, as the labels.
+    CHECK(patches == separate_contacts(grid, std::vector<double>(grid.count()), cells));
+    CHECK(count <= ((grid.rows + 1) / 2) * ((grid.columns + 1) / 2));
+  }
 }
 
 TEST_CASE("a contact's ellipse has its radii by its law", "[skin][resultant]") {

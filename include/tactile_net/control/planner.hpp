@@ -44,6 +44,12 @@ struct PlannerOptions {
   bool all_candidates = false;  ///< try also what cannot be the cheapest
   double noise_rms = 0.0;       ///< of a weighted reading, as far as known
   double traction_limit = 0.0;  ///< Young's modulus [Pa], to doubt frames by; 0: not known
+  /// Values above the outermost taxels that count, rising: with diagnostics frames are doubted that
+  /// press there as hard as anywhere. Empty: not known.
+  std::vector<std::size_t> border{};
+  /// With diagnostics and a noise: frames are doubted of which a constant is nearly all that a
+  /// channel reads. Takes a tenth to a fifth of a small patch's time.
+  bool judge_baseline = false;
   std::optional<double> friction_coefficient{};
   std::vector<ReadingRange> ranges{};  ///< one per channel, or none; of what the controller reads
   /// What the controller reads, if not readings: the plan is then one for raw numbers. Gains go

@@ -164,4 +164,13 @@ struct UncertainResultant {
                                               std::span<const double> tractions,
                                               const Covariance& covariance, double noise_rms);
 
+/// Of the contact that needs the most friction, where several lie apart (F_v and F_t of the whole
+/// are their sums: two that are dragged apart both slip while F_t is nothing). Absent: there is
+/// one, or tractions are normal ones alone.
+///
+/// @param whole  of all tractions: what is less than six of its deviations is no contact
+[[nodiscard]] std::optional<UncertainResultant> nearest_to_slipping(
+    const Surface& surface, std::span<const double> tractions, const Covariance& covariance,
+    double noise_rms, const UncertainResultant& whole);
+
 }  // namespace tactile_net

@@ -43,6 +43,25 @@ struct CodesForMissing {
   std::vector<Code> codes{};  ///< rising
 };
 
+struct SignsLost {
+  std::vector<std::size_t> channels{};  ///< whose numbers below zero are there as `codes` more
+  double codes = 0.0;                   ///< 2^8 or 2^16
+  std::size_t jumps = 0;                ///< from one end of them to the other
+};
+
+// Frames divided each by a number of its own.
+struct FramesNormalised {
+  double number = 0.0;     ///< as the file has it: the largest of a channel's readings
+  std::size_t frames = 0;  ///< in which it is
+};
+
+struct SlowChannels {
+  std::vector<std::size_t> channels{};  ///< that are renewed in some frames only, at a rate
+  std::vector<double> every{};          ///< of each: frames from one renewal to the next
+  std::vector<std::size_t> last{};      ///< of each: the frame that renewed it last
+  bool all = false;                     ///< all channels are
+};
+
 // Single taxels, rising numbers.
 struct DeadTaxels {
   std::vector<std::size_t> taxels{};  ///< always zero, or feel nothing where both neighbours do
@@ -65,10 +84,21 @@ struct SingleFrameSpikes {
   std::size_t frames = 0;  ///< with a jump, at least
   double times = 0.0;      ///< the largest jump over the noise of its channel
 };
+struct EqualReadings {
+  std::vector<std::vector<std::size_t>> groups{};  ///< readings that are equal in every frame
+  std::vector<std::size_t> taxels{};               ///< of all of them
+  std::size_t frames = 0;
+};
 struct SaturatedTaxels {
   std::vector<std::size_t> taxels{};  ///< whose largest or least values are many equal ones
   double limit = 0.0;                 ///< that value, of the first of them
   std::size_t frames = 0;             ///< how many of its frames lie there
+};
+
+struct WornTaxels {
+  std::vector<std::size_t> taxels{};  ///< that read far less than loads on the others let them
+  std::size_t worst = 0;
+  double share = 0.0;  ///< what the worst one reads, of that
 };
 
 // What the sensor reads when nothing happens.
@@ -79,11 +109,17 @@ struct Baseline {
   double times = 0.0;            ///< rms of the values over that of the noise
   bool loaded = false;           ///< much of it looks like a contact: it is no unloaded frame
 };
+struct ZeroUnderLoad {
+  double force = 0.0;     ///< of the frame that pulls most [N/m], of a skin [N]: < 0
+  std::size_t first = 0;  ///< frames that pull alike,
+  std::size_t last = 0;   ///< which are the least loaded ones
+};
 struct Drift {
   double largest = 0.0;  ///< |change| of a reading between two quiet stretches
   double times = 0.0;    ///< rms of the change over that of the noise
   std::size_t from = 0;  ///< a frame of the one stretch
   std::size_t to = 0;    ///< a frame of the other
+  bool loaded = false;   ///< contacts last all the time
 };
 
 // The noise, where the scene does not state it and the answer waits for it.
@@ -129,6 +165,13 @@ struct OrderMirrored {
   std::size_t of = 0;      ///< that were asked
 };
 
+struct OrderSerpentine {
+  bool columns = false;    ///< every second column is read backwards; false: every second row
+  std::size_t first = 0;   ///< of those that are: 0 or 1
+  std::size_t frames = 0;  ///< that are likelier so
+  std::size_t of = 0;      ///< that were asked
+};
+
 // Readings and stiffness.
 struct TractionExceedsModulus {
   double times = 0.0;  ///< the largest traction over Young's modulus, > 3
@@ -155,11 +198,13 @@ struct PitchCoarse {
 
 using Finding = std::variant<
     finding::NoFrames, finding::TimeBackwards, finding::TimeRepeats, finding::FramesRepeat,
-    finding::ValuesMissing, finding::CodesForMissing, finding::DeadTaxels, finding::StuckTaxels,
-    finding::NoisyTaxels, finding::SingleFrameSpikes, finding::SaturatedTaxels, finding::Baseline,
-    finding::Drift, finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured,
-    finding::ResidualDiffers, finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled,
-    finding::OrderMirrored, finding::TractionExceedsModulus, finding::DeformationTiny,
+    finding::ValuesMissing, finding::CodesForMissing, finding::SignsLost, finding::FramesNormalised,
+    finding::SlowChannels, finding::DeadTaxels, finding::StuckTaxels, finding::NoisyTaxels,
+    finding::SingleFrameSpikes, finding::EqualReadings, finding::SaturatedTaxels,
+    finding::WornTaxels, finding::Baseline, finding::ZeroUnderLoad, finding::Drift,
+    finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
+    finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled, finding::OrderMirrored,
+    finding::OrderSerpentine, finding::TractionExceedsModulus, finding::DeformationTiny,
     finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 

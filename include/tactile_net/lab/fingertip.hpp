@@ -25,11 +25,13 @@ struct Doubtful {
 };
 /// The sensor does not see the tangential force: it is taken for zero.
 struct TangentialUnseen {};
+/// Contacts lie apart on the pad: friction is judged by the one nearest to slipping.
+struct SeveralContacts {};
 }  // namespace remark
 
 /// What a user should know of a fingertip's force before trusting it.
-using FingertipRemark =
-    std::variant<SceneRemark, Remark, CutOffNote, remark::Doubtful, remark::TangentialUnseen>;
+using FingertipRemark = std::variant<SceneRemark, Remark, CutOffNote, remark::Doubtful,
+                                     remark::TangentialUnseen, remark::SeveralContacts>;
 
 struct Fingertip {
   /// What the contact is known from.
@@ -45,6 +47,9 @@ struct Fingertip {
   FingerPose pose{};
   ContactPlace place{};
   std::optional<FingertipForce> force{};  ///< absent: the contact is only assumed
+  /// Of several contacts that lie apart on the pad, the one by which friction is judged: the force
+  /// is their sum, and may be held where each of them slips. Absent: there is one.
+  std::optional<FingertipForce> nearest_to_slipping{};
   Source source = Source::assumed;
   std::filesystem::path file{};  ///< of the source, as the hand's file names it; empty: none
   std::size_t frame = 0;         ///< row of that file, from 0

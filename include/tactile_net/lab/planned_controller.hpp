@@ -48,6 +48,13 @@ using NextFrame = std::function<bool(std::span<double> readings)>;
                                                   const NextFrame& next = {},
                                                   Observer& observer = silent);
 
+/// Normal forces of the scene's own contacts, as one simulated frame reads them [N/m, of skins N]:
+/// a plan has one alpha and no constraints.
+struct PlannedForce {
+  double planned = 0.0;  ///< by the plan
+  double solved = 0.0;   ///< by the solver, as the scene has it
+};
+
 struct PlannedController {
   PlanAlpha alpha{};
   PlannedEstimator estimator{};
@@ -55,6 +62,7 @@ struct PlannedController {
   /// The scene's baseline is the mean of frames that were not there: the controller is to call
   /// `set_baseline` with an unloaded frame before its first update.
   bool needs_baseline = false;
+  std::optional<PlannedForce> force{};  ///< `planned_force`, where it was asked for
 };
 
 /// A plan is linear: the scene's constraints do not bind it.
@@ -77,5 +85,17 @@ struct PlannedController {
 /// The same, of a machine with so much memory left.
 /// @param memory  [bytes]
 void check_memory(const SkinScene& scene, double memory);
+
+/// How far a plan's force is from the solver's. It solves a frame.
+///
+/// @param calibration  that the plan was made with; absent: the scene's
+/// @return nothing: the scene has no contacts, nothing presses, or the plan needs a convolution
+/// @throw what simulating the scene and solving its frame throw
+[[nodiscard]] std::optional<PlannedForce> planned_force(
+    const SceneProblem& problem, const EstimatorPlan& plan,
+    const std::optional<Calibration>& calibration = {});
+[[nodiscard]] std::optional<PlannedForce> planned_force(
+    const SkinSceneProblem& problem, const EstimatorPlan& plan,
+    const std::optional<Calibration>& calibration = {});
 
 }  // namespace tactile_net::lab

@@ -48,8 +48,13 @@ struct CheckedChannel {
   std::string name{};
   double least = 0.0;
   double largest = 0.0;
-  std::optional<double> noise{};   ///< rms, estimated; absent: too few still frames
+  /// Rms, estimated, at least that of a converter's rounding; absent: too few still frames, or a
+  /// threshold hides it.
+  std::optional<double> noise{};
+  double rounding = 0.0;           ///< rms, of steps that are larger than the noise
   std::optional<double> stated{};  ///< by the scene
+  /// The number, as the file has it, below which all are written as 0.
+  std::optional<double> threshold{};
 };
 
 /// The frame with the largest reading, and what it means.
@@ -67,10 +72,11 @@ struct ReadingsCheck {
   std::size_t missing = 0;  ///< values
   RecordingClock clock{};
   std::vector<CheckedChannel> channels{};
-  std::size_t sampled = 0;  ///< groups of three frames that noise and rest are judged by
-  std::size_t still = 0;    ///< of them: nothing moves, so that what changes is noise
-  std::size_t quiet = 0;    ///< of these: alike, and the least loaded; 0: there is no rest
-  std::size_t solved = 0;   ///< frames that sign and residual are judged by
+  std::size_t sampled = 0;    ///< groups of three frames that noise and rest are judged by
+  std::size_t still = 0;      ///< of them: nothing moves, so that what changes is noise
+  std::size_t quiet = 0;      ///< of these: alike, and the least loaded; 0: there is no rest
+  bool never_let_go = false;  ///< a contact is in the least loaded ones, too
+  std::size_t solved = 0;     ///< frames that sign and residual are judged by
   std::optional<PeakFrame> peak{};
   std::optional<double> residual{};  ///< rms over the noise stated, median of those frames
   Findings findings{};
@@ -105,6 +111,10 @@ class ReadingsChecker {
   /// The same without what loads say, from `solved` on: no frame is solved.
   [[nodiscard]] ReadingsCheck result_without_loads() const;
 
+  /// Of its findings what no single frame shows, and what makes forces wrong in frames that look
+  /// right: readings that are equal or new too rarely, a baseline, a drift.
+  [[nodiscard]] Findings doubts() const;
+
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
@@ -115,13 +125,15 @@ class ReadingsChecker {
 [[nodiscard]] Findings scene_findings(const Scene& scene);
 [[nodiscard]] Findings scene_findings(const SkinScene& scene);
 
-/// What `solve` notices of frames as it goes: the whole pad pulled in every
-/// frame, a residual that cannot be with the noise stated. A few operations a
+/// What `solve` notices of frames as it goes: the whole pad pulled in every frame, a residual that
+/// cannot be with the noise stated, and what `ReadingsChecker::doubts` tells. A few operations a
 /// frame; a residual for the first frames, then ever rarer ones.
 class SolvingDoubts {
  public:
   explicit SolvingDoubts(SceneProblem problem);
 
+  /// The readings of the next frame, as they were recorded.
+  void read(std::span<const double> readings);
   /// @param problem  that the frame was solved with
   void add(const SceneProblem& problem, std::span<const double> readings,
            std::span<const double> tractions, double alpha);
@@ -136,8 +148,9 @@ class SolvingDoubts {
     std::size_t pulled = 0;
   };
   std::size_t frames_ = 0;
-  std::map<int, Count> by_load_;   // by the power of two of sum |f_v|
-  std::vector<double> residuals_;  // over the noise stated
+  std::map<int, Count> by_load_;                // by the power of two of sum |f_v|
+  std::vector<double> residuals_;               // over the noise stated
+  std::unique_ptr<ReadingsChecker> checker_{};  // made with the first frame
 };
 
 }  // namespace tactile_net::lab

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/frame_runs.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
 
@@ -44,6 +45,7 @@ struct SkinRecordingAnswer {
   std::size_t hardest = 0;             ///< the frame with the largest normal force
   std::vector<double> readings{};      ///< of that one
   std::optional<SkinAnswer> answer{};  ///< of that one; absent: none has one
+  Findings findings{};  ///< about the readings, by a ReadingsChecker; `add` leaves them empty
 
   /// Memory grows by what is kept of a frame alone.
   /// @param estimated  it was solved without the taxels whose readings are missing

@@ -62,6 +62,8 @@ class SkinRecordingSolver {
   [[nodiscard]] const SkinSceneProblem& problem() const noexcept;
 
   [[nodiscard]] const SolvedFrames& solved() const noexcept;
+  /// What is suspicious about the readings so far, as `ReadingsChecker::doubts` tells it.
+  [[nodiscard]] Findings doubts() const;
 
  private:
   struct Parts;

@@ -38,6 +38,9 @@ struct SpaceFingertip {
   PadFrame pad{};
   SpaceContactPlace place{};
   std::optional<SpaceFingertipForce> force{};  ///< absent: the contact is only assumed
+  /// Of several contacts that lie apart on the pad, the one by which friction is judged: the force
+  /// is their sum, and may be held where each of them slips. Absent: there is one.
+  std::optional<SpaceFingertipForce> nearest_to_slipping{};
   Fingertip::Source source = Fingertip::Source::assumed;
   std::filesystem::path file{};  ///< of the source, as the hand's file names it; empty: none
   std::size_t frame = 0;         ///< row of that file, from 0

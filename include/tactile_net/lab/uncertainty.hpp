@@ -18,6 +18,7 @@ namespace tactile_net::lab {
 struct FrameUncertainty {
   NoiseEstimate noise{};
   UncertainResultant resultant{};
+  std::optional<UncertainResultant> nearest_to_slipping{};  ///< as `tactile_net` has it
   std::vector<double> deviation{};  ///< of every traction [Pa], one standard deviation
   bool holds_model_error = false;   ///< it counts for noise in them
   std::vector<double> offsets{};    ///< of each channel's readings; none where they are known

@@ -24,13 +24,18 @@ namespace tactile_net {
 /// One frame's answer. The caller owns it and the memory of its tractions.
 ///
 /// Of a skin forces are in N, and torsion in N m; all are sums over the cells that touch, as far as
-/// the plan can tell them from empty ones, else over all.
+/// the plan can tell them from empty ones, else over all. So they are sums of all contacts. Margins
+/// are not: two contacts that are dragged apart both slip while the sum of their drags is nothing.
+/// They are those of the contact that is nearest to slipping.
 struct ContactEstimate {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-  std::span<double> tractions{};      ///< [Pa], `tractions()` values: normal, then tangential
-  double time = 0.0;                  ///< of the frame, as given to `update`
-  double normal_force = 0.0;          ///< F_v = h sum f_v, h the spacing [N/m]
+  std::span<double> tractions{};  ///< [Pa], `tractions()` values: normal, then tangential
+  double time = 0.0;              ///< of the frame, as given to `update`
+  double normal_force = 0.0;      ///< F_v = h sum f_v, h the spacing [N/m]
+  /// What noise and smoothing may have made of F_v, one standard deviation; NaN: not known. Of a
+  /// skin from the windows' deviations, as if windows that do not overlap erred by themselves.
+  double force_deviation = unknown;
   double tangential_force = unknown;  ///< F_t = h sum f_t [N/m]; NaN with one unknown; of a skin
                                       ///< its size, >= 0
   double tangential_y = unknown;      ///< of a skin, along y; else NaN
@@ -40,11 +45,15 @@ struct ContactEstimate {
   double torsion =
       unknown;             ///< of a skin, about x through the centre of pressure, from y towards z
   double angle = unknown;  ///< atan2(F_t, F_v) [rad]; NaN with one unknown or without contact
-  double friction_margin = unknown;  ///< mu F_v - |F_t| [N/m], < 0: slips; NaN if mu or F_t is not
-                                     ///< known
+  /// mu F_v - |F_t| [N/m], < 0: slips; NaN if mu or F_t is not known. Of the contact that needs the
+  /// most friction, where several lie apart.
+  double friction_margin = unknown;
   /// Of a skin: 1 - sqrt((F_t / (mu F_v))^2 + (T / (mu sum p r))^2), r the distance from the centre
   /// of pressure; < 0: slips or turns (Howe and Cutkosky 1996). NaN as the friction margin.
   double slip_margin = unknown;
+  double margin_centre = unknown;    ///< of the contact that margins are of [m]; NaN without any
+  double margin_centre_z = unknown;  ///< of a skin, along z
+  std::size_t contacts = 0;  ///< of which margins are the worst; 0: no margins, or nothing presses
   std::size_t touching = 0;  ///< cells that forces are sums over; 0: all
   /// Root mean square of W (g - K f) over the live readings: what the tractions leave unexplained,
   /// and the offsets of a plan that does not know them. NaN without a prediction in the plan.
@@ -59,6 +68,12 @@ struct ContactEstimate {
   /// The residual exceeds what noise explains once in 1000 frames, and what alpha may add to it:
   /// half of sqrt(alpha) |L f| at most, f the true tractions; twice that of those found is allowed.
   bool misfit = false;
+  /// The outermost places that are seen press nearly as hard as any: there may be as much beside
+  /// them, and F_v is a lower bound.
+  bool beyond_edge = false;
+  /// A constant is more than noise and nearly all that a channel reads: the baseline may have
+  /// moved, and what it was presses everywhere. Record a new one where nothing touches.
+  bool baseline_moved = false;
   bool saturated = false;  ///< a live reading lies at or beyond its channel's range
   /// Index of the reading that the others explain least; -1: none stands out by more than noise,
   /// regularisation and the plan's accuracy account for.
@@ -171,9 +186,11 @@ class ContactEstimator {
   FrameStatus refused(std::span<const double> readings) const noexcept;
   void predict(const double* x, double* explained) noexcept;
   void judge(ContactEstimate& estimate, const double* x, const double* explained) noexcept;
+  [[nodiscard]] bool is_baseline_moved(const double* x) const noexcept;
   void fill_dead(double* x) noexcept;
   void fill_planned(double* x) noexcept;
   void add_resultant(ContactEstimate& estimate, std::span<const Moments> moments) noexcept;
+  void add_worst_margin(ContactEstimate& estimate) const noexcept;
   void solve_block() noexcept;
   bool eliminate(std::size_t reading) noexcept;
 

@@ -69,6 +69,14 @@ struct EstimatorPlan {
   double force_deviation =
       0.0;  ///< of the normal force, one standard deviation [N/m], of a skin [N]
 
+  /// Values, rising, above the outermost taxels that count: what presses there may press beyond
+  /// them too, and the force is then a lower bound. Empty: not known.
+  std::vector<std::uint32_t> border{};
+
+  /// Channels have no constants of their own beside the baseline: with a noise, one that is nearly
+  /// all that a channel reads is doubted. False: they have, or it is not known.
+  bool known_offsets = false;
+
   std::optional<double> friction_coefficient{};  ///< of pad and object; absent: no friction margin
   std::vector<ReadingRange> ranges{};  ///< one per channel or per reading; empty: none saturates
   /// What is subtracted from the readings, one value each, until `set_baseline` says otherwise;

@@ -25,8 +25,9 @@ enum class PlanVersion : std::uint32_t {
   taxels = 5,    ///< taxels that do not all read the same
   skin = 6,      ///< tractions of a skin's cells
   windows = 7,   ///< what these tell together
+  border = 8,    ///< where nothing is seen beyond, and whether offsets are known
 };
-inline constexpr auto newest_plan_version = PlanVersion::windows;
+inline constexpr auto newest_plan_version = PlanVersion::border;
 
 /// @throw std::invalid_argument  `check(plan)` does
 [[nodiscard]] std::vector<std::byte> encode_plan(const EstimatorPlan& plan);

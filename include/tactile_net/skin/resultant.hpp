@@ -88,20 +88,28 @@ struct UncertainWrench {
                                            std::span<const std::size_t> cells,
                                            const Covariance& covariance, double noise_rms);
 
-/// How near a contact is to slipping, as it is and against a limit mu = |q| / p.
+/// How near contacts are to slipping, as they are and against a limit mu = |q| / p. Two that are
+/// dragged apart both slip while the sum of their drags is nothing: where several lie apart, ratio,
+/// limit, lever and margin are those of the one that needs the most friction, for drag and torsion
+/// together; without a limit of the one that needs the most for drag.
 struct SkinFriction {
-  Uncertain ratio{};  ///< |(F_y, F_z)| / F_x of the whole
+  std::size_t contacts = 1;  ///< that lie apart, each a tenth of the strongest one at least
+  /// Of the one that is nearest to slipping; absent: there is one contact alone, of all cells.
+  std::optional<UncertainWrench> wrench{};
+  Uncertain ratio{};  ///< |(F_y, F_z)| / F_x
   /// The least mu that explains the cells that bear 90 % of the force: that quantile of |q| / p.
   Uncertain least_limit{};
   /// sum p r A: the torsion at which all slides about the centre, over mu; no shape assumed [N m].
   double lever = 0.0;
+  double lever_of_all = 0.0;  ///< the same of all cells, about their common centre
   /// 1 - sqrt((F_t / (mu F_x))^2 + (T / (mu lever))^2): < 0 beyond the ellipsoid (Howe and Cutkosky
   /// 1996). Absent without a limit.
   std::optional<Uncertain> margin{};
-  std::vector<Uncertain> cell_margins{};  ///< mu p - |q| of each cell [Pa]; none without a limit
+  std::vector<Uncertain> cell_margins{};  ///< mu p - |q| of all cells [Pa]; none without a limit
 };
 
 /// Absent with one component, or where F_x <= 0.
+/// @param cells  of one contact or of several, which `separate_contacts` tells apart
 /// @param limit  mu, > 0
 /// @throw std::invalid_argument  a size does not fit, limit is not > 0
 [[nodiscard]] std::optional<SkinFriction> friction_of(

@@ -11,13 +11,20 @@ namespace tactile_net::lab {
 namespace {
 
 /// What lines and skins have alike.
+///
+/// @param tractions  at each place of the surface: 1, the pressure, or more
 template <typename AnyScene, typename Channels>
-CheckedSensor common(const AnyScene& scene, const Channels& channels) {
+CheckedSensor common(const AnyScene& scene, const Channels& channels, std::size_t tractions) {
   CheckedSensor sensor{.dead_taxels = scene.dead_taxels,
+                       .reads_pressure = tractions == 1,
                        .offset = scene.reconstruct.offset,
                        .youngs_modulus = scene.material.youngs_modulus};
   for (const auto& channel : channels) {
     sensor.names.push_back(channel.name);
+    const SkinQuantity quantity = SignalQuantity(channel.quantity);
+    if (!is_odd(quantity, SkinTraction::normal, Axis::y) &&
+        !is_odd(quantity, SkinTraction::normal, Axis::z))
+      sensor.reads_pressure = true;
     const std::optional<double> rms =
         scene.noise ? std::optional(scene.noise->rms.at(channel.quantity)) : std::nullopt;
     sensor.stated.push_back(rms);
@@ -28,14 +35,18 @@ CheckedSensor common(const AnyScene& scene, const Channels& channels) {
 
 /// Between taxels further apart than that a load's readings may have a valley.
 constexpr double most_depths = 1.0 + 1e-9;
+constexpr double wide_in_depths = 2.0;
 
 }  // namespace
 
 CheckedSensor checked_sensor(const Scene& scene) {
-  CheckedSensor sensor = common(scene, channels(scene.sensor));
+  CheckedSensor sensor = common(scene, channels(scene.sensor), unknowns(scene));
   sensor.layout = SignalLayout(scene.sensor);
   sensor.noise = SceneProblem(scene).stated_noise();
   const std::vector<Site> all = sites(scene.sensor);
+  for (const Site& one : all)
+    sensor.is_wide =
+        sensor.is_wide || std::abs(one.y - all.front().y) >= wide_in_depths * one.depth;
   sensor.around.resize(all.size());
   const double reach = 2.0 * most_depths * least_depth(scene.sensor);
   for (const SignalChannel& channel : sensor.layout.channels)
@@ -50,11 +61,14 @@ CheckedSensor checked_sensor(const Scene& scene) {
 }
 
 CheckedSensor checked_sensor(const SkinScene& scene) {
-  CheckedSensor sensor = common(scene, channels(scene.sensor));
+  CheckedSensor sensor = common(scene, channels(scene.sensor), components(scene));
   sensor.layout = signal_layout(scene.sensor);
   sensor.has_columns = true;
   sensor.noise = SkinSceneProblem(scene).stated_noise();
   const std::vector<SkinSite> all = sites(scene.sensor);
+  for (const SkinSite& one : all)
+    sensor.is_wide = sensor.is_wide || std::hypot(one.y - all.front().y, one.z - all.front().z) >=
+                                           wide_in_depths * one.depth;
   std::vector<std::vector<std::size_t>> near(all.size());
   for (const auto& [a, b] : sensor.layout.neighbours) {
     near[a].push_back(b);

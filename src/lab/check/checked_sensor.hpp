@@ -22,7 +22,13 @@ struct CheckedSensor {
   std::optional<double> noise{};  ///< of one weighted reading, by the scene
   std::vector<std::size_t> dead_taxels{};
   bool has_columns = false;  ///< taxels lie along z too
-  bool offset = false;       ///< each channel has a constant that is not known
+  /// Pressure shows by itself: in a quantity that is the same on all sides of a press, or by being
+  /// all that is looked for. Others, as displacements in the plane, know it by its slopes.
+  bool reads_pressure = false;
+  /// From end to end it is twice as long as its taxels are deep: no narrow contact reads the same
+  /// everywhere.
+  bool is_wide = false;
+  bool offset = false;  ///< each channel has a constant that is not known
   double youngs_modulus = 0.0;
   /// Readings of a channel around one: what a load over it shows in.
   struct Around {

@@ -40,6 +40,48 @@ PeakFrame peak_of(std::span<const double> readings, const SolvedPattern& solved,
   return peak;
 }
 
+/// Frames that pull the most, and as a contact presses: it rests on the sensor in those that the
+/// zero was taken from.
+///
+/// @param number    of the frame
+/// @param readings  of it, without the baseline
+std::optional<finding::ZeroUnderLoad> zero_under_load(
+    const Evidence& evidence, double force, std::size_t number, std::span<const double> readings,
+    std::span<const double> baseline, PatternSolver& solver, const ReadingsCheck& check) {
+  std::vector<double> turned(readings.begin(), readings.end());
+  for (double& value : turned) value = -value;
+  const auto lifted = solver.press(turned, evidence.telling());
+  const auto pressed = solver.press(readings, evidence.telling());
+  if (!lifted || !pressed || lifted->residual > 0.25 * pressed->residual) return std::nullopt;
+
+  std::vector<double> scale;
+  for (const SignalReading& site : evidence.sites()) {
+    const CheckedChannel& channel = check.channels[site.channel];
+    scale.push_back(channel.noise.value_or(channel.stated.value_or(0.0)));
+  }
+  finding::ZeroUnderLoad found{.force = force, .first = number, .last = number};
+  std::size_t begin = number;
+  if (std::find(scale.begin(), scale.end(), 0.0) != scale.end()) return found;
+  const auto is_alike = [&](const FrameTriple& triple) {
+    std::vector<double> one = triple.middle();
+    for (std::size_t i = 0; i < one.size() && !baseline.empty(); ++i) one[i] -= baseline[i];
+    return frame_distance(one, readings, evidence.living, scale) < 3.0;
+  };
+  // The longest stretch of them.
+  std::size_t most = 0;
+  std::size_t alike = 0;
+  for (const FrameTriple& triple : evidence.triples) {
+    alike = is_alike(triple) ? alike + 1 : 0;
+    const std::size_t frame = triple.first + 1;
+    if (alike == 1) begin = frame;
+    if (alike <= most) continue;
+    most = alike;
+    found.first = begin;
+    found.last = frame;
+  }
+  return found;
+}
+
 }  // namespace
 
 Pull pull_of(std::span<const double> normal) noexcept {
@@ -77,10 +119,17 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
   }
 
   const std::optional<double>& stated = evidence.sensor.noise;
+  const std::vector<bool> living = evidence.telling();
   finding::WholePadPulled sign;
   std::vector<double> residuals;
   std::optional<PeakFrame> found;
   std::vector<std::vector<double>> loaded;
+  struct Pulled {
+    double force = 0.0;
+    std::size_t frame = 0;
+    std::vector<double> readings{};
+  };
+  Pulled most_pulled;
   for (const auto& [number, frame] : frames) {
     observer.step({.kind = Step::Kind::frame, .count = number});
     const std::vector<double> readings = at_rest(frame);
@@ -88,15 +137,32 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
     if (!solved) continue;
     ++check.solved;
     if (!found) found = peak_of(readings, *solved, evidence, number);
-    if (stated && solved->unexplained > 0.0) residuals.push_back(solved->unexplained / *stated);
+    if (stated && solved->unexplained > 0.0) {
+      double left = solved->unexplained;
+      // Of few readings rules leave more than the noise, though a contact explains them to noise.
+      if (left > 1.5 * *stated)
+        if (const auto pressed = solver.press(readings, living))
+          left = std::min(left, std::max(pressed->residual, *stated));
+      residuals.push_back(left / *stated);
+    }
     if (!is_loaded(readings, evidence, check)) continue;
     ++sign.loaded;
-    if (pull_of(solved->normal).pulled) ++sign.pulled;
+    if (pull_of(solved->normal).pulled) {
+      ++sign.pulled;
+      if (solved->force < most_pulled.force) most_pulled = {solved->force, number, readings};
+    }
     loaded.push_back(readings);
   }
   check.peak = found;
   if (!residuals.empty()) check.residual = median(residuals);
-  if (sign.loaded > 0 && 5 * sign.pulled >= 4 * sign.loaded) check.findings.emplace_back(sign);
+  const bool known = evidence.sensor.reads_pressure;
+  if (known && sign.loaded > 0 && 5 * sign.pulled >= 4 * sign.loaded) {
+    check.findings.emplace_back(sign);
+  } else if (known && !most_pulled.readings.empty() && !holds<finding::Drift>(check)) {
+    if (const auto zero = zero_under_load(evidence, most_pulled.force, most_pulled.frame,
+                                          most_pulled.readings, baseline, solver, check))
+      check.findings.emplace_back(*zero);
+  }
   judge_order(evidence, loaded, solver, check);
   if (sign.loaded > 0) {
     const double times = std::abs(found->traction) / evidence.sensor.youngs_modulus;
@@ -114,6 +180,8 @@ void judge_scale(ReadingsCheck& check) {
     const CheckedChannel& one = check.channels[c];
     if (!one.noise || *one.noise == 0.0 || !one.stated || *one.stated == 0.0) continue;
     const double ratio = *one.noise / *one.stated;
+    // Of steps that are larger than the noise.
+    if (ratio > 1.0 && *one.noise <= 2.5 * one.rounding) continue;
     if (std::abs(std::log(ratio)) > std::abs(std::log(worst))) {
       worst = ratio;
       channel = c;
@@ -134,8 +202,16 @@ void judge_scale(ReadingsCheck& check) {
     check.findings.emplace_back(finding::NoiseDiffers{.channel = channel,
                                                       .estimated = *check.channels[channel].noise,
                                                       .stated = *check.channels[channel].stated});
-  // What drifts is unexplained too, and has been said.
-  if (holds<finding::Drift>(check)) return;
+  // What a threshold hides no contact explains. What drifts, or is off zero and not taken off, is
+  // unexplained too, and has been said.
+  if (holds<finding::Drift>(check) ||
+      std::any_of(check.channels.begin(), check.channels.end(),
+                  [](const CheckedChannel& one) { return one.threshold.has_value(); }) ||
+      std::any_of(check.findings.begin(), check.findings.end(), [](const Finding& one) {
+        const auto* baseline = std::get_if<finding::Baseline>(&one);
+        return baseline != nullptr && baseline->loaded;
+      }))
+    return;
   if (residual > 5.0 * std::max(worst, 1.0) || residual < 0.2 * std::min(worst, 1.0))
     check.findings.emplace_back(finding::ResidualDiffers{residual});
 }

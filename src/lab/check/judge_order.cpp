@@ -94,9 +94,13 @@ std::vector<double> turned(std::span<const double> readings, const Turn& turn,
 
 void judge_order(const Evidence& evidence, const std::vector<std::vector<double>>& loaded,
                  PatternSolver& solver, ReadingsCheck& check) {
+  // Where pressure is not read nothing says which drag belongs to a press: each order of the taxels
+  // has one that explains the readings, and how smooth that is says nothing of the order.
+  if (!evidence.sensor.reads_pressure) return;
   constexpr std::size_t most_frames = 8;
   const std::vector<SignalChannel>& channels = evidence.channels();
   const std::vector<Turn> all = turns(channels, evidence.sensor.has_columns);
+  const std::vector<bool> living = evidence.telling();
   std::vector<const std::vector<double>*> whole;  // turned, a gap would be another taxel's
   for (const std::vector<double>& readings : loaded)
     if (all_finite(readings)) whole.push_back(&readings);
@@ -106,10 +110,10 @@ void judge_order(const Evidence& evidence, const std::vector<std::vector<double>
   const std::size_t frames = std::min(most_frames, whole.size());
   for (std::size_t k = 0; k < frames; ++k) {
     const std::vector<double>& readings = *whole[k * whole.size() / frames];
-    const auto stated = solver.surprise(readings, evidence.living);
+    const auto stated = solver.surprise(readings, living);
     if (!stated) return;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto other = solver.surprise(turned(readings, all[i], channels), evidence.living);
+      const auto other = solver.surprise(turned(readings, all[i], channels), living);
       if (!other) return;
       gain[i] += *stated - *other;
       better[i] += *other < *stated;

@@ -12,14 +12,14 @@ namespace {
 /// Readings weighted to one unit, and their rms over those that live.
 class Weighted {
  public:
-  explicit Weighted(const Evidence& evidence)
-      : evidence_(evidence), weights_(evidence.sensor.weights) {}
+  Weighted(const Evidence& evidence, std::vector<bool> living)
+      : evidence_(evidence), living_(std::move(living)), weights_(evidence.sensor.weights) {}
 
   [[nodiscard]] double rms(std::span<const double> frame) const {
     double squares = 0.0;
     double living = 0.0;
     for (std::size_t i = 0; i < frame.size(); ++i) {
-      if (!evidence_.living[i]) continue;
+      if (!living_[i]) continue;
       const double value = weights_[evidence_.sites()[i].channel] * frame[i];
       squares += value * value;
       living += 1.0;
@@ -39,6 +39,7 @@ class Weighted {
 
  private:
   const Evidence& evidence_;
+  std::vector<bool> living_;
   std::vector<double> weights_;
 };
 
@@ -62,7 +63,11 @@ std::vector<double> beside_offsets(const Evidence& evidence, std::span<const dou
 class NoContactTest {
  public:
   NoContactTest(const Evidence& evidence, const std::vector<double>& noise, PatternSolver& solver)
-      : evidence_(evidence), weighted_(evidence), channel_noise_(noise), solver_(solver) {
+      : evidence_(evidence),
+        living_(evidence.telling()),
+        weighted_(evidence, living_),
+        channel_noise_(noise),
+        solver_(solver) {
     noise_ = weighted_.of_noise(noise);
   }
 
@@ -82,20 +87,66 @@ class NoContactTest {
     if (size < noise_) return false;
     unexplained_ = 1.0;
     if (is_even(pattern)) return true;
-    const auto solved = solver_.solve(pattern, evidence_.living);
+    const auto solved = solver_.solve(pattern, living_);
     if (!solved) return false;
     unexplained_ = solved->residual / size;
-    // Real pads differ from their model, and leave a tenth of a contact
-    // unexplained.
-    return unexplained_ > 0.2 &&
-           solved->residual > 5.0 * noise_ / std::sqrt(static_cast<double>(frames));
+    if (solved->residual <= most_unexplained(pattern, frames)) return false;
+    // A coarse array's few readings are smoothed, contact or not.
+    for (const double sign : {1.0, -1.0}) {
+      std::vector<double> turned = pattern;
+      for (double& value : turned) value *= sign;
+      if (presses(turned, most_unexplained(pattern, frames))) return false;
+    }
+    return true;
   }
 
   /// Of the last pattern, the share that no load explains; 1: all.
   [[nodiscard]] double unexplained() const noexcept { return unexplained_; }
 
+  /// Where each of two states is within noise, or that of a contact, what has changed is a contact
+  /// that came, went or moved.
+  [[nodiscard]] bool are_loads(std::span<const double> one, std::span<const double> other,
+                               std::size_t frames) {
+    std::vector<double> change(one.begin(), one.end());
+    for (std::size_t i = 0; i < change.size(); ++i) change[i] -= other[i];
+    change = beside_offsets(evidence_, change);
+    if (is_even(change)) return false;
+    const double most = most_unexplained(change, frames);
+    const auto is_load = [&](std::span<const double> read) {
+      const std::vector<double> pattern = beside_offsets(evidence_, read);
+      return weighted_.rms(pattern) <= most || presses(pattern, most);
+    };
+    return is_load(one) && is_load(other);
+  }
+
+  /// A contact, well above noise, is in what is read at rest.
+  [[nodiscard]] bool is_loaded(std::span<const double> read, std::size_t frames) {
+    constexpr double above_noise = 8.0;
+    const std::vector<double> pattern = beside_offsets(evidence_, read);
+    bool any = false;
+    for (std::size_t i = 0; i < pattern.size(); ++i)
+      any = any || (living_[i] && std::abs(pattern[i]) >
+                                      above_noise * channel_noise_[evidence_.sites()[i].channel]);
+    return any && presses(pattern, most_unexplained(pattern, frames));
+  }
+
  private:
+  /// Real pads differ from their model, and leave a tenth of a contact unexplained.
+  [[nodiscard]] double most_unexplained(std::span<const double> pattern, std::size_t frames) const {
+    return std::max(0.2 * weighted_.rms(pattern),
+                    5.0 * noise_ / std::sqrt(static_cast<double>(frames)));
+  }
+
+  /// A contact explains the pattern but for so much.
+  [[nodiscard]] bool presses(std::span<const double> pattern, double most) {
+    const auto pressed = solver_.press(pattern, living_);
+    if (!pressed) return false;
+    unexplained_ = std::min(unexplained_, pressed->residual / weighted_.rms(pattern));
+    return pressed->residual <= most;
+  }
+
   [[nodiscard]] bool is_even(std::span<const double> pattern) const {
+    if (!evidence_.sensor.is_wide) return false;
     for (std::size_t channel = 0; channel < channel_noise_.size(); ++channel) {
       const SignalChannel& line = evidence_.channels()[channel];
       std::vector<double> values;
@@ -114,6 +165,7 @@ class NoContactTest {
   }
 
   const Evidence& evidence_;
+  std::vector<bool> living_;
   Weighted weighted_;
   std::vector<double> channel_noise_;
   PatternSolver& solver_;
@@ -218,7 +270,9 @@ std::optional<finding::Drift> find_drift(const Evidence& evidence, const StillNo
     const std::size_t frames =
         std::min(found[b].rest.triples.size(), found[0].rest.triples.size()) / 3;
     const double times = no_contact.times(change);
-    if (times < 2.0 || (drift && times < drift->times) || !no_contact(change, frames)) continue;
+    if (times < 2.0 || (drift && times < drift->times) || !no_contact(change, frames) ||
+        no_contact.are_loads(found[b].rest.values, found[0].rest.values, frames))
+      continue;
     drift = finding::Drift{.largest = largest_size(change),
                            .times = times,
                            .from = found[0].frame,
@@ -237,12 +291,14 @@ RestState judge_rest(const Evidence& evidence, const StillNoise& noise, PatternS
   if (!rest.known()) return state;
   state.quiet = rest.triples.size();
 
-  NoContactTest no_contact(evidence, noise.of_channel, solver);
-  const std::optional<finding::Drift> drift = find_drift(evidence, noise, no_contact);
+  NoContactTest no_contact(evidence, noise.least_change, solver);
+  std::optional<finding::Drift> drift = find_drift(evidence, noise, no_contact);
   const double times = no_contact.times(rest.values);
   const bool off_zero = no_contact(rest.values, rest.triples.size());
   const bool loaded = no_contact.unexplained() < 0.5;
-  if (off_zero) state.baseline = rest.values;
+  state.loaded = off_zero ? loaded : no_contact.is_loaded(rest.values, rest.triples.size());
+  // What is loaded is no zero: without it the loads would be lost.
+  if (off_zero && !loaded) state.baseline = rest.values;
   // What drifts is off zero sooner or later: one finding for both.
   if (off_zero && (!drift || times > 2.0 * drift->times))
     findings.emplace_back(finding::Baseline{.values = rest.values,
@@ -250,11 +306,20 @@ RestState judge_rest(const Evidence& evidence, const StillNoise& noise, PatternS
                                             .largest = largest_size(rest.values),
                                             .times = times,
                                             .loaded = loaded});
-  if (drift) findings.emplace_back(*drift);
+  if (drift) {
+    drift->loaded = state.loaded;
+    findings.emplace_back(*drift);
+  }
 
   Spread spread = spread_of(evidence, noise.still, rest);
   constexpr std::size_t enough = 300;  // values that a correlation is told by
-  if (!drift && rest.triples.size() * evidence.tracks.size() >= enough && spread.in_time > 0.3 &&
+  // A contact that lasts trembles, and steps make readings that hardly change equal from frame to
+  // frame.
+  bool stepped = false;
+  for (std::size_t c = 0; c < noise.steps.size(); ++c)
+    stepped = stepped || noise.steps[c] > 0.5 * noise.of_channel[c];
+  if (!drift && !stepped && !state.loaded &&
+      rest.triples.size() * evidence.tracks.size() >= enough && spread.in_time > 0.3 &&
       spread.in_space < 0.4 * spread.in_time) {
     findings.emplace_back(finding::NoiseColoured{spread.in_time});
     state.noise = std::move(spread.of_channel);

@@ -29,7 +29,7 @@ void judge_spikes(const Evidence& evidence, const StillNoise& noise, PatternSolv
   std::set<std::size_t> taxels;
   for (std::size_t i = 0; i < evidence.spikes.size(); ++i) {
     const SpikeTrack::Spikes& spikes = evidence.spikes[i];
-    const double sound = noise.of_channel[evidence.sites()[i].channel];
+    const double sound = noise.least_change[evidence.sites()[i].channel];
     if (!evidence.living[i] || !(sound > 0.0) || !(spikes.largest > spike_times * sound)) continue;
     if (is_load(evidence, solver, i)) continue;
     taxels.insert(evidence.sites()[i].taxel);

@@ -7,12 +7,15 @@
 #include <utility>
 
 #include "lab/pattern_cache.hpp"
+#include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/missing.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/sensing/resultant.hpp"
+#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/covariance.hpp"
+#include "tactile_net/skin/data_verdict.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -41,6 +44,47 @@ SkinScene unconstrained(SkinScene scene) {
   options.alpha_rule = AlphaRule::aicc;
   return scene;
 }
+
+/// What a contact may do, whatever the scene demands.
+Constraints press_of(std::size_t tractions_a_place, const auto& options) {
+  Constraints press{.nonnegative = true};
+  if (tractions_a_place > 1) press.friction_limit = options.friction_limit.value_or(usual_friction);
+  return press;
+}
+
+/// A smoothing that holds no contact off.
+double least_smoothing(std::span<const double> singular_values, double share) {
+  double largest = 0.0;
+  for (const double gamma : singular_values) largest = std::max(largest, gamma);
+  return share * largest * largest;
+}
+
+/// Contacts for a pattern of living taxels, ready to be sought.
+template <typename Problem, typename Cone>
+struct Presser {
+  std::vector<std::size_t> dead;
+  Problem problem;  // without them
+  Cone cone;
+
+  [[nodiscard]] std::optional<PressedPattern> press(const Problem& whole,
+                                                    std::span<const double> readings) const {
+    const auto solution = cone.solve(readings, most_steps);
+    if (solution.status != FrameStatus::ok) return std::nullopt;
+    PressedPattern pressed{
+        .residual = estimate_noise(problem, readings, solution.tractions, 0.0).residual_rms,
+        .read = std::vector<double>(readings.size())};
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+      if (!(whole.weights[i] > 0.0)) continue;
+      const std::span<const double> row = whole.kernel.row(i);
+      pressed.read[i] =
+          std::inner_product(row.begin(), row.end(), solution.tractions.begin(), 0.0) /
+          whole.weights[i];
+    }
+    return pressed;
+  }
+
+  static constexpr std::size_t most_steps = 400;
+};
 
 /// NaN where a reading is taken for missing.
 std::vector<double> with_missing(std::span<const double> readings,
@@ -88,6 +132,30 @@ class LineSolver final : public PatternSolver {
     return solved;
   }
 
+  std::optional<PressedPattern> press(std::span<const double> readings,
+                                      const std::vector<bool>& living) override {
+    if (problem_.is_large()) return std::nullopt;
+    std::vector<double> frame = with_missing(readings, living);
+    const Scene& scene = problem_.scene();
+    const std::vector<std::size_t> dead =
+        dead_with_missing(scene.dead_taxels, sites(scene.sensor), frame);
+    ProblemOptions options = contact_options();
+    options.dead_taxels = dead;
+    if (!is_measured(scene.sensor, options)) return std::nullopt;
+    for (std::size_t i = 0; i < frame.size(); ++i)
+      if (!std::isfinite(frame[i])) frame[i] = 0.0;
+    if (!whole_contacts_)
+      whole_contacts_ = make_problem(scene.sensor, scene.material, contact_options());
+    if (!presser_ || presser_->dead != dead) {
+      InverseProblem left = *whole_contacts_;
+      leave_out(left, dead);
+      ConstrainedTikhonov cone(left, least_smoothing(problem_.family().singular_values(), 1e-6),
+                               press_of(options.unknowns, problem_.scene().reconstruct));
+      presser_.emplace(dead, std::move(left), std::move(cone));
+    }
+    return presser_->press(*whole_contacts_, frame);
+  }
+
   std::optional<double> surprise(std::span<const double> readings,
                                  const std::vector<bool>& living) override {
     if (!solve(readings, living)) return std::nullopt;
@@ -101,8 +169,20 @@ class LineSolver final : public PatternSolver {
   }
 
  private:
+  /// Of a grid on which narrow contacts, too, are possible.
+  [[nodiscard]] ProblemOptions contact_options() const {
+    constexpr std::size_t most_values = 512;
+    const SensorArray& sensor = problem_.scene().sensor;
+    ProblemOptions options = problem_.options();
+    options.surface = {.basis = SurfaceBasis::hats,
+                       .spacing = std::min(0.25 * least_depth(sensor), problem_.surface().spacing)};
+    return surface_of(sensor, options.surface).count > most_values ? problem_.options() : options;
+  }
+
   SceneProblem problem_;
   IncompleteFrames frames_;
+  std::optional<InverseProblem> whole_contacts_{};
+  std::optional<Presser<InverseProblem, ConstrainedTikhonov>> presser_{};
 };
 
 class SkinSolver final : public PatternSolver {
@@ -134,6 +214,30 @@ class SkinSolver final : public PatternSolver {
         problem_.grid().area() * std::accumulate(tractions.begin(), tractions.end(), 0.0);
     solved.normal = std::move(tractions);
     return solved;
+  }
+
+  std::optional<PressedPattern> press(std::span<const double> readings,
+                                      const std::vector<bool>& living) override {
+    const auto frame = without_dead(readings, living);
+    if (!frame) return std::nullopt;
+    const SkinScene& scene = whole_.scene();
+    if (!whole_contacts_) {
+      constexpr std::size_t most_cells_sought = 2400;
+      const SkinGrid& own = whole_.grid();
+      const SkinGridOptions wider{.spacing = std::min(own.spacing_y, own.spacing_z),
+                                  .margin = 2.0 * least_depth(scene.sensor)};
+      whole_contacts_ = grid_of(scene.sensor, wider).count() <= most_cells_sought
+                            ? whole_.on(wider)
+                            : whole_.problem();
+    }
+    if (!presser_ || presser_->dead != dead_) {
+      SkinProblem left = *whole_contacts_;
+      leave_out(left, dead_);
+      SkinCone cone(left, least_smoothing(whole_.family().singular_values(), 1e-5),
+                    press_of(left.components, scene.reconstruct));
+      presser_.emplace(dead_, std::move(left), std::move(cone));
+    }
+    return presser_->press(*whole_contacts_, *frame);
   }
 
   std::optional<double> surprise(std::span<const double> readings,
@@ -174,6 +278,8 @@ class SkinSolver final : public PatternSolver {
   SkinSceneProblem whole_;
   SkinSceneProblem problem_;       // without what is dead in the last frame
   std::vector<std::size_t> dead_;  // there
+  std::optional<SkinProblem> whole_contacts_{};
+  std::optional<Presser<SkinProblem, SkinCone>> presser_{};
 };
 
 }  // namespace

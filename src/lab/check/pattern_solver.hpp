@@ -25,6 +25,13 @@ struct SolvedPattern {
   double unexplained = 0.0;      ///< the same, by a rule that knows the noise if it is stated
 };
 
+/// What is left of readings by the contact that suits them best: one that presses, and rubs no more
+/// than friction lets it.
+struct PressedPattern {
+  double residual = 0.0;       ///< rms of a weighted reading
+  std::vector<double> read{};  ///< under that contact, of every reading, those that do not live too
+};
+
 /// Solves frames, and differences of frames, by tikhonov without constraints.
 class PatternSolver {
  public:
@@ -34,6 +41,10 @@ class PatternSolver {
   /// @return        nothing where no taxel is left, or the tractions overflow
   [[nodiscard]] virtual std::optional<SolvedPattern> solve(std::span<const double> readings,
                                                            const std::vector<bool>& living) = 0;
+
+  /// Nothing of an array solved without a matrix, or without a taxel.
+  [[nodiscard]] virtual std::optional<PressedPattern> press(std::span<const double> readings,
+                                                            const std::vector<bool>& living) = 0;
 
   /// How little the readings are to be expected of any load: `surprise` at the likeliest alpha.
   /// Nothing where it cannot be told: of an array solved without a matrix, or without a taxel.

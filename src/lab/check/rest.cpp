@@ -48,28 +48,12 @@ std::vector<double> roughness_of(std::span<const FrameTriple> triples,
   return all;
 }
 
-/// How far two frames are apart, in units of the noise: about 1.4 for two of
-/// the same state.
-double distance(std::span<const double> a, std::span<const double> b,
-                const std::vector<bool>& living, const std::vector<double>& scale) {
-  double squares = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < living.size(); ++i) {
-    if (!living[i]) continue;
-    const double d = (a[i] - (b.empty() ? 0.0 : b[i])) / scale[i];
-    if (!std::isfinite(d)) continue;
-    squares += d * d;
-    count += 1.0;
-  }
-  return count > 0.0 ? std::sqrt(squares / count) : std::numeric_limits<double>::infinity();
-}
-
 std::vector<std::size_t> alike(std::span<const FrameTriple* const> triples,
                                std::span<const double> frame, double reach,
                                const std::vector<bool>& living, const std::vector<double>& scale) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < triples.size(); ++k)
-    if (distance(triples[k]->middle(), frame, living, scale) <= reach) found.push_back(k);
+    if (frame_distance(triples[k]->middle(), frame, living, scale) <= reach) found.push_back(k);
   return found;
 }
 
@@ -90,8 +74,22 @@ std::vector<double> median_frame(std::span<const FrameTriple* const> triples,
 
 }  // namespace
 
+double frame_distance(std::span<const double> a, std::span<const double> b,
+                      const std::vector<bool>& living, const std::vector<double>& scale) {
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < living.size(); ++i) {
+    if (!living[i]) continue;
+    const double d = (a[i] - (b.empty() ? 0.0 : b[i])) / scale[i];
+    if (!std::isfinite(d)) continue;
+    squares += d * d;
+    count += 1.0;
+  }
+  return count > 0.0 ? std::sqrt(squares / count) : std::numeric_limits<double>::infinity();
+}
+
 StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<bool>& living,
-                       std::span<const SignalChannel> channels) {
+                       std::span<const SignalChannel> channels, std::span<const double> steps) {
   StillNoise noise;
   const std::vector<double> roughness = roughness_of(triples, living, channels);
   std::vector<double> rough;  // readings that are cut off have no noise at all
@@ -104,6 +102,7 @@ StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<b
   for (std::size_t k = 0; k < triples.size(); ++k)
     if (roughness[k] <= limit) noise.still.push_back(&triples[k]);
   if (noise.still.size() < least_still) return noise;
+  noise.steps.assign(steps.begin(), steps.end());
 
   noise.of_reading.resize(living.size());
   for (const SignalChannel& channel : channels) {
@@ -115,8 +114,14 @@ StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<b
       noise.of_reading[i] = robust_rms(std::move(values));
       if (living[i]) of_living.push_back(noise.of_reading[i]);
     }
-    noise.of_channel.push_back(median(std::move(of_living)));
-    noise.scale.resize(channel.first + channel.count, noise.of_channel.back());
+    // Of two the one with less: the other may be broken.
+    const auto middle = of_living.begin() + (std::ssize(of_living) - 1) / 2;
+    if (!of_living.empty()) std::nth_element(of_living.begin(), middle, of_living.end());
+    noise.of_channel.push_back(of_living.empty() ? 0.0 : *middle);
+    // A reading beside the middle of two steps takes either, whatever the noise.
+    const double half_a_step = 0.5 * steps[noise.least_change.size()];
+    noise.least_change.push_back(std::max(noise.of_channel.back(), half_a_step));
+    noise.scale.resize(channel.first + channel.count, noise.least_change.back());
   }
   return noise;
 }
@@ -128,7 +133,7 @@ Rest find_rest(std::span<const FrameTriple* const> triples, const std::vector<bo
 
   std::vector<std::pair<double, std::size_t>> by_load;
   for (std::size_t k = 0; k < triples.size(); ++k)
-    by_load.emplace_back(distance(triples[k]->middle(), {}, living, scale), k);
+    by_load.emplace_back(frame_distance(triples[k]->middle(), {}, living, scale), k);
   std::sort(by_load.begin(), by_load.end());
   constexpr std::size_t most_tried = 20;
   // Noise that remembers differs more from state to state than from frame to

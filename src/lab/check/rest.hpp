@@ -16,7 +16,10 @@ struct StillNoise {
   std::vector<const FrameTriple*> still{};  ///< in which no more than noise changes
   std::vector<double> of_reading{};         ///< rms; none: too few still triples
   std::vector<double> of_channel{};         ///< the median of its readings
-  std::vector<double> scale{};              ///< its channel's, of every reading
+  /// By how much a reading of the channel changes by nothing but noise and a converter's steps.
+  std::vector<double> least_change{};
+  std::vector<double> scale{};  ///< that, of every reading
+  std::vector<double> steps{};  ///< a converter's, per channel; 0: none can be seen
 
   [[nodiscard]] bool known() const noexcept { return !of_reading.empty(); }
 };
@@ -25,9 +28,11 @@ struct StillNoise {
 /// off.
 ///
 /// @param living  per reading: false for those that do not count
+/// @param steps   a converter's, per channel; 0: none can be seen
 [[nodiscard]] StillNoise still_noise(std::span<const FrameTriple> triples,
                                      const std::vector<bool>& living,
-                                     std::span<const SignalChannel> channels);
+                                     std::span<const SignalChannel> channels,
+                                     std::span<const double> steps);
 
 /// Frames that are alike, within noise.
 struct Rest {
@@ -42,5 +47,11 @@ struct Rest {
 /// @param triples  still ones
 [[nodiscard]] Rest find_rest(std::span<const FrameTriple* const> triples,
                              const std::vector<bool>& living, const StillNoise& noise);
+
+/// How far two frames are apart, in units of `scale`: about 1.4 for two of the same state, where
+/// that is the noise. Of no second frame: how far the first is from zero.
+[[nodiscard]] double frame_distance(std::span<const double> a, std::span<const double> b,
+                                    const std::vector<bool>& living,
+                                    const std::vector<double>& scale);
 
 }  // namespace tactile_net::lab

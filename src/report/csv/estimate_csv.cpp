@@ -15,6 +15,8 @@ struct Column {
 
 constexpr Column all_columns[] = {
     {"normal_force", "normal", [](const ContactEstimate& e) { return e.normal_force; }},
+    {"normal_force_deviation", "normal_deviation",
+     [](const ContactEstimate& e) { return e.force_deviation; }},
     {"tangential_force", nullptr, [](const ContactEstimate& e) { return e.tangential_force; }},
     {nullptr, "tangential_y", [](const ContactEstimate& e) { return e.tangential_y; }},
     {nullptr, "tangential_z", [](const ContactEstimate& e) { return e.tangential_z; }},
@@ -25,6 +27,10 @@ constexpr Column all_columns[] = {
     {"friction_margin", "friction_margin",
      [](const ContactEstimate& e) { return e.friction_margin; }},
     {nullptr, "slip_margin", [](const ContactEstimate& e) { return e.slip_margin; }},
+    {"margin_centre", "margin_centre_y", [](const ContactEstimate& e) { return e.margin_centre; }},
+    {nullptr, "margin_centre_z", [](const ContactEstimate& e) { return e.margin_centre_z; }},
+    {"contacts", "contacts",
+     [](const ContactEstimate& e) { return static_cast<double>(e.contacts); }},
     {"residual_rms", "residual_rms", [](const ContactEstimate& e) { return e.residual_rms; }},
     {nullptr, "touching", [](const ContactEstimate& e) { return static_cast<double>(e.touching); }},
     {"outlier", "outlier", [](const ContactEstimate& e) { return static_cast<double>(e.outlier); }},
@@ -33,6 +39,10 @@ constexpr Column all_columns[] = {
     {"implausible", "implausible",
      [](const ContactEstimate& e) { return e.implausible ? 1.0 : 0.0; }},
     {"misfit", "misfit", [](const ContactEstimate& e) { return e.misfit ? 1.0 : 0.0; }},
+    {"beyond_edge", "beyond_edge",
+     [](const ContactEstimate& e) { return e.beyond_edge ? 1.0 : 0.0; }},
+    {"baseline_moved", "baseline_moved",
+     [](const ContactEstimate& e) { return e.baseline_moved ? 1.0 : 0.0; }},
     {"saturated", "saturated", [](const ContactEstimate& e) { return e.saturated ? 1.0 : 0.0; }},
 };
 

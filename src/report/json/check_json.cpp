@@ -40,7 +40,8 @@ std::string check_json(const lab::ReadingsCheck& check, const std::string& readi
                         {"least", channel.least},
                         {"largest", channel.largest},
                         {"noise", number_or_null(channel.noise)},
-                        {"noise_stated", number_or_null(channel.stated)}});
+                        {"noise_stated", number_or_null(channel.stated)},
+                        {"threshold", number_or_null(channel.threshold)}});
   const auto [file, units] = std::visit(
       [](const auto& scene) {
         return std::pair(scene.file, scene.units ? std::optional(units_of(scene)) : std::nullopt);
@@ -58,6 +59,7 @@ std::string check_json(const lab::ReadingsCheck& check, const std::string& readi
                     {{"groups", check.sampled},
                      {"still", check.still},
                      {"quiet", check.quiet},
+                     {"never_let_go", check.never_let_go},
                      {"solved", check.solved}}},
                    {"residual", number_or_null(check.residual)},
                    {"findings", findings_json(check.findings, check.scene)}});

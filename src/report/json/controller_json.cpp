@@ -32,6 +32,9 @@ std::string document_of(const std::string& file, const std::optional<Units>& uni
                    {"asymmetry", planned.estimator.asymmetry},
                    {"frame_seconds", frame_seconds},
                    {"candidates", std::move(candidates)}});
+  json["force"] = planned.force
+                      ? Json{{"planned", planned.force->planned}, {"solved", planned.force->solved}}
+                      : Json(nullptr);
   if (plan.cells) json["filled_readings"] = plan.fill ? plan.fill->rows : 0;
   if (units) json["units"] = units_json(*units);
   if (planned.for_raw_numbers) json["baseline"] = plan.baseline;  // empty: 0

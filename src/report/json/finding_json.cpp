@@ -23,6 +23,15 @@ Json numbers(const finding::CodesForMissing& f) {
     codes.push_back({{"number", code.number}, {"fields", code.fields}, {"frames", code.frames}});
   return {{"codes", codes}};
 }
+Json numbers(const finding::SignsLost& f) {
+  return {{"channels", f.channels}, {"codes", f.codes}, {"jumps", f.jumps}};
+}
+Json numbers(const finding::FramesNormalised& f) {
+  return {{"number", f.number}, {"frames", f.frames}};
+}
+Json numbers(const finding::SlowChannels& f) {
+  return {{"channels", f.channels}, {"every", f.every}, {"last", f.last}, {"all", f.all}};
+}
 Json numbers(const finding::DeadTaxels& f) { return {{"taxels", f.taxels}}; }
 Json numbers(const finding::StuckTaxels& f) {
   return {{"taxels", f.taxels}, {"worst", f.worst}, {"first", f.first}, {"frames", f.frames}};
@@ -37,8 +46,14 @@ Json numbers(const finding::SingleFrameSpikes& f) {
           {"frames", f.frames},
           {"times", f.times}};
 }
+Json numbers(const finding::EqualReadings& f) {
+  return {{"groups", f.groups}, {"taxels", f.taxels}, {"frames", f.frames}};
+}
 Json numbers(const finding::SaturatedTaxels& f) {
   return {{"taxels", f.taxels}, {"limit", f.limit}, {"frames", f.frames}};
+}
+Json numbers(const finding::WornTaxels& f) {
+  return {{"taxels", f.taxels}, {"worst", f.worst}, {"share", f.share}};
 }
 Json numbers(const finding::Baseline& f) {
   return {{"values", f.values},
@@ -47,8 +62,15 @@ Json numbers(const finding::Baseline& f) {
           {"times", f.times},
           {"loaded", f.loaded}};
 }
+Json numbers(const finding::ZeroUnderLoad& f) {
+  return {{"force", f.force}, {"first", f.first}, {"last", f.last}};
+}
 Json numbers(const finding::Drift& f) {
-  return {{"largest", f.largest}, {"times", f.times}, {"from", f.from}, {"to", f.to}};
+  return {{"largest", f.largest},
+          {"times", f.times},
+          {"from", f.from},
+          {"to", f.to},
+          {"loaded", f.loaded}};
 }
 Json numbers(const finding::NoiseTaken& f) { return {{"of_channel", f.of_channel}}; }
 Json numbers(const finding::NoiseDiffers& f) {
@@ -69,6 +91,9 @@ Json numbers(const finding::OrderMirrored& f) {
           {"exchanged", f.exchanged},
           {"frames", f.frames},
           {"of", f.of}};
+}
+Json numbers(const finding::OrderSerpentine& f) {
+  return {{"columns", f.columns}, {"first", f.first}, {"frames", f.frames}, {"of", f.of}};
 }
 Json numbers(const finding::TractionExceedsModulus& f) { return {{"times", f.times}}; }
 Json numbers(const finding::DeformationTiny& f) { return {{"times", f.times}}; }

@@ -5,6 +5,7 @@
 
 #include "report/json/data_json.hpp"
 #include "report/json/document.hpp"
+#include "report/json/finding_json.hpp"
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
@@ -68,6 +69,10 @@ Json skin_friction_json(const std::optional<SkinFriction>& friction) {
   if (!friction) return nullptr;
   return {{"ratio", uncertain_json(friction->ratio)},
           {"least_limit", uncertain_json(friction->least_limit)},
+          {"contacts", friction->contacts},
+          {"centre", friction->wrench
+                         ? pair_json(friction->wrench->centre_y, friction->wrench->centre_z)
+                         : Json(nullptr)},
           {"margin", uncertain_or_null(friction->margin)}};
 }
 
@@ -183,6 +188,7 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
   if (recording.scene.units) json["units"] = skin_units_json(*recording.scene.units);
   json["grid"] = grid_json(recording.grid);
   json["hardest"] = recording.answer ? Json(recording.hardest) : Json(nullptr);
+  json["findings"] = findings_json(recording.findings, recording.scene);
   json["frames"] = Json::array();
   for (const lab::SkinRecordingAnswer::Frame& frame : recording.frames) {
     Json one = {{"t", frame.time.empty() ? Json(nullptr) : Json(frame.time)},

@@ -47,10 +47,16 @@ std::string channel_in_words(const lab::ReadingsCheck& check, const auto& scene,
   } else if (channel.stated) {
     text += "; noise stated " + reading(scene, index, *channel.stated) + ", not judged";
   }
+  if (channel.threshold)
+    text += "; a threshold: no number is below " + brief(*channel.threshold) +
+            " but 0, so that what presses less is missing";
   return text;
 }
 
 std::string judged_in_words(const lab::ReadingsCheck& check) {
+  if (std::any_of(check.channels.begin(), check.channels.end(),
+                  [](const lab::CheckedChannel& one) { return one.threshold.has_value(); }))
+    return "a threshold hides the noise: noise, baseline and drift are not judged";
   if (check.still == 0)
     return "too few frames in which nothing moves: noise, baseline and drift "
            "are not judged";
@@ -58,11 +64,11 @@ std::string judged_in_words(const lab::ReadingsCheck& check) {
                            std::to_string(check.sampled) +
                            " groups of three frames, in which nothing moves";
   if (check.quiet == 0) return seen + "; no rest comes back: baseline and drift are not judged";
+  if (check.never_let_go)
+    return seen + "; nothing is ever let go: a contact lasts in the " +
+           std::to_string(check.quiet) + " that are loaded least, so that nobody can tell a zero";
   return seen + "; " + std::to_string(check.quiet) + " of them at rest";
 }
-
-Dimension force_of(const Scene&) { return Dimension::force; }
-Dimension force_of(const SkinScene&) { return Dimension::point_force; }
 
 std::vector<std::string> understood(const lab::ReadingsCheck& check, const auto& scene) {
   std::vector<std::string> facts{recording_extent_in_words(check, reading_count(scene.sensor))};

@@ -24,6 +24,10 @@ namespace tactile_net::report {
   return taxel_count(scene.sensor);
 }
 
+/// Of a line, along its depth; of a skin.
+[[nodiscard]] inline Dimension force_of(const Scene&) { return Dimension::force; }
+[[nodiscard]] inline Dimension force_of(const SkinScene&) { return Dimension::point_force; }
+
 [[nodiscard]] QuantityKind kind_of(const auto& scene, std::size_t channel) {
   return traits(SkinQuantity(SignalQuantity(channels(scene.sensor)[channel].quantity))).kind;
 }

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "report/words/check_parts.hpp"
+#include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
@@ -118,6 +119,57 @@ Words say(const finding::CodesForMissing& f, const auto& scene) {
               "lost their sign (255 of a byte is -1). Then check again"};
 }
 
+Words say(const finding::SignsLost& f, const auto& scene) {
+  const auto all = channels(scene.sensor);
+  std::vector<std::string> names;
+  for (const std::size_t channel : f.channels) names.push_back(all[channel].name);
+  return {"numbers of " + join(names, ", ") + " jump by nearly " + shortest(f.codes) + ", " +
+              times(f.jumps) + ", and none lies between: those below zero lost their sign (" +
+              shortest(f.codes - 2.0) + " is -2). Nothing else was judged",
+          "read them as whole numbers with a sign: take " + shortest(f.codes) + " off those of " +
+              shortest(0.5 * f.codes) + " and more"};
+}
+
+Words say(const finding::FramesNormalised& f, const auto&) {
+  return {"the largest reading of " + std::to_string(f.frames) + " frames is the same number, " +
+              shortest(f.number) +
+              ", now one taxel's and now another's: each frame was divided by its own largest "
+              "reading. Forces of such frames mean nothing, and nothing else was judged",
+          "record the numbers before they are divided; where each frame's divisor was kept, "
+          "multiply by it"};
+}
+
+/// "5", "2.1"
+std::string frames_apart(double every) {
+  return std::abs(every - std::round(every)) < 0.05 ? fixed(every, 0) : fixed(every, 1);
+}
+
+Words say(const finding::SlowChannels& f, const auto& scene) {
+  const auto all = channels(scene.sensor);
+  const auto rate = [&](std::size_t k) {
+    return "new in one of " + frames_apart(f.every[k]) + " frames only (frame " +
+           std::to_string(f.last[k]) + " is such a one)";
+  };
+  const std::string take =
+      "take one of " + frames_apart(f.every.front()) + " frames, those in which they are new";
+  if (f.all)
+    return {"all readings are " + rate(0) + ": the file is written faster than the sensor reads",
+            take + "; copies are no measurements, and means of them no surer"};
+  std::vector<std::string> each;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < f.channels.size(); ++k) {
+    names.push_back(all[f.channels[k]].name);
+    each.push_back(names.back() + " is " + rate(k));
+  }
+  // Of five frames on average, which are 5.02 where the recording ends, the oldest value is 4 old.
+  const double oldest = std::ceil(*std::max_element(f.every.begin(), f.every.end()) - 0.05) - 1.0;
+  return {join(each, ", ") +
+              ", while the others change: forces mix what is new with what is up to " +
+              counted(static_cast<std::size_t>(oldest), "frame") + " old",
+          take + "; or put values between those of " + join(names, " and ") +
+              " that are new (interpolate), before the file is solved"};
+}
+
 // --- taxels
 
 Words say(const finding::DeadTaxels& f, const auto& scene) {
@@ -154,12 +206,39 @@ Words say(const finding::SingleFrameSpikes& f, const auto& scene) {
           "doubts such frames "
           "(bad_taxel)"};
 }
+Words say(const finding::EqualReadings& f, const auto& scene) {
+  constexpr std::size_t most_named = 8;
+  const bool of_one_channel = channels(scene.sensor).size() == 1;
+  const std::vector<std::string> names = reading_names(scene.sensor);
+  std::vector<std::string> groups;
+  for (const Indices& group : f.groups) {
+    if (groups.size() == most_named) break;
+    std::vector<std::string> each;
+    for (const std::size_t reading : group)
+      each.push_back(of_one_channel ? taxel_name(scene.sensor, reading) : names[reading]);
+    groups.push_back(join(each, " and "));
+  }
+  std::string seen = (of_one_channel ? "taxels " : "") + join(groups, ", ");
+  if (groups.size() < f.groups.size())
+    seen += ", and " + std::to_string(f.groups.size() - groups.size()) + " more,";
+  return {seen + " are equal in all " + std::to_string(f.frames) +
+              " frames, noise and all: they are one reading, there twice",
+          "two inputs on one wire, or a column twice in the file? Until that is mended, " +
+              dead_advice(f.taxels, scene) + "; the one that is right may stay"};
+}
 Words say(const finding::SaturatedTaxels& f, const auto& scene) {
   return {taxels(scene, f.taxels, "is", "are") + " cut off at the end of the range: " +
               std::to_string(f.frames) + " equal readings of " + reading(scene, 0, f.limit),
           "press less hard or set a larger range: what is cut off cannot be "
           "found again, and "
           "forces come out too small there"};
+}
+Words say(const finding::WornTaxels& f, const auto& scene) {
+  return {taxels(scene, f.taxels, "reads", "read") +
+              " far less than the others let expect: taxel " + taxel_name(scene.sensor, f.worst) +
+              " " + brief(f.share, 2) +
+              " times what a contact that explains the others would make it read",
+          dead_advice(f.taxels, scene) + "; or calibrate their gains anew"};
 }
 
 // --- rest
@@ -197,15 +276,36 @@ Words say(const finding::Baseline& f, const auto& scene) {
   words.advice = baseline_advice(f, scene);
   return words;
 }
+Words say(const finding::ZeroUnderLoad& f, const auto& scene) {
+  const std::string frames =
+      f.first == f.last ? "frame " + std::to_string(f.first)
+                        : "frames " + std::to_string(f.first) + " to " + std::to_string(f.last);
+  return {
+      "in " + frames + " the pad is pulled with " + in_unit(scene.units, force_of(scene), f.force) +
+          " as a contact would press: the zero was taken while something touched",
+      f.first == f.last ? "take the zero anew, of frames in which nothing touches"
+                        : "take the zero of the frames that are loaded least: under [calibration], "
+                          "baseline_frames = [" +
+                              std::to_string(f.first) + ", " + std::to_string(f.last) + "]"};
+}
 Words say(const finding::Drift& f, const auto& scene) {
-  return {"the readings drift: at rest they change by up to " + reading(scene, 0, f.largest) +
-              " from frame " + std::to_string(f.from) + " to frame " + std::to_string(f.to) + ", " +
-              brief(f.times) + " times the noise, and no load explains that",
+  std::string seen = "the readings drift: at rest they change by up to " +
+                     reading(scene, 0, f.largest) + " from frame " + std::to_string(f.from) +
+                     " to frame " + std::to_string(f.to) + ", " + brief(f.times) +
+                     " times the noise, and no load explains that";
+  if (f.loaded)
+    return {seen,
+            "nothing is ever let go, so that no frame is a zero: under [reconstruct], offset "
+            "= true finds a constant for each quantity with the loads"};
+  return {seen,
           "take the zero anew between presses (ContactEstimator::set_baseline "
           "does at run time), or "
           "cut the recording and " +
               by_calibration(scene, "give each part its own baseline_frames under [calibration]",
-                             "take each part's own zero off its numbers")};
+                             "take each part's own zero off its numbers") +
+              (scene.reconstruct.offset ? ""
+                                        : "; where all taxels drift alike, under [reconstruct], "
+                                          "offset = true finds it in each frame")};
 }
 
 // --- noise and scale
@@ -321,6 +421,15 @@ Words say(const finding::OrderMirrored& f, const SkinScene&) {
       "in " + std::to_string(f.frames) + " of " + std::to_string(f.of) +
           " loaded frames the readings are likelier those of taxels " + join(how, " and "),
       "put the taxels into the scene's order, or if that is right turn " + join(instead, " and ")};
+}
+Words say(const finding::OrderSerpentine& f, const auto&) {
+  const std::string what = f.columns ? "column" : "row";
+  return {"in " + std::to_string(f.frames) + " of " + std::to_string(f.of) +
+              " loaded frames the readings are likelier those of a skin of which every second " +
+              what + ", from " + what + ' ' + std::to_string(f.first) + " on, is read backwards",
+          "is the skin wired in serpentines? Turn the order of the taxels round in " + what + "s " +
+              std::to_string(f.first) + ", " + std::to_string(f.first + 2) +
+              ", ... of the file's numbers"};
 }
 Words say(const finding::TractionExceedsModulus& f, const auto& scene) {
   return {"the largest traction is " + brief(f.times) + " times Young's modulus: no pad bears that",

@@ -1,5 +1,6 @@
 #include "tactile_net/report/words/controller_words.hpp"
 
+#include <cmath>
 #include <ostream>
 
 #include "tactile_net/numeric/counted.hpp"
@@ -41,6 +42,12 @@ void print_controller(std::ostream& out, const lab::PlannedController& planned,
                                      "frame first, or plan with --readings"
                                    : "")
         << '\n';
+  if (const auto& force = planned.force) {
+    const double off = force->planned / force->solved - 1.0;
+    out << "  on the scene's own contacts its normal force is " << percent(std::abs(off))
+        << (off < 0.0 ? " below" : " above")
+        << " that of solve, which has the scene's alpha and constraints\n";
+  }
   out << "  a frame takes " << duration(frame_seconds) << " here";
   if (deadline) out << ": " << brief(*deadline / frame_seconds) << " times inside the deadline";
   out << '\n';

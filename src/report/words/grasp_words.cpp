@@ -22,6 +22,10 @@ std::string fingertip_remark_in_words(const lab::remark::Doubtful& doubtful) {
 std::string fingertip_remark_in_words(const lab::remark::TangentialUnseen&) {
   return "the tangential force is not measured: it is taken for zero";
 }
+std::string fingertip_remark_in_words(const lab::remark::SeveralContacts&) {
+  return "several contacts lie apart on its pad: its forces are their sums, and its distance from "
+         "the cone's edge is that of the one nearest to slipping";
+}
 
 }  // namespace
 

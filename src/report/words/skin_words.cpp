@@ -78,14 +78,19 @@ bool is_off(const Uncertain& found, double exact, double scale) {
   return std::abs(found.value - exact) > 4.0 * found.deviation + 0.02 * std::abs(scale);
 }
 
+/// What sums are of, where there are several contacts.
+std::string of_all(const lab::SkinAnswer& answer) {
+  return answer.contacts > 1 ? " of all contacts" : "";
+}
+
 Answer pressed(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
   const lab::SkinAnswer& found = *experiment.answer;
   const double exact = experiment.frame.wrench.force[0];
   Answer answer{in_unit(scene.units, Dimension::point_force, found.wrench.normal),
-                "normal force; the contacts press with " + force_in_words(scene, exact) +
-                    ", and the map of the pressure is " + percent(experiment.relative[0]) +
-                    " off theirs",
+                "normal force" + of_all(found) + "; the contacts press with " +
+                    force_in_words(scene, exact) + ", and the map of the pressure is " +
+                    percent(experiment.relative[0]) + " off theirs",
                 is_off(found.wrench.normal, exact, exact)};
   if (found.verdict != lab::Verdict::ok) {
     answer.meaning += ". " + std::string(name(found.verdict)) + ": " +
@@ -117,8 +122,8 @@ std::optional<Answer> dragged(const lab::SkinExperiment& experiment) {
   const Uncertain found = drag_of(wrench);
   const auto& exact = experiment.frame.wrench.force;
   const double size = std::hypot(exact[1], exact[2]);
-  Answer answer{in_unit(scene.units, Dimension::point_force, found), "drag",
-                is_off(found, size, exact[0])};
+  Answer answer{in_unit(scene.units, Dimension::point_force, found),
+                "drag" + of_all(*experiment.answer), is_off(found, size, exact[0])};
   if (found.value > 3.0 * found.deviation)
     answer.meaning +=
         " towards " + degrees(direction(wrench.tangential_y->value, wrench.tangential_z->value));
@@ -136,11 +141,11 @@ std::optional<Answer> placed(const lab::SkinExperiment& experiment) {
   if (!wrench.centre_y || !wrench.centre_z || !exact) return std::nullopt;
   const double off =
       std::hypot(wrench.centre_y->value - exact->y, wrench.centre_z->value - exact->z);
-  return Answer{
-      in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +
-          in_unit(scene.units, Dimension::length, *wrench.centre_z),
-      "centre of pressure (y, z), " + length_in_words(scene.units, off) + " off the true one",
-      off > 0.5 * least_depth(scene.sensor)};
+  return Answer{in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +
+                    in_unit(scene.units, Dimension::length, *wrench.centre_z),
+                "centre of pressure (y, z)" + of_all(*experiment.answer) + ", " +
+                    length_in_words(scene.units, off) + " off the true one",
+                off > 0.5 * least_depth(scene.sensor)};
 }
 
 /// How near to slipping.
@@ -150,6 +155,10 @@ std::optional<Answer> gripped(const lab::SkinExperiment& experiment) {
   if (!friction) return std::nullopt;
   Answer answer{plus_minus(friction->ratio.value, friction->ratio.deviation),
                 "drag over force, the least friction that holds"};
+  if (const auto& worst = friction->wrench)
+    answer.meaning += " the contact at " +
+                      point_in_words(scene, worst->centre_y->value, worst->centre_z->value) +
+                      ", the nearest to slipping of " + std::to_string(friction->contacts);
   if (const auto& limit = scene.reconstruct.friction_limit)
     answer.meaning += "; the limit stated is " + brief(*limit);
   return answer;
@@ -164,7 +173,8 @@ std::optional<Answer> twisted(const lab::SkinExperiment& experiment) {
   const bool turns = std::abs(*exact) > 3.0 * found->deviation;
   if (!turns && std::abs(found->value) < 3.0 * found->deviation) return std::nullopt;
   return Answer{in_unit(scene.units, Dimension::moment, *found),
-                "torsion about the centre; the contacts twist with " +
+                "torsion" + of_all(*experiment.answer) +
+                    " about the centre; the contacts twist with " +
                     (turns ? in_unit(scene.units, Dimension::moment, *exact) : "none to speak of"),
                 std::abs(found->value - *exact) > 4.0 * found->deviation};
 }
@@ -272,7 +282,8 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
   const SkinScene& scene = recording.scene;
   const UncertainWrench& wrench = recording.answer->wrench;
   std::vector<Answer> all = {{in_unit(scene.units, Dimension::point_force, wrench.normal),
-                              "the hardest press, in frame " + std::to_string(recording.hardest)}};
+                              "the hardest press" + of_all(*recording.answer) + ", in frame " +
+                                  std::to_string(recording.hardest)}};
   if (wrench.tangential_y && wrench.tangential_z) {
     const Uncertain drag = drag_of(wrench);
     all.push_back({in_unit(scene.units, Dimension::point_force, drag), "its drag"});
@@ -305,7 +316,8 @@ std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& exp
   const UncertainWrench& wrench = answer.wrench;
   const SkinWrench& exact = experiment.frame.wrench;
   const bool compared = experiment.has_truth();
-  std::vector<std::vector<std::string>> rows = {{"of the contact", "found"}};
+  std::vector<std::vector<std::string>> rows = {
+      {answer.contacts > 1 ? "of all contacts" : "of the contact", "found"}};
   if (compared) rows.front().emplace_back("true");
   // A truth that is nothing beside `scale` is rounding.
   const auto add = [&](const char* what, Dimension dimension, const std::optional<Uncertain>& found,

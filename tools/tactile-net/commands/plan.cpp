@@ -102,7 +102,8 @@ void make_plan(const Problem& problem, const PlanOptions& options, const Streams
   const auto summary = output_if(options.json, streams);
 
   const lab::PlanAlpha alpha = alpha_of(problem, options, planner.calibration, streams);
-  const lab::PlannedController planned = lab::plan_controller(problem, alpha, planner);
+  lab::PlannedController planned = lab::plan_controller(problem, alpha, planner);
+  planned.force = lab::planned_force(problem, planned.estimator.plan, planner.calibration);
   const EstimatorPlan& plan = planned.estimator.plan;
   const double frame = seconds_of_frame(plan);
   std::ostream& out = options.output == "-" || options.json == "-" ? streams.err : streams.out;

@@ -6,6 +6,7 @@
 
 #include "scene/excerpt.hpp"
 #include "tactile_net/numeric/counted.hpp"
+#include "tactile_net/report/words/check_words.hpp"
 
 namespace tactile_net::tool {
 
@@ -22,6 +23,13 @@ void say_opening(std::ostream& err, const std::string& name, const frames::Frame
 void say_closing(std::ostream& err, const std::string& name, const frames::FrameSource& source) {
   for (const std::string& note : source.closing_notes())
     err << name << ": note: " << printable(note) << '\n';
+}
+
+void say_findings(std::ostream& err, Method method, const lab::Findings& findings,
+                  const AnyScene& scene) {
+  for (const lab::Finding& one : findings)
+    err << name(method) << ": note: " << report::in_words(one, scene)
+        << "\nhint: " << report::advice(one, scene) << "; tactile-net check says more\n";
 }
 
 InputError with_frames_before(const InputError& error, std::size_t frames,

@@ -7,7 +7,9 @@
 #include <string>
 
 #include "tactile_net/frames/source.hpp"
+#include "tactile_net/lab/finding.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::tool {
 
@@ -18,6 +20,10 @@ void say_opening(std::ostream& err, const std::string& name, const frames::Frame
 
 /// What turned out to be odd about its frames.
 void say_closing(std::ostream& err, const std::string& name, const frames::FrameSource& source);
+
+/// What is suspicious about its readings, each with what to do about it.
+void say_findings(std::ostream& err, Method method, const lab::Findings& findings,
+                  const AnyScene& scene);
 
 /// The same error, and where what came before it is to be found.
 ///

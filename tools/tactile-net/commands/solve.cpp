@@ -27,7 +27,6 @@
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
-#include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -230,10 +229,7 @@ void solve_line(Scene scene, const SolveOptions& options, const Streams& streams
   lab::Findings findings = results ? results->findings() : solver.doubts();
   if (const auto taken = lab::noise_taken(stated, problem))
     findings.insert(findings.begin(), *taken);
-  for (const lab::Finding& doubt : findings)
-    streams.err << name(options.method) << ": note: " << report::in_words(doubt, problem.scene())
-                << "\nhint: " << report::advice(doubt, problem.scene())
-                << "; tactile-net check says more\n";
+  say_findings(streams.err, options.method, findings, problem.scene());
   if (!results) return;
   const lab::Remarks remarks = solver.remarks();
   const bool any = solved.frames > solved.skipped.count();

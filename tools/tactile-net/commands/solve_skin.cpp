@@ -16,6 +16,7 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_recording_solver.hpp"
 #include "tactile_net/pages/skin_page.hpp"
@@ -122,8 +123,10 @@ struct FrameRead {
   InputError overflow;  // what is said where its tractions overflow
 };
 
+/// @param checker  null: nobody asks for all that is suspicious
 lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::ReadingsFile& file,
-                                   SkinOutputs& outputs, const Streams& streams) {
+                                   SkinOutputs& outputs, lab::ReadingsChecker* checker,
+                                   const Streams& streams) {
   const lab::SkinSceneProblem& whole = solver.problem();
   lab::SkinRecordingAnswer recording{.scene = whole.scene(), .grid = whole.grid()};
   Progress progress(streams);
@@ -132,6 +135,7 @@ lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::Rea
   const auto next = [&](std::vector<double>& readings) {
     readings.resize(source.columns().size());
     if (!source.next(readings)) return false;
+    if (checker != nullptr) checker->add(source.seconds(), readings);
     const bool incomplete = std::any_of(readings.begin(), readings.end(),
                                         [](double reading) { return std::isnan(reading); });
     read.push_back(
@@ -175,13 +179,16 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
   say_opening(streams.err, file.name(), source);
 
   std::optional<Results> results;
-  if (!options.results.folder.empty() || !options.results.json.empty())
+  std::optional<lab::ReadingsChecker> checker;
+  if (!options.results.folder.empty() || !options.results.json.empty()) {
     results.emplace(options.results, streams);
+    checker.emplace(scene);
+  }
   SkinOutputs outputs(options, solver.problem(), source.has_time(), results ? &*results : nullptr,
                       streams);
   lab::SkinRecordingAnswer recording;
   try {
-    recording = solve_all(solver, file, outputs, streams);
+    recording = solve_all(solver, file, outputs, checker ? &*checker : nullptr, streams);
   } catch (const InputError& error) {
     if (outputs.in_folder()) throw;  // which goes as a whole
     throw with_frames_before(error, solver.solved().frames, outputs.commit_partial());
@@ -190,8 +197,11 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
   say_closing(streams.err, file.name(), source);
   for (const std::string& sentence : report::in_words(solver.solved(), scene))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
-  if (!results) return;
   Progress progress(streams);
+  recording.findings = checker ? checker->result(progress).findings : solver.doubts();
+  progress.clear();
+  say_findings(streams.err, options.method, recording.findings, scene);
+  if (!results) return;
   results->write(
       {.json = [&] { return report::recording_json(recording, options.readings); },
        .page = [&] { return pages::recording_page(recording, options.readings, streams.command); }},

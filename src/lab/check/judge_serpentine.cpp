@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "lab/check/judgement.hpp"
+#include "numeric/finite.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+/// Every second row, or column, read backwards.
+struct Serpentine {
+  bool columns = false;
+  std::size_t first = 0;            ///< of those that are: 0 or 1
+  std::vector<std::size_t> from{};  ///< of each reading the one that takes its place
+};
+
+std::vector<Serpentine> serpentines(const std::vector<SignalChannel>& channels,
+                                    const SkinArray& skin) {
+  std::vector<Serpentine> all;
+  if (skin.rows < 2 || skin.columns < 2) return all;
+  // The one that leaves the first row as it is comes first: readings that know no direction cannot
+  // tell it from the other, which is its mirror image.
+  for (const bool columns : {false, true})
+    for (const std::size_t first : {1U, 0U}) {
+      Serpentine one{.columns = columns, .first = first};
+      for (const SignalChannel& channel : channels)
+        for (std::size_t row = 0; row < skin.rows; ++row)
+          for (std::size_t column = 0; column < skin.columns; ++column) {
+            const bool backwards = (columns ? column : row) % 2 == first;
+            const std::size_t y = backwards && columns ? skin.rows - 1 - row : row;
+            const std::size_t z = backwards && !columns ? skin.columns - 1 - column : column;
+            one.from.push_back(channel.first + y * skin.columns + z);
+          }
+      all.push_back(std::move(one));
+    }
+  return all;
+}
+
+/// Readings that live wherever they stand: what all orders are compared by.
+std::vector<bool> living_in_all(const Evidence& evidence, const std::vector<Serpentine>& all) {
+  std::vector<bool> living = evidence.living;
+  for (const Serpentine& one : all)
+    for (std::size_t i = 0; i < living.size(); ++i)
+      if (!evidence.living[one.from[i]]) living[i] = false;
+  return living;
+}
+
+/// Frames with much of the largest reading, at most so many, spread over the recording.
+std::vector<std::vector<double>> loaded_frames(const Evidence& evidence,
+                                               std::span<const double> baseline, std::size_t most) {
+  constexpr double much = 0.5;
+  std::vector<std::vector<double>> frames;
+  std::vector<double> sizes;
+  for (const FrameTriple& triple : evidence.triples) {
+    std::vector<double> frame = triple.middle();
+    if (!all_finite(frame)) continue;
+    double size = 0.0;
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      if (!baseline.empty()) frame[i] -= baseline[i];
+      if (evidence.living[i])
+        size = std::max(size,
+                        std::abs(frame[i]) * evidence.sensor.weights[evidence.sites()[i].channel]);
+    }
+    frames.push_back(std::move(frame));
+    sizes.push_back(size);
+  }
+  if (frames.empty()) return {};
+  const double largest = *std::max_element(sizes.begin(), sizes.end());
+  std::vector<std::vector<double>> loaded;
+  for (std::size_t k = 0; k < frames.size(); ++k)
+    if (sizes[k] >= much * largest && largest > 0.0) loaded.push_back(std::move(frames[k]));
+  if (loaded.size() <= most) return loaded;
+  std::vector<std::vector<double>> some;
+  for (std::size_t k = 0; k < most; ++k)
+    some.push_back(std::move(loaded[k * loaded.size() / most]));
+  return some;
+}
+
+}  // namespace
+
+void judge_serpentine(const Evidence& evidence, const AnyScene& scene,
+                      std::span<const double> baseline, PatternSolver& solver, Findings& findings) {
+  constexpr std::size_t most_frames = 8;
+  constexpr double least_gain = 20.0;  // of two log-likelihoods, as of orders that are mirrored
+  const auto* skin = std::get_if<SkinScene>(&scene);
+  if (skin == nullptr || !is_even(skin->sensor)) return;
+  const std::vector<Serpentine> all = serpentines(evidence.channels(), skin->sensor);
+  const std::vector<std::vector<double>> frames = loaded_frames(evidence, baseline, most_frames);
+  if (all.empty() || frames.empty()) return;
+  const std::vector<bool> living = living_in_all(evidence, all);
+  std::vector<double> gain(all.size());
+  std::vector<std::size_t> better(all.size());
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    // Two frames that are likelier in none of these orders: the order stated is right.
+    if (k == 2 && std::all_of(gain.begin(), gain.end(), [](double one) { return one <= 0.0; }))
+      return;
+    const std::optional<double> stated = solver.surprise(frames[k], living);
+    for (std::size_t n = 0; n < all.size(); ++n) {
+      std::vector<double> turned;
+      for (const std::size_t i : all[n].from) turned.push_back(frames[k][i]);
+      const std::optional<double> other = solver.surprise(turned, living);
+      if (!stated || !other) return;
+      gain[n] += *stated - *other;
+      better[n] += *other < *stated;
+    }
+  }
+  // The first of those that are as likely.
+  std::size_t best = 0;
+  for (std::size_t n = 1; n < all.size(); ++n)
+    if (gain[n] > gain[best] + least_gain) best = n;
+  if (!(gain[best] > least_gain) || 5 * better[best] < 4 * frames.size()) return;
+  // The same readings, told by half.
+  std::erase_if(findings, [](const Finding& one) {
+    return std::holds_alternative<finding::OrderMirrored>(one);
+  });
+  findings.emplace_back(finding::OrderSerpentine{.columns = all[best].columns,
+                                                 .first = all[best].first,
+                                                 .frames = better[best],
+                                                 .of = frames.size()});
+}
+
+}  // namespace tactile_net::lab
