@@ -19,6 +19,11 @@
 
 namespace tactile_net::python {
 
+/// What is said of times whose unit nothing tells.
+inline constexpr const char* times_taken_as_seconds =
+    "times are whole numbers of no stated unit, and are taken as seconds: where they are not, name "
+    "their column t_ms, t_us or t_ns";
+
 /// t or None, the readings of every frame, and what was taken for granted.
 using ReadFrames = std::tuple<std::optional<Array>, Array, std::vector<nb::str>>;
 
@@ -45,6 +50,7 @@ ReadFrames read_all(const Any& shared, const std::string& path, std::istream* st
     }
     notes.assign(source.opening_notes().begin(), source.opening_notes().end());
     for (std::string& note : source.closing_notes()) notes.push_back(std::move(note));
+    if (!source.time_unit_known()) notes.emplace_back(times_taken_as_seconds);
   }
   std::optional<Array> times;
   if (!t.empty()) times = owned(std::move(t));

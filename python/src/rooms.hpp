@@ -11,6 +11,7 @@ void bind_scene(nanobind::module_& module);
 void bind_skin(nanobind::module_& module);
 void bind_skin_solving(nanobind::module_& module);
 void bind_skin_run(nanobind::module_& module);
+void bind_files(nanobind::module_& module);
 void bind_check(nanobind::module_& module);
 void bind_solving(nanobind::module_& module);
 void bind_run(nanobind::module_& module);

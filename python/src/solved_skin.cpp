@@ -41,8 +41,7 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
     watcher.frame();
     const std::span frame(readings_.data() + i * size_, size_);
     check_finite(frame, i, options.missing != lab::Missing::fail);
-    checker_.add(times_.empty() || std::isnan(times_[i]) ? std::nullopt : std::optional(times_[i]),
-                 frame);
+    checker_.add(time(i), frame);
     try {
       answers_.push_back(solver.solve(frame));
     } catch (const lab::FrameOverflow&) {
@@ -63,9 +62,9 @@ lab::SkinAnswer answer_of(const lab::SkinSceneProblem& problem, std::span<const 
   }
 }
 
-std::string SolvedSkin::time(std::size_t frame) const {
-  if (times_.empty() || std::isnan(times_[frame])) return {};
-  return shortest(times_[frame]);
+std::optional<double> SolvedSkin::time(std::size_t frame) const {
+  if (times_.empty() || std::isnan(times_[frame])) return std::nullopt;
+  return times_[frame];
 }
 
 lab::SkinRecordingAnswer SolvedSkin::recording() const {
@@ -114,7 +113,8 @@ std::string SolvedSkin::tractions_csv() const {
                        !times_.empty());
   const std::vector<double> none(width_, unknown);
   for (std::size_t i = 0; i < answers_.size(); ++i)
-    sink.add(time(i), answers_[i] ? answers_[i]->tractions : none);
+    sink.add(time(i) ? shortest(times_[i]) : std::string(),
+             answers_[i] ? answers_[i]->tractions : none);
   sink.finish();
   return out.str();
 }

@@ -54,7 +54,7 @@ class SolvedSkin {
   /// With what is suspicious about the readings; solves some frames for it.
   [[nodiscard]] lab::SkinRecordingAnswer checked_recording() const;
   [[nodiscard]] std::string tractions_csv() const;
-  [[nodiscard]] std::string time(std::size_t frame) const;
+  [[nodiscard]] std::optional<double> time(std::size_t frame) const;
 
   SkinPointer shared_;
   std::vector<double> times_;

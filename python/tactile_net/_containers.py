@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _core
 from ._layout import READINGS, Layout
 from ._refusal import counted, cut_off, refused
 
@@ -168,30 +169,19 @@ def read_own_csv(path: str) -> Layout:
             raise refused(
                 path, f"has a first line that cannot be read: {error}", "it tells of units and scene"
             ) from None
-        names = [one.removesuffix("_in_si") for one in file.readline().rstrip("\n").split(",")]
-        rows: list[list[float]] = []
-        notes: list[str] = []
-        for line in file:
-            try:
-                row = list(map(float, line.split(",")))
-            except ValueError:
-                row = []
-            if len(row) != len(names) or not line.endswith("\n"):
-                notes.append(cut_off(path, len(rows), f"line {len(rows) + 3}, which is not whole"))
-                break
-            rows.append(row)
-        if not notes and len(rows) != int(attributes["frames"]):
-            notes.append(
-                cut_off(
-                    path, len(rows), f"the end of the file; it was of {counted(int(attributes['frames']), 'frame')}"
-                )
-            )
-    table = np.array(rows, dtype=np.float64).reshape(len(rows), len(names))
+    columns, table, cut = _core.read_table(path)
+    names = [one.removesuffix("_in_si") for one in columns]
+    frames = int(attributes["frames"])
+    notes: list[str] = []
+    if cut is not None:
+        notes.append(cut_off(path, len(table), f"line {cut[0]}, which is not whole: {cut[1]}"))
+    elif len(table) != frames:
+        notes.append(cut_off(path, len(table), f"the end of the file; it was of {counted(frames, 'frame')}"))
     arrays: dict[str, NDArray[Any]] = {}
     components = [found for start in _TRUTHS if (found := _of(names, start))]
     if components:
         arrays["truth"] = np.stack([table[:, found] for found in components], axis=1)
-    if names[0] == "t":
+    if names[:1] == ["t"]:
         arrays["t"] = table[:, 0]
     known = {*_of(names, "t", whole=True)}.union(*components)
     arrays["readings"] = table[:, [at for at in range(len(names)) if at not in known]]

@@ -64,9 +64,10 @@ def _judged(layout: Layout, where: str, scene: Scene | None, units: Units | None
         values, more = in_si(where, readings, scene, units, layout.units)
         notes = [*layout.notes, *more]
     t = layout.arrays.get("t")
-    times = None if t is None else seconds(where, t, len(values))
-    if times is not None:
-        notes += rising(where, times)
+    times: Floats | None = None
+    if t is not None:
+        times, more = seconds(where, t, len(values), layout.own or layout.seconds)
+        notes += [*more, *rising(where, times)]
     notes += absent(where, values, scene, missing)
     truth = layout.arrays.get("truth")
     known = None if truth is None else np.asarray(truth, dtype=np.float64)
@@ -194,18 +195,22 @@ def _converted(where: str, readings: NDArray[Any], scene: Scene, units: Units) -
     return scene._framed(flat)
 
 
-def seconds(where: str, t: Any, frames: int) -> Floats:
-    """Times of frames [s]."""
+def seconds(where: str, t: Any, frames: int, stated: bool) -> tuple[Floats, list[str]]:
+    """Times of frames [s], and what was taken for granted.
+
+    stated: they are seconds; else they are what their size says, as in files of readings.
+    """
     array = np.asarray(t)
     if array.dtype.kind == "M":
-        array = seconds_of(array.astype("datetime64[ns]").astype(np.int64))
+        array, stated = seconds_of(array.astype("datetime64[ns]").astype(np.int64)), True
     if array.dtype.kind not in "fiu" or array.shape != (frames,):
         raise refused(
             where,
             f"has {counted(frames, 'frame')} and times of the shape {array.shape}, {array.dtype}",
             "seconds, one a frame",
         )
-    return np.array(array, dtype=np.float64)
+    times = np.array(array, dtype=np.float64)
+    return (times, []) if stated else _core.seconds(times.tolist())
 
 
 def rising(where: str, t: Floats) -> list[str]:

@@ -51,6 +51,8 @@ class Layout:
     """Of a stranger's readings that stand in a column each."""
     notes: list[str] = dataclasses.field(default_factory=list)
     """What was found while reading."""
+    seconds: bool = False
+    """A stranger's times are that for certain."""
 
     @property
     def own(self) -> bool:

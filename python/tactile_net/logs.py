@@ -284,7 +284,7 @@ def _recording(
     if scene is not None and (*values.shape[1:], 1) == scene.reading_shape:  # a skin's image of one channel
         values = values[..., np.newaxis]
     t, order, more = _times(found, own)
-    layout = Layout({"readings": values[order]}, log.metadata if own else {}, notes=[*notes, *more])
+    layout = Layout({"readings": values[order]}, log.metadata if own else {}, notes=[*notes, *more], seconds=True)
     if not own or log.metadata.get("times") != "none":
         layout.arrays["t"] = t
     if truth is not None:

@@ -307,6 +307,15 @@ def test_times_are_seconds(tmp_path: Path) -> None:
     table(tmp_path / "a", t=stamps, taxels=READINGS[:2].reshape(2, 6).tolist())
     t = tn.load(tmp_path / "a", scene=SMALL).t
     assert t is not None and np.array_equal(t, [1767225600.5, 1767225600.75])
+    whole = stamps.astype(np.int64)
+    for unit, digits in (("ns", 1), ("us", 10**3), ("ms", 10**6)):
+        npz(tmp_path / unit, readings=READINGS[:2], timestamp=whole // digits)
+        recording = tn.load(tmp_path / unit, scene=SMALL)
+        assert recording.t is not None and np.allclose(recording.t, t, rtol=0, atol=1e-6)
+        assert recording.notes == ()
+    npz(tmp_path / "count", readings=READINGS, t=np.arange(4))
+    (note,) = tn.load(tmp_path / "count", scene=SMALL).notes
+    assert "no stated unit" in note
 
 
 def test_counts_of_a_converter_need_what_one_of_them_is(tmp_path: Path) -> None:
@@ -524,6 +533,24 @@ def test_what_is_whole_of_a_file_is_given_with_the_count(tmp_path: Path) -> None
         tn.CutOffWarning, match="cut off: 2 whole frames, then the end of the file; its header tells of 4"
     ):
         assert np.array_equal(tn.load(tmp_path / "half.npy", scene=SMALL).readings, SI[:2])
+
+
+def test_its_own_csv_is_read_as_any_csv(two: tn.Scene, tmp_path: Path) -> None:
+    recording = two.simulate()
+    recording.save(tmp_path / "own.csv")
+    told, names, *rows = (tmp_path / "own.csv").read_text().splitlines()
+    commas = [row.replace(",", ";").replace(".", ",") for row in rows]
+    quoted = ",".join(f'"{name}"' for name in names.split(","))
+    for lines in (
+        [told, quoted, *rows],
+        [told, "# of Monday", names, "", *rows],
+        [told, names.replace(",", ";"), *commas],
+    ):
+        (tmp_path / "other.csv").write_text("\n".join(lines) + "\n")
+        assert_same(tn.load(tmp_path / "other.csv"), recording)
+    (tmp_path / "other.csv").write_text("\n".join([told, names, *rows]))
+    with pytest.warns(tn.CutOffWarning, match=f"{len(rows) - 1} whole frames"):
+        tn.load(tmp_path / "other.csv")
 
 
 @given(data=st.binary(max_size=300), start=st.sampled_from(STARTS))

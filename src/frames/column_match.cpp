@@ -178,8 +178,10 @@ class Matching {
     }
     take_time(*best);
     if (match_.time_unit && !match_.time_unit->is_si())
-      match_.notes.push_back("times are copied from " + quoted(header_[*best]) +
-                             " as they stand, and not turned into seconds");
+      match_.notes.push_back("times of " + quoted(header_[*best]) + " are in " +
+                             std::string(match_.time_unit->name) +
+                             ": they are turned into seconds, but for files of tractions, which "
+                             "copy them as they stand");
   }
 
   /// Units behind the names of what is read.

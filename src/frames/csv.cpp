@@ -231,7 +231,9 @@ class CsvFrames::Reader {
       return value;
     }
     if (kind == FieldKind::missing && wanted_.accept_missing)
-      return std::numeric_limits<double>::quiet_NaN();
+      return wanted_.keep_infinities && std::isinf(value)
+                 ? value
+                 : std::numeric_limits<double>::quiet_NaN();
     fail(raw, why_no_number(text, kind) + in_column(field),
          kind == FieldKind::missing ? missing_hint : how_to_write(text));
   }
@@ -302,7 +304,7 @@ class CsvFrames::Reader {
       }
       if (begins_anew(*last, value)) ++rollovers_;
     }
-    clock_.add(value, time_.find_first_of(".eE") != std::string_view::npos);
+    clock_.add(value);
   }
 
   /// micros() and millis() of microcontrollers do, after 71.6 minutes and 49.7 days.

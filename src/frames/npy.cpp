@@ -213,7 +213,7 @@ bool NpyFrames::next(std::span<double> values) {
     const double time = numbers[time_at_];
     time_ = text_(bytes_.data() + first * width_ + at_[time_at_]);
     if (std::isfinite(time))
-      clock_.add(time, time != std::floor(time));
+      clock_.add(time);
     else
       clock_.skip();
   }

@@ -6,11 +6,10 @@
 namespace tactile_net {
 namespace {
 
-constexpr Named<DataDoubt> doubts[] = {{DataDoubt::implausible, "implausible"},
-                                       {DataDoubt::pulls, "pulls"},
-                                       {DataDoubt::bad_taxel, "bad_taxel"},
-                                       {DataDoubt::offset, "offset"},
-                                       {DataDoubt::misfit, "misfit"}};
+constexpr Named<DataDoubt> doubts[] = {
+    {DataDoubt::implausible, "implausible"}, {DataDoubt::pulls, "pulls"},
+    {DataDoubt::bad_taxel, "bad_taxel"},     {DataDoubt::offset, "offset"},
+    {DataDoubt::misfit, "misfit"},           {DataDoubt::friction_limit, "friction_limit"}};
 
 }  // namespace
 

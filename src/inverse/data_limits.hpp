@@ -5,11 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 
 #include "tactile_net/inverse/data_verdict.hpp"
 
 namespace tactile_net {
+
+/// The most friction that anything is sought with: where contacts within a stated limit do not
+/// explain a frame, the limit itself may be what is wrong.
+[[nodiscard]] inline double widest_friction(const std::optional<double>& stated) noexcept {
+  return std::max(usual_friction, 2.0 * stated.value_or(0.0));
+}
 
 /// @param rows  of the problem
 /// @throw std::invalid_argument  a limit is not > 0, or there is not one for each row

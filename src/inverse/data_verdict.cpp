@@ -19,8 +19,6 @@
 namespace tactile_net {
 namespace {
 
-constexpr double false_alarms = 1e-3;   ///< of honest frames, each test
-constexpr double usual_friction = 1.0;  ///< of rubber on what it touches, at most
 constexpr std::size_t most_suspects = 4;
 constexpr std::size_t constraint_limit = 300;
 
@@ -47,9 +45,10 @@ struct DataJudge::Parts {
   enum class Side { middle, first_end, last_end };
 
   [[nodiscard]] std::vector<Side> sides(const Surface& surface) const;
-  [[nodiscard]] Fit fit(const Eigen::VectorXd& y, double enough = 0.0,
+  [[nodiscard]] Fit fit(const Eigen::MatrixXd& of, const Eigen::VectorXd& y, double enough = 0.0,
                         const Freedom& freedom = {}) const;
-  [[nodiscard]] Fit with_constants(const Eigen::VectorXd& y, Freedom freedom) const;
+  [[nodiscard]] Fit with_constants(const Eigen::MatrixXd& of, const Eigen::VectorXd& y,
+                                   Freedom freedom) const;
   [[nodiscard]] Eigen::VectorXd nearest_contact(std::span<const double> f) const;
   void explain(const Eigen::VectorXd& y, std::span<const double> tractions,
                DataMemory::Kept* memory, DataVerdict& verdict) const;
@@ -64,6 +63,7 @@ struct DataJudge::Parts {
   [[nodiscard]] double limit(double taken) const;
   /// What makes a residual's norm the rms of a weighted reading.
   [[nodiscard]] double norm_to_rms() const { return unit / std::sqrt(rows); }
+  [[nodiscard]] const Eigen::MatrixXd& widest() const { return wide.cols() > 0 ? wide : cone; }
   [[nodiscard]] Freedom without(std::size_t taxel) const;
   [[nodiscard]] std::vector<std::size_t> suspects(const Eigen::VectorXd& residual) const;
 
@@ -75,7 +75,8 @@ struct DataJudge::Parts {
   Weighting weighting;
   Eigen::VectorXd weights;              // over the unit
   Eigen::MatrixXd kernel;               // W K
-  Eigen::MatrixXd cone;                 // W K E, columns of unit norm
+  Eigen::MatrixXd cone;                 // W K E within the limit that is stated, unit columns
+  Eigen::MatrixXd wide;                 // W K E of any friction that is likely; empty: as `cone`
   double rows;                          // independent ones
   double most = 0.0;                    // limit(0)
   double constant_gain;                 // square that a constant in each channel takes of noise
@@ -105,14 +106,21 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
 
   weights /= unit;
   kernel /= unit;
+  const auto columns = [&](const Constraints& press) {
+    Eigen::MatrixXd all = as_eigen(contacts.kernel) * as_eigen(edges(contacts, press)) / unit;
+    for (Eigen::Index j = 0; j < all.cols(); ++j)
+      if (const double norm = all.col(j).norm(); norm > 0.0) all.col(j) /= norm;
+    return all;
+  };
   Constraints press{.nonnegative = true};
   if (problem.unknowns == 2) press.friction_limit = limits.friction_limit.value_or(usual_friction);
-  cone = as_eigen(contacts.kernel) * as_eigen(edges(contacts, press)) / unit;
+  cone = columns(press);
+  if (problem.unknowns == 2 && limits.friction_limit) {
+    press.friction_limit = widest_friction(limits.friction_limit);
+    wide = columns(press);
+  }
   places = sides(contacts.surface);
   found_places = sides(problem.surface);
-  for (Eigen::Index j = 0; j < cone.cols(); ++j) {
-    if (const double norm = cone.col(j).norm(); norm > 0.0) cone.col(j) /= norm;
-  }
   const Eigen::MatrixXd all = channel_constants(problem);
   for (Eigen::Index c = 0; c < all.cols() && !problem.unknown_offsets; ++c)
     if (all.col(c).squaredNorm() > 0.0) channels.push_back(static_cast<std::size_t>(c));
@@ -132,23 +140,25 @@ std::vector<DataJudge::Parts::Side> DataJudge::Parts::sides(const Surface& surfa
   return all;
 }
 
+/// @param of      columns of a cone
 /// @param enough  a residual that is as good as none
-Fit DataJudge::Parts::fit(const Eigen::VectorXd& y, double enough, const Freedom& freedom) const {
+Fit DataJudge::Parts::fit(const Eigen::MatrixXd& of, const Eigen::VectorXd& y, double enough,
+                          const Freedom& freedom) const {
   std::vector<Eigen::Index> kept;
-  for (Eigen::Index j = 0; j < cone.cols(); ++j)
+  for (Eigen::Index j = 0; j < of.cols(); ++j)
     if (const Side side = places[static_cast<std::size_t>(j) % places.size()];
         (side != Side::first_end || freedom.first_end) &&
         (side != Side::last_end || freedom.last_end))
       kept.push_back(j);
   const auto pressing = static_cast<Eigen::Index>(kept.size());
   Eigen::MatrixXd part;
-  const bool whole = pressing == cone.cols() && freedom.columns.cols() == 0;
+  const bool whole = pressing == of.cols() && freedom.columns.cols() == 0;
   if (!whole) {
-    part.resize(cone.rows(), pressing + freedom.columns.cols());
-    part.leftCols(pressing) = cone(Eigen::indexing::all, kept);
+    part.resize(of.rows(), pressing + freedom.columns.cols());
+    part.leftCols(pressing) = of(Eigen::indexing::all, kept);
     if (freedom.columns.cols() > 0) part.rightCols(freedom.columns.cols()) = freedom.columns;
   }
-  const Eigen::MatrixXd& a = whole ? cone : part;
+  const Eigen::MatrixXd& a = whole ? of : part;
   std::vector<bool> bounded(kept.size(), true);
   bounded.resize(static_cast<std::size_t>(a.cols()), false);
 
@@ -236,11 +246,12 @@ void DataJudge::Parts::take_offset(const Eigen::VectorXd& allowance, const Freed
 
 /// With loads over one end of the array at most: a constant and a load over everything could draw
 /// whatever pulls.
-Fit DataJudge::Parts::with_constants(const Eigen::VectorXd& y, Freedom freedom) const {
+Fit DataJudge::Parts::with_constants(const Eigen::MatrixXd& of, const Eigen::VectorXd& y,
+                                     Freedom freedom) const {
   freedom.last_end = false;
-  Fit one = fit(y, 0.0, freedom);
+  Fit one = fit(of, y, 0.0, freedom);
   std::swap(freedom.first_end, freedom.last_end);
-  Fit other = fit(y, 0.0, freedom);
+  Fit other = fit(of, y, 0.0, freedom);
   return one.norm < other.norm ? one : other;
 }
 
@@ -258,10 +269,11 @@ void DataJudge::Parts::look_for_constant(const Eigen::VectorXd& y, const Eigen::
   // Cheap, and rarely less than the gain itself.
   if ((freedom.columns.transpose() * (y - kernel * inner)).squaredNorm() < 0.5 * constant_gain)
     return;
-  const Fit best = with_constants(y, freedom);
+  const Fit best = with_constants(cone, y, freedom);
   const double enough = std::sqrt(best.norm * best.norm + constant_gain);
-  if (best.norm > limit(constants) || fit(y, enough, {.first_end = false}).norm <= enough ||
-      fit(y, enough, {.last_end = false}).norm <= enough || best.free > fit(y).free + 1.0)
+  if (best.norm > limit(constants) || fit(cone, y, enough, {.first_end = false}).norm <= enough ||
+      fit(cone, y, enough, {.last_end = false}).norm <= enough ||
+      best.free > fit(cone, y).free + 1.0)
     return;
   take_offset(best.allowance, freedom, verdict);
 }
@@ -272,8 +284,8 @@ bool DataJudge::Parts::is_turned_round(const Eigen::VectorXd& y, std::span<const
                                        DataVerdict& verdict) const {
   const auto normal = tractions.first(values);
   if (std::accumulate(normal.begin(), normal.end(), 0.0) >= 0.0) return false;
-  const Fit turned = fit(-y);
-  const Fit base = fit(y);
+  const Fit turned = fit(widest(), -y);
+  const Fit base = fit(widest(), y);
   verdict.residual_rms = base.norm * norm_to_rms();
   const double squares = base.norm * base.norm;
   const double turned_squares = turned.norm * turned.norm;
@@ -311,13 +323,20 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
   double left = (y - kernel * contact).norm();
   Fit base;
   if (left > most || memory != nullptr) {
-    base = fit(y, most);
+    base = fit(cone, y, most);
     left = base.norm;
     if (memory != nullptr && left <= most && !base.pressed.empty()) remember(base, *memory);
   }
   verdict.residual_rms = left * rms;
   if (left <= most) {
     look_for_constant(y, contact, verdict);
+    return;
+  }
+
+  // By contacts that the limit does not hold, as where nobody states one.
+  if (wide.cols() > 0) base = fit(wide, y, most);
+  if (base.norm <= most) {
+    verdict.doubts.push_back(DataDoubt::friction_limit);
     return;
   }
 
@@ -331,7 +350,7 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
     const Freedom freedom = without(taxel);
     const auto taken = static_cast<double>(freedom.columns.cols());
     if (taken == 0.0) continue;
-    const Fit rest = fit(y, 0.0, freedom);
+    const Fit rest = fit(widest(), y, 0.0, freedom);
     if (rest.norm >= by_taxel || !gains(rest, taken, false_alarms / static_cast<double>(taxels)))
       continue;
     by_taxel = rest.norm;
@@ -342,7 +361,7 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
   double far = 0.0;
   if (limits.inner && !channels.empty()) {
     const auto constants = static_cast<double>(channels.size());
-    constant = with_constants(y, free_constants);
+    constant = with_constants(widest(), y, free_constants);
     far = chi_squared_limit(constants, false_alarms);
     if (gains(constant, constants, false_alarms)) by_constant = constant.norm;
   }
@@ -378,6 +397,7 @@ DataVerdict DataJudge::judge(std::span<const double> readings, std::span<const d
   }
   const Eigen::VectorXd y = p.weighting(readings) / p.unit;
   const double size = y.norm();
+  verdict.noise_alone = size == 0.0 || (verdict.noise_known && size <= p.most);
   if (size == 0.0) return verdict;
   if (!std::isfinite(size)) {  // of no noise that a number can say
     verdict.residual_rms = std::numeric_limits<double>::infinity();

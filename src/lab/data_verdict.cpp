@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "lab/lines_and_skins.hpp"
 
@@ -43,7 +44,14 @@ std::optional<DataVerdict> data_verdict(const SceneProblem& problem,
                                         std::span<const double> readings,
                                         std::span<const double> tractions, DataMemory* memory) {
   if (problem.is_large()) return std::nullopt;
-  return problem.data_judge().judge(readings, tractions, memory);
+  DataVerdict data = problem.data_judge().judge(readings, tractions, memory);
+  if (problem.constraints() && data.has(DataDoubt::misfit)) {
+    const SceneFrame frame(problem, readings);
+    const std::vector<double> free =
+        frame.problem().family().solve(frame.analysed(), frame.prior().alpha);
+    find_pulls(data, frame.residual(free), frame.analysed().rows);
+  }
+  return data;
 }
 
 remark::DataDoubted data_doubted(const DataVerdict& data, const Scene& scene) {

@@ -35,6 +35,7 @@ constexpr std::array<std::string_view, std::variant_size_v<Finding>> finding_nam
     "whole_pad_pulled",
     "order_mirrored",
     "order_serpentine",
+    "strain_too_large",
     "traction_exceeds_modulus",
     "deformation_tiny",
     "mixed_units",

@@ -139,7 +139,7 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const Finge
   if (result.status != FrameStatus::ok)
     fail_fingertip(tip, "the frame's tractions overflow a double");
   tip.remarks.insert(tip.remarks.end(), result.remarks.begin(), result.remarks.end());
-  if (result.verdict != Verdict::ok) tip.remarks.emplace_back(remark::Doubtful{result.verdict});
+  if (!is_faultless(result.verdict)) tip.remarks.emplace_back(remark::Doubtful{result.verdict});
   if (!scene.problem.has_bands()) {
     tip.remarks.emplace_back(remark::NoBands{});
     const Surface& surface = scene.problem.surface();

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include "inverse/data_limits.hpp"
 #include "lab/large_skin.hpp"
 #include "tactile_net/skin/data_verdict.hpp"
 
@@ -17,17 +19,20 @@ class ContactSearch {
  public:
   ContactSearch(std::shared_ptr<LargeSkinSystem> system, const DataLimits& limits)
       : system_(std::move(system)), unit_(*limits.noise_rms), alpha_(alpha_of(*system_)) {
-    if (problem_of(*system_).components == 3)
-      press_.friction_limit = limits.friction_limit.value_or(usual_friction);
+    if (problem_of(*system_).components != 3) return;
+    friction_ = limits.friction_limit.value_or(usual_friction);
+    press_.friction_limit = widest_friction(limits.friction_limit);
   }
 
-  /// Squares of W (K f - g) over the noise, by reading.
-  [[nodiscard]] std::vector<double> left(std::span<const double> readings, double enough) {
-    const SkinConeSolution found = LargeSkinCone(system_, alpha_, press_)
-                                       .solve(readings, most_search_steps, 1e-5, enough * unit_);
-    const std::vector<double> given = weighted(problem_of(*system_), readings);
-    if (found.status != FrameStatus::ok) return squares(given, {});
-    return squares(given, weighted_product(*system_, found.tractions));
+  /// Whether there is a limit that holds contacts within less friction than is likely.
+  [[nodiscard]] bool is_limited() const { return friction_ != press_.friction_limit; }
+  /// Squares of W (K f - g) over the noise, by reading; of any friction that is likely.
+  [[nodiscard]] std::vector<double> left(std::span<const double> readings, double enough) const {
+    return left(readings, enough, press_);
+  }
+  [[nodiscard]] std::vector<double> left_within_limit(std::span<const double> readings,
+                                                      double enough) const {
+    return left(readings, enough, {.friction_limit = friction_});
   }
   /// The same of tractions that are known.
   [[nodiscard]] std::vector<double> left_by(std::span<const double> readings,
@@ -35,10 +40,18 @@ class ContactSearch {
     return squares(weighted(problem_of(*system_), readings), weighted_product(*system_, tractions));
   }
   [[nodiscard]] std::vector<double> pressing(std::span<const double> tractions) const {
-    return pressing_part(problem_of(*system_), press_.friction_limit, tractions);
+    return pressing_part(problem_of(*system_), friction_, tractions);
   }
 
  private:
+  [[nodiscard]] std::vector<double> left(std::span<const double> readings, double enough,
+                                         const Constraints& press) const {
+    const SkinConeSolution found = LargeSkinCone(system_, alpha_, press)
+                                       .solve(readings, most_search_steps, 1e-5, enough * unit_);
+    const std::vector<double> given = weighted(problem_of(*system_), readings);
+    if (found.status != FrameStatus::ok) return squares(given, {});
+    return squares(given, weighted_product(*system_, found.tractions));
+  }
   static double alpha_of(LargeSkinSystem& system) {
     const SkinProblem& problem = problem_of(system);
     std::vector<double> even(problem.components * problem.grid.count());
@@ -60,7 +73,8 @@ class ContactSearch {
   std::shared_ptr<LargeSkinSystem> system_;
   double unit_;
   double alpha_;
-  Constraints press_{};
+  std::optional<double> friction_{};  // that is stated, or else usual; absent: nothing drags
+  Constraints press_{};               // contacts of any friction that is likely
 };
 
 double norm(const std::vector<double>& squares) {
@@ -98,20 +112,34 @@ DataVerdict LargeSkin::judge(std::span<const double> readings, std::span<const d
     verdict.doubts.push_back(DataDoubt::implausible);
     return verdict;
   }
+  double size = 0.0;  // without tractions
+  for (const double reading : weighted(problem(), readings)) size = std::hypot(size, reading);
+  verdict.noise_alone = size == 0.0;
   if (!verdict.noise_known) return verdict;
 
   const auto rows = static_cast<double>(independent_readings(problem()));
   const double rms = *limits_.noise_rms / std::sqrt(rows);  // of a norm
   const double most = std::sqrt(noise_square_limit(rows, false_alarms));
   verdict.residual_limit = most * rms;
-  ContactSearch search(system_, limits_);
+  size /= *limits_.noise_rms;
+  verdict.noise_alone = size <= most;
+  const ContactSearch search(system_, limits_);
   std::vector<double> left = search.left_by(readings, search.pressing(tractions));
   if (!(norm(left) <= most)) {
-    std::vector<double> best = search.left(readings, most);
+    std::vector<double> best = search.left_within_limit(readings, most);
     if (!(norm(left) <= norm(best))) left = std::move(best);
   }
   verdict.residual_rms = norm(left) * rms;
   if (norm(left) <= most) return verdict;
+
+  if (search.is_limited()) {  // as where nobody states a limit
+    std::vector<double> best = search.left(readings, most);
+    if (norm(best) <= most) {
+      verdict.doubts.push_back(DataDoubt::friction_limit);
+      return verdict;
+    }
+    if (norm(best) <= norm(left)) left = std::move(best);
+  }
 
   std::vector<double> of_taxels(problem().taxels);
   for (std::size_t i = 0; i < left.size(); ++i) of_taxels[problem().sites[i].taxel] += left[i];
@@ -135,8 +163,7 @@ DataVerdict LargeSkin::judge(std::span<const double> readings, std::span<const d
   const auto pulls = [&] {
     if (norm(search.left_by(readings, tractions)) <= most) return true;
     // Contacts c and c' that explain g and -g would press twice and read next to nothing.
-    const double given = norm(search.left_by(readings, std::vector<double>(tractions.size())));
-    if (given > most + 2.0 * norm(left)) return false;
+    if (size > most + 2.0 * norm(left)) return false;
     std::vector<double> turned(readings.begin(), readings.end());
     for (double& reading : turned) reading = -reading;
     return norm(search.left(turned, most)) <= most;

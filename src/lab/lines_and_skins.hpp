@@ -3,12 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/lab/remark.hpp"
 #include "tactile_net/sensing/effects/signal_layout.hpp"
 
@@ -37,6 +39,16 @@ namespace tactile_net::lab {
                               .dimension = dimension_of(kind)});
   }
   return found;
+}
+
+/// Tractions that may not pull cannot show that a contact does: it does where what no contact
+/// explains is explained by tractions without the constraints.
+///
+/// @param left  the norm of the weighted residual of those
+/// @param rows  independent ones
+inline void find_pulls(DataVerdict& data, double left, std::size_t rows) {
+  if (left <= data.residual_limit * std::sqrt(static_cast<double>(rows)))
+    std::replace(data.doubts.begin(), data.doubts.end(), DataDoubt::misfit, DataDoubt::pulls);
 }
 
 /// @param data  not consistent

@@ -293,8 +293,12 @@ ReadingsCheck ReadingsChecker::result_without_loads() const { return parts_->jud
 Findings ReadingsChecker::doubts() const {
   Findings all = result_without_loads().findings;
   std::erase_if(all, [](const Finding& one) {
-    return !std::holds_alternative<finding::SlowChannels>(one) &&
+    return !std::holds_alternative<finding::CodesForMissing>(one) &&
+           !std::holds_alternative<finding::SignsLost>(one) &&
+           !std::holds_alternative<finding::FramesNormalised>(one) &&
+           !std::holds_alternative<finding::SlowChannels>(one) &&
            !std::holds_alternative<finding::EqualReadings>(one) &&
+           !std::holds_alternative<finding::WornTaxels>(one) &&
            !std::holds_alternative<finding::Baseline>(one) &&
            !std::holds_alternative<finding::Drift>(one);
   });

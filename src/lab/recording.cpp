@@ -124,7 +124,7 @@ void Recording::add(std::optional<double> time, const SceneProblem& problem,
   frame.time = time.value_or(std::numeric_limits<double>::quiet_NaN());
   for (const double traction : normal) frame.load += std::abs(traction);
   frame.verdict = frame.distrust = result.verdict;
-  frame.distrusted = result.verdict == Verdict::ok ? 0 : 1;
+  frame.distrusted = is_faultless(result.verdict) ? 0 : 1;
   frame.alpha = result.alpha;
   frame.data = result.data;
   if (result.data && !result.data->consistent()) {
@@ -156,6 +156,10 @@ void Recording::add(std::optional<double> time, const SceneProblem& problem,
   if (groups_.size() == most_ && groups_.back().count >= per_group_) merge_neighbours();
 }
 
+void Recording::times_without_unit() {
+  for (FrameGroup& group : groups_) group.time = std::numeric_limits<double>::quiet_NaN();
+}
+
 void Recording::merge_neighbours() {
   std::vector<FrameGroup> merged;
   std::vector<Source> sources;
@@ -184,6 +188,13 @@ RecordingOverview Recording::overview(Observer& observer) const {
     FrameGroup& group = overview.groups[i];
     const auto& [problem, result] = sources_[i];
     group.bands = uncertainty(SceneFrame(problem, group.readings), group.tractions, result);
+    const Verdict told = overall(group.verdict, group.data, group.bands->resultant.normal);
+    if (told == group.verdict) continue;
+    if (is_faultless(group.verdict) && !is_faultless(told) && group.distrusted++ == 0)
+      group.distrust = told;
+    if (--overview.verdicts[group.verdict] == 0) overview.verdicts.erase(group.verdict);
+    ++overview.verdicts[told];
+    group.verdict = told;
   }
   return overview;
 }

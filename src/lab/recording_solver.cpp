@@ -77,6 +77,7 @@ std::optional<FrameResult> RecordingSolver::solve(std::span<double> readings,
   result->data =
       data_verdict(this->problem(), readings, tractions, incomplete ? nullptr : &memory_);
   if (result->data) doubt(*result->data, repeating_.first());
+  result->verdict = overall(result->verdict, result->data);
   solved_.add(*result, misses);
   if (result->alpha) doubts_.add(this->problem(), readings, tractions, result->alpha->value);
   return result;

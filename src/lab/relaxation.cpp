@@ -31,6 +31,9 @@ void find_operating_point(const SceneCircuit& scene_circuit, Simulator& simulato
 void add_certificate(const SceneCircuit& circuit, Relaxation& result) {
   result.certificate = circuit.certificate();
   if (result.certificate->dynamics) result.stable = result.certificate->dynamics->slowest < 0.0;
+  if (result.certificate->stability != Stability::not_modelled) return;
+  result.stable = false;
+  result.remarks.push_back({RemarkKind::stability_not_known});
 }
 
 void run_transient(const SceneCircuit& circuit, Simulator& simulator, Relaxation& result) {
@@ -105,7 +108,8 @@ std::optional<Disagreement> Relaxation::disagreement() const noexcept {
   const bool not_definite =
       certificate ? certificate->stability == Stability::not_definite : smallest_eigenvalue <= 0.0;
   if (not_definite) return Disagreement{.kind = Kind::not_definite};
-  if (!stable) return Disagreement{.kind = Kind::unstable, .value = certificate->dynamics->slowest};
+  if (!stable && certificate && certificate->dynamics)
+    return Disagreement{.kind = Kind::unstable, .value = certificate->dynamics->slowest};
   if (tolerance && !(tolerance->difference <= 1e-6))
     return Disagreement{.kind = Kind::draws, .value = tolerance->difference};
   return std::nullopt;
@@ -133,9 +137,10 @@ Relaxation relax(const SceneCircuit& circuit, Simulator& simulator, Observer& ob
   const bool loaded = circuit.loaded();
   if (!loaded && (options.settling_accuracy || options.tolerance)) remark(RemarkKind::no_load);
   if (result.difference > 0.01 && loaded) remark(RemarkKind::inaccurate, result.difference);
-  if (result.certificate && result.certificate->stability == Stability::unstable &&
-      options.tolerance)
-    remark(RemarkKind::draws_without_opamps);
+  const bool doubtful =
+      result.certificate && (result.certificate->stability == Stability::unstable ||
+                             result.certificate->stability == Stability::not_modelled);
+  if (doubtful && options.tolerance) remark(RemarkKind::draws_without_opamps);
   if (options.settling_accuracy && loaded && result.certificate->dynamics) {
     observer.step({Step::Kind::transient, result.certificate->dynamics->states});
     run_transient(circuit, simulator, result);

@@ -130,6 +130,7 @@ void judge_errors(MethodResult& result, std::span<const double> f, const FrameRe
   result.data = data_verdict(run.problem, run.frame.readings(), f);
   if (result.data && !result.data->consistent())
     result.remarks.emplace_back(data_doubted(*result.data, run.problem.scene()));
+  result.verdict = overall(result.verdict, result.data, bands.resultant.normal);
   if (work.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
     result.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
 }

@@ -118,7 +118,8 @@ bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> 
 }
 
 constexpr double most_assumed = 0.7;
-constexpr double too_far_apart = 2.001;  // taxels, in depths: no deviation holds what is between
+/// Taxels, in depths: no deviation holds what is between. Under constraints that is `far_apart`.
+constexpr double too_far_apart = 2.001;
 
 /// That force's verdict which says most of it.
 void judge_force(SkinAnswer& answer, const SkinSceneProblem& problem,
@@ -136,13 +137,15 @@ void judge_force(SkinAnswer& answer, const SkinSceneProblem& problem,
                         strongest_at_edge(problem, readings, answer.noise.rms()));
   if (guessed && solved)
     answer.verdict = Verdict::cut_off;
-  else if (answer.verdict == Verdict::ok && answer.assumed > most_assumed)
+  else if (answer.verdict == Verdict::ok && answer.assumed > most_assumed &&
+           !answer.data.noise_alone)
     answer.verdict = Verdict::undetermined;
   else if (answer.verdict == Verdict::ok &&
            answer.wrench.normal.deviation >
                largest_force(problem, without_offsets(problem, readings, answer.tractions)))
     answer.verdict = Verdict::undetermined;
-  else if (answer.verdict == Verdict::ok && pitch_in_depths(problem.scene().sensor) > too_far_apart)
+  else if (answer.verdict == Verdict::ok &&
+           pitch_in_depths(problem.scene().sensor) > (answer.cone ? far_apart : too_far_apart))
     answer.verdict = Verdict::coarse;
 }
 
@@ -195,12 +198,17 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
   if (problem.is_large() && !answer.iteration) answer.iteration = SkinAnswer::Iteration{};
   judge(answer, problem, *method, frame, readings);
   answer.data = data_verdict(problem, readings, answer.tractions);
+  if (answer.cone && answer.data.has(DataDoubt::misfit))
+    find_pulls(answer.data,
+               method->residual(readings, method->solve(frame, readings, answer.alpha.value)),
+               frame.rows);
   if (!answer.data.consistent())
     answer.remarks.emplace_back(with_names(answer.data, problem.scene()));
   add_bands(answer, problem, *method, frame, face, readings);
   if (answer.unseen > most_unseen && !problem.scene().reconstruct.grid.margin)
     take_from_beyond(answer, solve_as_read(problem.reaching_beyond(), readings, {}));
   judge_force(answer, problem, readings);
+  answer.verdict = overall(answer.verdict, answer.data, answer.wrench.normal);
   return answer;
 }
 

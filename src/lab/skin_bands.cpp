@@ -96,7 +96,9 @@ Uncertain without_smoothing(const Uncertain& radius, double variance) {
           std::hypot(radius.deviation, (radius.value - least) / std::sqrt(12.0))};
 }
 
-constexpr double far_apart = 1.75;  // taxels; what presses between them is little seen
+/// Taxels that lie further apart than this, in depths: it is constraints that decide how much
+/// presses between them.
+constexpr double between_taxels = 1.25;
 
 /// What noise adds to a cell that touches nothing, on average [Pa]: under constraints it can only
 /// push there.
@@ -280,10 +282,14 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const double rim = (on_face ? 0.5 : 1.0) * least_depth(problem.scene().sensor);
   // Where nothing may pull an unknown offset presses everywhere, and windows would take it for one
   // contact: there cells alone tell.
-  const FoundContacts found =
-      face && problem.layout().unknown_offsets
-          ? FoundContacts{.cells = contact_cells(grid, f, touching, rim)}
-          : find_contacts(grid, f, touching, windows_of(problem, own, rms), rim);
+  std::optional<WindowBands> windows;
+  if (!face || !problem.layout().unknown_offsets) windows = windows_of(problem, own, rms);
+  const auto contacts_in = [&](std::span<const double> tractions,
+                               std::span<const double> deviations, double beside) {
+    return windows ? find_contacts(grid, tractions, deviations, *windows, beside)
+                   : FoundContacts{.cells = contact_cells(grid, tractions, deviations, beside)};
+  };
+  const FoundContacts found = contacts_in(f, touching, rim);
   answer.cells = found.cells;
   std::vector<std::size_t> summed;
   if (answer.cells.empty()) {
@@ -310,7 +316,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   const Covariance& of_contact = *of_support;
   answer.assumed = assumed_share(problem, of_contact, prior_of_contact, answer.cells);
   // Nor between taxels that lie far apart, where they decide how much presses.
-  const bool held = seen && pitch_in_depths(problem.scene().sensor) <= far_apart;
+  const double pitch = pitch_in_depths(problem.scene().sensor);
+  const bool held = seen && pitch <= far_apart;
   // Friction's limit holds a contact together; where nothing but pulling is forbidden its rim is
   // not certain.
   const bool loose = on_face && held && !problem.constraints()->friction_limit;
@@ -349,11 +356,23 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   // The contact found is smoother than the true one, and so is what it loses the second time.
   double doubt = std::hypot(pushed.doubt, bias * answer.wrench.normal.value,
                             grid.area() * sum_over(f, found.doubted));
-  if (answer.cone && !solved_again) {
+  const bool decided = pitch > between_taxels;
+  if (answer.cone && (decided || !solved_again)) {
     const std::vector<double> free_tractions = method.solve(frame, readings, alpha);
-    const UncertainWrench free_wrench =
-        resultant_of(grid, free_tractions, answer.cells, of_contact, rms);
-    doubt = std::hypot(doubt, moved_by_constraints(answer.wrench.normal, free_wrench.normal));
+    double moved = 0.0;
+    if (decided) {
+      // A contact between taxels is explained with less force by what presses above them, and that
+      // is what constraints leave. Without them other cells touch, and the force is theirs.
+      std::vector<std::size_t> cells =
+          contacts_in(free_tractions, answer.deviations, least_depth(problem.scene().sensor)).cells;
+      if (cells.empty()) cells = answer.cells;
+      moved = std::abs(grid.area() * sum_over(free_tractions, cells) - answer.wrench.normal.value);
+    } else {
+      moved = moved_by_constraints(
+          answer.wrench.normal,
+          resultant_of(grid, free_tractions, answer.cells, of_contact, rms).normal);
+    }
+    doubt = std::hypot(doubt, moved);
   }
   doubt_force(answer, doubt);
   const auto apart = separate_contacts(grid, f, answer.cells);

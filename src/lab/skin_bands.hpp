@@ -19,6 +19,10 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
                const FilterFrame& frame, const std::optional<SkinFamily>& face,
                std::span<const double> readings);
 
+/// Taxels that lie further apart than this, in depths, hardly see what presses between them: what
+/// constraints hold there is not certain, and no deviation holds a force under them.
+inline constexpr double far_apart = 1.75;
+
 /// How far apart a skin's taxels lie, in depths.
 [[nodiscard]] double pitch_in_depths(const SkinArray& skin);
 

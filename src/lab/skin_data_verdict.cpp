@@ -66,9 +66,9 @@ SkinDataJudge data_judge(const SkinSceneProblem& problem) {
         SkinGridOptions{.spacing = std::min(own.spacing_y, own.spacing_z), .margin = 2.0 * depth}})
     if (problem.stated_noise() && grid_of(scene.sensor, finer).count() <= most_cells_sought)
       return SkinDataJudge(
-          problem.problem(), [scene, finer] { return SkinSceneProblem(scene).on(finer); },
+          problem.shared_problem(), [scene, finer] { return SkinSceneProblem(scene).on(finer); },
           data_limits(problem));
-  return SkinDataJudge(problem.problem(), data_limits(problem));
+  return SkinDataJudge(problem.shared_problem(), {}, data_limits(problem));
 }
 
 DataVerdict data_verdict(const SkinSceneProblem& problem, std::span<const double> readings,

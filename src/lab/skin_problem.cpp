@@ -105,7 +105,7 @@ struct SkinSceneProblem::Parts {
   std::size_t most_dense;
   bool is_large;
   std::optional<Constraints> constraints;
-  std::optional<SkinProblem> problem{};
+  std::shared_ptr<const SkinProblem> problem{};
   std::optional<SkinFamily> family{};
   std::unique_ptr<LargeSkin> large{};
   std::optional<AlphaTables> alpha_tables{};
@@ -134,7 +134,9 @@ bool SkinSceneProblem::is_large() const noexcept { return parts_->is_large; }
 
 SkinProblemOptions SkinSceneProblem::options() const { return options_of(parts_->scene); }
 
-const SkinProblem& SkinSceneProblem::problem() const {
+const SkinProblem& SkinSceneProblem::problem() const { return *shared_problem(); }
+
+std::shared_ptr<const SkinProblem> SkinSceneProblem::shared_problem() const {
   if (is_large())
     throw std::invalid_argument(
         "the skin has more than " + std::to_string(most_skin_tractions) +
@@ -142,8 +144,9 @@ const SkinProblem& SkinSceneProblem::problem() const {
         "larger spacing or a smaller margin");
   const std::lock_guard lock(parts_->mutex);
   if (!parts_->problem)
-    parts_->problem = make_problem(parts_->scene.sensor, parts_->scene.material, options());
-  return *parts_->problem;
+    parts_->problem = std::make_shared<const SkinProblem>(
+        make_problem(parts_->scene.sensor, parts_->scene.material, options()));
+  return parts_->problem;
 }
 
 const SkinProblem& SkinSceneProblem::layout() const {
@@ -219,8 +222,9 @@ SkinSceneProblem SkinSceneProblem::weighed(double tangential_weight) const {
     scene.reconstruct.tangential_weight = tangential_weight;
     auto made = std::make_unique<SkinSceneProblem>(std::move(scene), parts_->most_dense);
     if (is_large()) return made;
-    made->parts_->problem = problem();  // kernels take longest, of layers above all
-    made->parts_->problem->tangential_weight = tangential_weight;
+    SkinProblem own = problem();  // kernels take longest, of layers above all
+    own.tangential_weight = tangential_weight;
+    made->parts_->problem = std::make_shared<const SkinProblem>(std::move(own));
     return made;
   });
 }
@@ -314,9 +318,9 @@ SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) 
     rest.parts_->large = std::make_unique<LargeSkin>(large(), dead);
     return rest;
   }
-  // Kernels take longest, of layers above all.
-  rest.parts_->problem = problem();
-  leave_out(*rest.parts_->problem, dead);
+  SkinProblem own = problem();  // kernels take longest, of layers above all
+  leave_out(own, dead);
+  rest.parts_->problem = std::make_shared<const SkinProblem>(std::move(own));
   return rest;
 }
 

@@ -6,6 +6,8 @@
 namespace tactile_net::lab {
 namespace {
 
+constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
+
 void show(SkinRecordingAnswer& recording, const SkinAnswer& found) {
   const auto& frames = recording.frames;
   auto& shown = recording.shown;
@@ -35,10 +37,10 @@ void show(SkinRecordingAnswer& recording, const SkinAnswer& found) {
 
 }  // namespace
 
-void SkinRecordingAnswer::add(std::string time, std::span<const double> frame_readings,
+void SkinRecordingAnswer::add(std::optional<double> time, std::span<const double> frame_readings,
                               const SkinAnswer& found, bool estimated) {
   frames.push_back(
-      {.time = std::move(time),
+      {.time = time.value_or(unknown_value),
        .estimated = estimated,
        .verdict = found.verdict,
        .alpha = found.alpha,
@@ -52,10 +54,14 @@ void SkinRecordingAnswer::add(std::string time, std::span<const double> frame_re
   answer = found;
 }
 
-void SkinRecordingAnswer::skip(std::string time) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  frames.push_back({.time = std::move(time), .missing = true, .verdict = Verdict::failed});
-  frames.back().wrench.normal = {none, none};
+void SkinRecordingAnswer::skip(std::optional<double> time) {
+  frames.push_back(
+      {.time = time.value_or(unknown_value), .missing = true, .verdict = Verdict::failed});
+  frames.back().wrench.normal = {unknown_value, unknown_value};
+}
+
+void SkinRecordingAnswer::times_without_unit() {
+  for (Frame& frame : frames) frame.time = unknown_value;
 }
 
 FrameRuns SkinRecordingAnswer::skipped() const {

@@ -79,7 +79,7 @@ void SpaceFingertipMaker::press(SpaceFingertip& tip, const SpaceHandFinger& fing
     fail_fingertip(tip, error.what());
   }
   tip.remarks.insert(tip.remarks.end(), answer.remarks.begin(), answer.remarks.end());
-  if (answer.verdict != Verdict::ok) tip.remarks.emplace_back(remark::Doubtful{answer.verdict});
+  if (!is_faultless(answer.verdict)) tip.remarks.emplace_back(remark::Doubtful{answer.verdict});
   const UncertainWrench& wrench = answer.wrench;
   if (!wrench.centre_y || !wrench.centre_z)
     fail_fingertip(tip, "the normal force is " + brief(wrench.normal.value) +

@@ -6,7 +6,7 @@ namespace tactile_net::lab {
 
 void SolvedFrames::add(const FrameResult& result, bool incomplete) {
   ++verdicts[result.verdict];
-  if (result.verdict != Verdict::ok) distrusted[result.verdict].add(frames);
+  if (!is_faultless(result.verdict)) distrusted[result.verdict].add(frames);
   if (result.data) {
     for (const DataDoubt doubt : result.data->doubts) doubted[doubt].add(frames);
     if (result.data->taxel) ++bad_taxels[*result.data->taxel];

@@ -1,5 +1,7 @@
 #include "tactile_net/lab/verdict.hpp"
 
+#include <cmath>
+
 #include "numeric/named.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/lab/condition.hpp"
@@ -29,7 +31,8 @@ constexpr Named<Verdict> verdicts[] = {{Verdict::ok, "ok"},
                                        {Verdict::inaccurate, "inaccurate"},
                                        {Verdict::clipped, "clipped"},
                                        {Verdict::undetermined, "undetermined"},
-                                       {Verdict::coarse, "coarse"}};
+                                       {Verdict::coarse, "coarse"},
+                                       {Verdict::doubted, "doubted"}};
 constexpr Named<Condition::Kind> condition_kinds[] = {{Condition::Kind::exact, "exact"},
                                                       {Condition::Kind::bound, "bound"},
                                                       {Condition::Kind::noise_gain, "noise_gain"}};
@@ -39,6 +42,22 @@ constexpr Named<Condition::Matrix> condition_matrices[] = {
     {Condition::Matrix::circular, "circular"},
     {Condition::Matrix::kernel, "kernel"},
     {Condition::Matrix::normal, "normal"}};
+
+/// Of alpha's choice, or of where a contact ends: nothing of it holds where nothing presses.
+bool is_of_a_contact(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::border:
+    case Verdict::unstable:
+    case Verdict::no_root:
+    case Verdict::rules_disagree:
+    case Verdict::noise_needed:
+    case Verdict::oversmoothed:
+    case Verdict::cut_off:
+      return true;
+    default:
+      return false;
+  }
+}
 
 }  // namespace
 
@@ -94,6 +113,19 @@ Verdict verdict_of(const FrictionSolution& solution) noexcept {
       return Verdict::no_contact;
   }
   return Verdict::failed;
+}
+
+Verdict overall(Verdict answer, const std::optional<DataVerdict>& data,
+                const std::optional<Uncertain>& force) noexcept {
+  constexpr double deviations = 3.0;  // that noise alone hardly ever makes a force of
+  if (!data) return answer;
+  const bool pressed = force && std::abs(force->value) > deviations * force->deviation;
+  if (data->noise_alone && data->consistent() && !pressed && is_of_a_contact(answer))
+    return Verdict::no_contact;
+  if (answer != Verdict::ok) return answer;
+  if (!data->consistent()) return Verdict::doubted;
+  const bool told = !force || std::abs(force->value) > force->deviation;
+  return told || data->noise_alone || !data->noise_known ? Verdict::ok : Verdict::undetermined;
 }
 
 std::string_view source(const ChosenAlpha& alpha) noexcept {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "network/node_names.hpp"
 #include "network/rest_equations.hpp"
 #include "tactile_net/network/arrays.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
@@ -78,6 +79,14 @@ class Layout {
       throw std::invalid_argument("a board is of resistors and op-amps alone");
     if (soldered.parts.size() != circuit_.resistors.size())
       throw std::invalid_argument("a board needs a value and a tolerance of every resistor");
+    check_node_names(circuit_);
+    for (Node node = 1; node < circuit_.nodes.size(); ++node)
+      if (const std::string name = in_lower_case(circuit_.nodes[node]);
+          name == "vcc" || name == "vee")
+        throw std::invalid_argument("node " + std::to_string(node) + " is named '" +
+                                    circuit_.nodes[node] +
+                                    "': a board's supply has the nets VCC and VEE; give the node "
+                                    "another name");
     board_.nets = {"", "GND"};
     board_.nets.insert(board_.nets.end(), circuit_.nodes.begin() + 1, circuit_.nodes.end());
     positive_ = board_.nets.size();

@@ -43,35 +43,36 @@ class Check {
     check_node_names(circuit);
     for (const Node node : circuit.outputs)
       if (!exists(node)) throw std::invalid_argument("an output is not a node of the circuit");
+    for (const AmplifierModel& model : circuit.amplifiers) sub_circuit(model.name);
     for (const Resistor& r : circuit.resistors) {
-      two_terminals(r);
+      two_terminals(r, 'R');
       element(r.name,
               std::isfinite(r.siemens) && r.siemens != 0.0 && std::isfinite(1.0 / r.siemens),
               "its conductance must be finite, not 0, and have a finite resistance; choose "
               "another scale");
     }
     for (const Capacitor& c : circuit.capacitors) {
-      two_terminals(c);
+      two_terminals(c, 'C');
       element(c.name, c.farad > 0.0 && std::isfinite(c.farad), "it must be > 0 and finite");
     }
     for (const Inductor& l : circuit.inductors) {
-      two_terminals(l);
+      two_terminals(l, 'L');
       element(l.name, l.henry > 0.0 && std::isfinite(l.henry), "it must be > 0 and finite");
     }
     for (const NShapedDevice& b : circuit.devices) {
-      two_terminals(b);
+      two_terminals(b, 'B');
       element(
           b.name,
           b.siemens > 0.0 && std::isfinite(b.siemens) && b.volts > 0.0 && std::isfinite(b.volts),
           "its slope and its voltage must be > 0 and finite");
     }
     for (const CurrentSource& i : circuit.sources) {
-      unique(i.name);
+      unique(i.name, 'I');
       element(i.name, exists(i.into) && std::isfinite(i.ampere),
               "its node must exist and its current be finite");
     }
     for (const Instance& x : circuit.instances) {
-      unique(x.name);
+      unique(x.name, 'X');
       (void)subcircuit_of(circuit, x);
       element(x.name,
               std::all_of(x.pins.begin(), x.pins.end(), [&](Node node) { return exists(node); }),
@@ -86,20 +87,39 @@ class Check {
   static void element(const std::string& name, bool valid, const char* rule) {
     if (!valid) throw std::invalid_argument("element " + name + ": " + rule);
   }
-  void unique(const std::string& name) {
+  /// @param letter  by which simulators know what the element is
+  void unique(const std::string& name, char letter) {
     if (!is_word(name))
       throw std::invalid_argument(
           "element " + quoted_name(name) +
           ": an element's name must be one word of ASCII letters, digits, _ and .");
+    if (std::toupper(static_cast<unsigned char>(name.front())) != letter)
+      throw std::invalid_argument("element " + name + ": its name must begin with " + letter +
+                                  ", by which simulators know what it is; rename it");
     element(name, names_.insert(in_lower_case(name)).second, "the name stands twice");
   }
-  void two_terminals(const auto& part) {
-    unique(part.name);
+  /// Of an amplifier's model; simulators take one of two that have the same name for both.
+  void sub_circuit(const std::string& name) {
+    if (!is_word(name))
+      throw std::invalid_argument(
+          "amplifier model " + quoted_name(name) +
+          ": a model's name must be one word of ASCII letters, digits, _ and .");
+    const auto is_it = [&](const Subcircuit& one) { return one.name == in_lower_case(name); };
+    const auto library = subcircuits();
+    if (!sub_circuits_.insert(in_lower_case(name)).second ||
+        std::any_of(library.begin(), library.end(), is_it))
+      throw std::invalid_argument("amplifier model " + name +
+                                  ": another sub-circuit has that name, whatever its case; give "
+                                  "each model a name of its own");
+  }
+  void two_terminals(const auto& part, char letter) {
+    unique(part.name, letter);
     element(part.name, exists(part.from) && exists(part.to), "a node does not exist");
   }
 
   const Circuit& circuit_;
   std::unordered_set<std::string> names_;
+  std::unordered_set<std::string> sub_circuits_;
 };
 
 void check(const Analysis& analysis) {
@@ -273,11 +293,14 @@ std::string card_of(const Circuit& circuit, const Analysis& analysis, Dialect di
 /// exit with 1 for want of a .print card. With numdgt=16 negative numbers get one digit too few to
 /// read back as the same double.
 std::string commands_for(const Circuit& circuit, const Analysis& analysis) {
-  std::string text = ".control\nset numdgt=17\nrun\n";
+  constexpr std::size_t most_in_a_line = 100;  // ngspice takes a thousand words
+  std::string text = ".control\nset numdgt=17\nrun";
   const bool ac = std::holds_alternative<SingleFrequency>(analysis);
-  for (const Node node : circuit.outputs)
-    text += (ac ? "print real(v(" : "print v(") + circuit.nodes[node] + (ac ? "))\n" : ")\n");
-  return text + "quit 0\n.endc\n";
+  for (std::size_t i = 0; i < circuit.outputs.size(); ++i) {
+    if (i % most_in_a_line == 0) text += "\nprint";
+    text += (ac ? " real(v(" : " v(") + circuit.nodes[circuit.outputs[i]] + (ac ? "))" : ")");
+  }
+  return text + "\nquit 0\n.endc\n";
 }
 
 constexpr double inductors_ohm = 1e-3;
@@ -332,8 +355,9 @@ void write_deck(std::ostream& out, const Circuit& circuit, const DeckHeader& hea
   check(circuit, header, analysis, form);
   const bool floats =
       form.dialect != Dialect::ngspice && std::holds_alternative<SingleFrequency>(analysis);
-  const std::string deck =
-      deck_of(floats ? with_operating_point(circuit) : circuit, header, answer, analysis, form);
+  const Circuit written = floats ? with_operating_point(circuit) : circuit;
+  if (floats) check(written, header, analysis, form);  // what was added has names, too
+  const std::string deck = deck_of(written, header, answer, analysis, form);
   check_dialect(deck, form.dialect);
   out << deck;
 }
@@ -364,6 +388,7 @@ void write_subcircuit(std::ostream& out, const Circuit& circuit, const DeckHeade
   text += '\n';
   // ngspice knows sub-circuits with parameters inside others "only marginally": converters opened.
   const Circuit flat = FlatCircuit(circuit).circuit();
+  check(flat, header, DirectCurrent{}, form);
   append_subcircuits(text, flat, form.dialect);
   append_parts(text, flat, form);
   text += ".ends " + name + '\n';
@@ -373,6 +398,7 @@ void write_subcircuit(std::ostream& out, const Circuit& circuit, const DeckHeade
 
 void write_symbol(std::ostream& out, const Circuit& circuit, const std::string& name,
                   const std::string& file) {
+  check_node_names(circuit);
   check_name(name, circuit);
   check_line(file);
   const std::vector<Node> pins = ports(circuit);

@@ -96,7 +96,9 @@ LagBound lag_bound(const NetworkCircuit& circuit) {
     return bound_of_nodes(circuit);
   const double ratio = options.main_bandwidth(circuit.realization());
   const double main = ratio * angular_frequency(*o.bandwidth);
-  const double fastest = std::max(1.0, ratio) * angular_frequency(*o.bandwidth);
+  // Of finite gain A a row's lag counts (1 + 1/A) times as much.
+  const double fastest =
+      (1.0 + 1.0 / o.dc_gain()) * std::max(1.0, ratio) * angular_frequency(*o.bandwidth);
   const Loop loop = loop_of(circuit);
   const double of_capacitance = o.input_capacitance.value_or(0.0) / loop.least_total;
   const double of_second_pole = o.second_pole ? 1.0 / angular_frequency(*o.second_pole) : 0.0;

@@ -15,8 +15,8 @@ std::string in_lower_case(std::string name) {
 
 bool is_word(const std::string& name) noexcept {
   const auto stands = [](char one) {
-    constexpr std::string_view ends_words = "(),;={}'\"";
-    return one > ' ' && one <= '~' && ends_words.find(one) == std::string_view::npos;
+    return (one >= 'a' && one <= 'z') || (one >= 'A' && one <= 'Z') || (one >= '0' && one <= '9') ||
+           one == '_' || one == '.';
   };
   return !name.empty() && std::all_of(name.begin(), name.end(), stands);
 }
@@ -36,6 +36,8 @@ std::string quoted_name(const std::string& name) {
 
 void check_node_names(const Circuit& circuit) {
   std::unordered_set<std::string> names = {"0", "gnd"};  // ground's
+  std::unordered_set<std::string> instances;
+  for (const Instance& x : circuit.instances) instances.insert(in_lower_case(x.name));
   for (std::size_t node = 1; node < circuit.nodes.size(); ++node) {
     const std::string& name = circuit.nodes[node];
     if (!is_word(name))
@@ -48,6 +50,14 @@ void check_node_names(const Circuit& circuit) {
                                   quoted_name(name) +
                                   ": another node of the circuit has that name, whatever its "
                                   "case; give each node a name of its own");
+    const std::string lower = in_lower_case(name);
+    for (std::size_t dot = lower.find('.'); dot != std::string::npos;
+         dot = lower.find('.', dot + 1))
+      if (instances.contains(lower.substr(0, dot)))
+        throw std::invalid_argument("node " + std::to_string(node) + " is named " +
+                                    quoted_name(name) +
+                                    ": simulators name nodes inside of the element " +
+                                    name.substr(0, dot) + " like that; give it another name");
   }
 }
 

@@ -11,11 +11,13 @@ constexpr double usual_swing = 2.0;  // [V], what most amplifiers with two outpu
 constexpr double least_load = 1e3;   // [ohm], what the outputs of most op-amps still drive
 constexpr double most_delay = 0.2;   // by slewing, over the settling time without it
 
-/// Whether the circuit is known to be stable at other siemens. Without capacitance they change no
-/// pole.
+/// Whether the circuit is known to be stable at other siemens. Without capacitance, and with
+/// outputs of no resistance, they change no pole.
 bool is_stable_at(double siemens, const NetworkCircuit& circuit) {
   RealizationOptions options = circuit.options();
-  if (!options.opamp.input_capacitance && !options.node_capacitance) return true;
+  if (!options.opamp.input_capacitance && !options.node_capacitance &&
+      !options.opamp.output_resistance)
+    return true;
   options.scale.siemens = siemens;
   const NetworkCircuit other(circuit.realization(), circuit.shared_problem(), options);
   return stability_of(other).stability == Stability::stable;

@@ -26,9 +26,8 @@ enum class FieldKind {
   if (end != field.data() + field.size()) return FieldKind::text;
   if (error == std::errc::result_out_of_range) return FieldKind::too_big;
   if (error != std::errc{}) return FieldKind::text;
-  if (!std::isfinite(read)) return FieldKind::missing;
   value = read;
-  return FieldKind::number;
+  return std::isfinite(read) ? FieldKind::number : FieldKind::missing;
 }
 
 /// `read_field` for what is no number with a point. @param kind  what it is then
@@ -37,7 +36,7 @@ enum class FieldKind {
 
 /// @param field          without surrounding blanks and quotes
 /// @param decimal_comma  "1,5" is a number
-/// @param value          set for a number only
+/// @param value          set for a number, an infinity and NaN
 [[nodiscard]] inline FieldKind read_field(std::string_view field, bool decimal_comma,
                                           double& value) {
   const FieldKind kind = read_with_point(field, value);

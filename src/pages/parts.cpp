@@ -39,7 +39,7 @@ Judgement judgement(const std::string& word) {
   const auto verdict = lab::verdict_named(word);
   if (!verdict) return {word, "", "", ""};
   const std::string_view meaning = report::in_words(*verdict);
-  if (*verdict == lab::Verdict::ok) return {word, "good", "✓", meaning};
+  if (lab::is_faultless(*verdict)) return {word, "good", "✓", meaning};
   if (*verdict == lab::Verdict::failed) return {word, "failed", "✗", meaning};
   return {word, "doubtful", "!", meaning};
 }

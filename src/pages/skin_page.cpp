@@ -1,6 +1,7 @@
 #include "tactile_net/pages/skin_page.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/words/data_words.hpp"
+#include "tactile_net/report/words/recording_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -41,8 +43,7 @@ std::string course_picture(const lab::SkinRecordingAnswer& recording, const std:
   if (range.empty()) return {};
   const auto& units = recording.scene.units;
   const auto name = [&](std::size_t i) {
-    const std::string& time = recording.frames[i].time;
-    return time.empty() ? "frame " + std::to_string(i) : "t = " + time;
+    return report::clock_in_words(recording.frames[i].time, i);
   };
   return element("p", title, "map-title") +
          stretched_picture(
@@ -93,7 +94,8 @@ std::string frames_figure(const lab::SkinRecordingAnswer& recording) {
     const auto& one = recording.shown[i];
     const lab::SkinRecordingAnswer::Frame& frame = recording.frames[one.frame];
     const std::string title =
-        "Frame " + std::to_string(one.frame) + (frame.time.empty() ? "" : ", t = " + frame.time) +
+        "Frame " + std::to_string(one.frame) +
+        (std::isnan(frame.time) ? "" : ", t = " + report::clock_in_words(frame.time, one.frame)) +
         ": " +
         report::in_unit(units, Dimension::point_force, frame.wrench.normal.value,
                         frame.wrench.normal.deviation) +

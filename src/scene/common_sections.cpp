@@ -101,10 +101,10 @@ std::vector<double> read_depths(const std::optional<Value>& one,
   if (one && several) {
     several->problem("and sensor.depth exclude each other", "keep one of the two");
   } else if (one) {
-    if (const auto depth = one->number(positive, length)) result = {*depth};
+    if (const auto depth = one->number(below_surface, length)) result = {*depth};
   } else if (several) {
     const auto items = several->list("numbers");
-    const auto depths = several->numbers(positive, length);
+    const auto depths = several->numbers(below_surface, length);
     if (!items || !depths) return {};
     if (depths->size() > most_depths) {
       several->problem("must hold at most 64 depths (got " + std::to_string(depths->size()) + ')');

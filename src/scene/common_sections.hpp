@@ -28,6 +28,11 @@ namespace tactile_net {
 inline constexpr std::string_view equal_taxels =
     "taxels that are equally far apart, equally deep and alike";
 
+inline constexpr Rule below_surface{"must be > 0", [](double x) noexcept { return x > 0.0; },
+                                    "sensors lie below the surface: of beads or markers at the "
+                                    "surface write how deep their middles "
+                                    "lie, at least half their diameter"};
+
 inline constexpr std::int64_t most_taxels = 4096;  ///< dense matrices take 128 MiB each then
 
 /// What later sections need to know of earlier ones beyond the scene itself.

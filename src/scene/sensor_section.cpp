@@ -85,8 +85,9 @@ std::vector<Taxel> read_positions(const Value& positions, const Common& common,
                       "from the lowest y: positions = [-3.0, -1.0, 0.0, 2.5]");
     return {};
   }
-  const auto depths =
-      common.depth ? one_or_each(*common.depth, places->size(), positive, length) : std::nullopt;
+  const auto depths = common.depth
+                          ? one_or_each(*common.depth, places->size(), below_surface, length)
+                          : std::nullopt;
   const auto widths = common.width
                           ? one_or_each(*common.width, places->size(), not_negative, length)
                           : std::vector<double>(places->size(), 0.0);
@@ -121,7 +122,7 @@ std::vector<Taxel> read_file(const Value& value, const std::filesystem::path& fo
   if (!path) return {};
   Taxel missing{.reads = common.reads};
   if (common.width) missing.width = common.width->number(not_negative, length).value_or(0.0);
-  if (common.depth) missing.depth = common.depth->number(positive, length).value_or(0.0);
+  if (common.depth) missing.depth = common.depth->number(below_surface, length).value_or(0.0);
   try {
     return read_taxel_file(*path, missing, length, static_cast<std::size_t>(most_taxels));
   } catch (const std::runtime_error& error) {

@@ -85,7 +85,7 @@ std::optional<double> Value::number(const Rule& rule, const Unit& unit) const {
     return std::nullopt;
   }
   if (!rule.holds(*number)) {
-    misfit(rule.text);
+    misfit(rule.text, std::string(rule.what_to_do));
     return std::nullopt;
   }
   number = unit.to_si(*number);

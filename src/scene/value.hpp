@@ -26,6 +26,7 @@ inline constexpr std::size_t most_misfits = 5;
 struct Rule {
   std::string_view text;
   bool (*holds)(double number) noexcept;
+  std::string_view what_to_do{};
 };
 
 // Of numbers that are measured in these whatever [units] states.

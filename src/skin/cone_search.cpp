@@ -62,6 +62,7 @@ ConeSearch::ConeSearch(const SkinProblem& problem, double alpha, const Constrain
   check_alpha(alpha);
   system_ = std::make_shared<const ConeSystem>(
       std::make_shared<const ConeProblem>(problem, constraints), alpha);
+  constraints_ = system_->problem().constraints;
 }
 
 ConeSearch ConeSearch::with_alpha(double alpha) const {
@@ -69,6 +70,12 @@ ConeSearch ConeSearch::with_alpha(double alpha) const {
   ConeSearch other = *this;
   other.system_ = std::make_shared<const ConeSystem>(system_->shared_problem(), alpha);
   other.left_out_.reset();
+  return other;
+}
+
+ConeSearch ConeSearch::with_friction(double limit) const {
+  ConeSearch other = *this;
+  other.constraints_ = system_->problem().scales.applied(Constraints{.friction_limit = limit});
   return other;
 }
 
@@ -92,6 +99,7 @@ SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t
 
   const Eigen::VectorXd b = s.kernel.transpose() * g;
   const double size = b.norm();
+  const CellCones cones(s.cells, constraints_);
   Eigen::VectorXd z = Eigen::VectorXd::Zero(b.size());  // obeys the constraints
   Eigen::VectorXd u = z;                                // multipliers over rho
   SkinConeSolution solution;
@@ -113,7 +121,7 @@ SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t
   std::size_t next_look = first_look;
   const auto residual = [&] {
     Eigen::VectorXd moved = z - (image(z) - b) / system.largest();
-    s.cones.project(moved);
+    cones.project(moved);
     return (z - moved).norm() * system.largest() / size;
   };
   if (size > 0.0) {
@@ -123,7 +131,7 @@ SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t
       const Eigen::VectorXd f = solved(b + system.rho() * (z - u));
       const Eigen::VectorXd relaxed = relaxation * f + (1.0 - relaxation) * z;
       z = relaxed + u;
-      s.cones.project(z);
+      cones.project(z);
       u += relaxed - z;
       if (solution.iterations % steps_between_checks != 0) continue;
       solution.residual = residual();
@@ -138,9 +146,9 @@ SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t
     }
     solution.residual = residual();
     Eigen::VectorXd before = z + u;  // whose projection z is
-    std::optional<double> limit = s.constraints.friction_limit;
+    std::optional<double> limit = constraints_.friction_limit;
     if (limit) *limit /= s.scales.drag;
-    s.cones.project(before, [&](Index i, ConePart part) {
+    cones.project(before, [&](Index i, ConePart part) {
       solution.apart += part == ConePart::apart ? 1 : 0;
       solution.sliding += part == ConePart::sliding ? 1 : 0;
       solution.sticking += part == ConePart::sticking ? 1 : 0;

@@ -29,6 +29,10 @@ class ConeSearch {
   /// has been factored for each of their readings.
   [[nodiscard]] ConeSearch without(std::span<const std::size_t> taxels) const;
 
+  /// The same under another limit of friction: what has been factored is shared.
+  /// @pre  > 0 and finite, and there are tangential tractions
+  [[nodiscard]] ConeSearch with_friction(double limit) const;
+
   /// Asked after 100 steps, 200, 400, 800 ... whether these tractions [Pa], the last found, say
   /// that more steps are in vain.
   using Hopeless = std::function<bool(std::span<const double> tractions)>;
@@ -43,6 +47,7 @@ class ConeSearch {
   struct LeftOut;
   std::shared_ptr<const ConeSystem> system_{};
   std::shared_ptr<const LeftOut> left_out_{};  // absent: nothing is
+  Constraints constraints_{};                  // of tractions as the system scales them
 };
 
 }  // namespace tactile_net

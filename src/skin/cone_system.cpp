@@ -51,13 +51,12 @@ ConeScales::ConeScales(const SkinProblem& problem)
   if (!(kernel > 0.0)) kernel = 1.0;
 }
 
-SkinProblem ConeScales::applied(SkinProblem problem) const {
-  const std::size_t cells = problem.grid.count();
-  for (std::size_t row = 0; row < problem.kernel.rows; ++row)
-    for (std::size_t i = 0; i < problem.kernel.columns; ++i)
-      problem.kernel(row, i) /= i < cells ? kernel : kernel * drag;
-  problem.tangential_weight = 1.0;
-  return problem;
+RowMajor ConeScales::kernel_of(const SkinProblem& problem) const {
+  const auto cells = static_cast<Index>(problem.grid.count());
+  RowMajor scaled = as_eigen(problem.kernel);
+  scaled.leftCols(cells) /= kernel;
+  scaled.rightCols(scaled.cols() - cells) /= kernel * drag;
+  return scaled;
 }
 
 Constraints ConeScales::applied(Constraints constraints) const {
@@ -66,24 +65,18 @@ Constraints ConeScales::applied(Constraints constraints) const {
 }
 
 ConeProblem::ConeProblem(const SkinProblem& problem, const Constraints& limits)
-    : ConeProblem(ConeScales(checked(problem, limits)).applied(problem),
-                  ConeScales(problem).applied(limits), ConeScales(problem)) {}
-
-ConeProblem::ConeProblem(const SkinProblem& scaled, const Constraints& limits,
-                         const ConeScales& made)
-    : scales(made),
-      rows{scaled.weights, scaled.sites, scaled.unknown_offsets},
-      weighting(scaled),
-      cells(static_cast<Index>(scaled.grid.count())),
-      components(scaled.components),
-      area(scaled.area),
-      constraints(limits),
-      cones(cells, limits),
-      kernel(as_eigen(scaled.kernel)),
-      waves(scaled, Eigen::VectorXd::Ones(kernel.cols())),
-      spectrum(stabiliser_spectrum(scaled)) {
+    : scales(checked(problem, limits)),
+      rows{problem.weights, problem.sites, problem.unknown_offsets},
+      weighting(problem),
+      cells(static_cast<Index>(problem.grid.count())),
+      components(problem.components),
+      area(problem.area),
+      constraints(scales.applied(limits)),
+      kernel(scales.kernel_of(problem)),
+      waves(problem, Eigen::VectorXd::Ones(kernel.cols())),
+      spectrum(stabiliser_spectrum(problem, 1.0)) {
   const Eigen::MatrixXd all = waves.sums(kernel.transpose());  // C' K'
-  for (SkinClass& part : mirror_classes(scaled)) {
+  for (SkinClass& part : mirror_classes(problem)) {
     const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
     const Eigen::MatrixXd transposed = selected * part.readings.transpose();
     if (transposed.size() == 0) continue;

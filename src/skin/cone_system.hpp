@@ -22,7 +22,8 @@ namespace tactile_net {
 struct ConeScales {
   explicit ConeScales(const SkinProblem& problem);
 
-  [[nodiscard]] SkinProblem applied(SkinProblem problem) const;
+  /// The problem's kernel: the only copy of it.
+  [[nodiscard]] RowMajor kernel_of(const SkinProblem& problem) const;
   [[nodiscard]] Constraints applied(Constraints constraints) const;
   [[nodiscard]] double applied(double alpha) const { return alpha / kernel / kernel; }
 
@@ -52,14 +53,10 @@ struct ConeProblem {
   std::size_t components;
   double area;
   Constraints constraints;
-  CellCones cones;
   RowMajor kernel;
   CosineCoordinates waves;   // orthonormal
   Eigen::VectorXd spectrum;  // of L'L
   std::vector<Block> blocks{};
-
- private:
-  ConeProblem(const SkinProblem& scaled, const Constraints& limits, const ConeScales& made);
 };
 
 /// P + rho of one alpha. Its condition is at most 1 + sqrt(lambda_max / alpha) / 2, that of the

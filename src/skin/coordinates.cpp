@@ -17,20 +17,19 @@ namespace tactile_net {
 namespace {
 
 using Eigen::Index;
-using Cells = Eigen::Map<const RowMajor>;
 
-/// left X right', component by component, of every column.
-Eigen::MatrixXd along_both(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& left,
+/// left X right', component by component, of every column, in its place: columns may be as many
+/// numbers as memory holds once.
+/// @pre  left and right are square
+Eigen::MatrixXd along_both(Eigen::MatrixXd columns, const Eigen::MatrixXd& left,
                            const Eigen::MatrixXd& right) {
   const Index cells = left.cols() * right.cols();
-  Eigen::MatrixXd result(columns.rows(), columns.cols());
   for (Index j = 0; j < columns.cols(); ++j)
     for (Index start = 0; start < columns.rows(); start += cells) {
-      const Cells x(columns.col(j).data() + start, left.cols(), right.cols());
-      Eigen::Map<RowMajor>(result.col(j).data() + start, left.rows(), right.rows()) =
-          left * x * right.transpose();
+      Eigen::Map<RowMajor> x(columns.col(j).data() + start, left.rows(), right.rows());
+      x = left * x * right.transpose();
     }
-  return result;
+  return columns;
 }
 
 /// As `edges`, which of a large skin's face would be too many numbers.
@@ -53,13 +52,17 @@ Eigen::SparseMatrix<double> sparse_edges(const SkinProblem& problem, const ConeF
 }  // namespace
 
 Eigen::VectorXd stabiliser_spectrum(const SkinProblem& problem) {
+  return stabiliser_spectrum(problem, problem.tangential_weight);
+}
+
+Eigen::VectorXd stabiliser_spectrum(const SkinProblem& problem, double tangential_weight) {
   const SkinGrid& grid = problem.grid;
   const double y = problem.smoothing_length / grid.spacing_y;
   const double z = problem.smoothing_length / grid.spacing_z;
   Eigen::VectorXd spectrum(static_cast<Index>(problem.components * grid.count()));
   Index at = 0;
   for (std::size_t u = 0; u < problem.components; ++u) {
-    const double weight = u == 0 ? 1.0 : problem.tangential_weight;
+    const double weight = u == 0 ? 1.0 : tangential_weight;
     for (std::size_t m = 0; m < grid.rows; ++m)
       for (std::size_t n = 0; n < grid.columns; ++n)
         spectrum(at++) =
@@ -78,9 +81,11 @@ Eigen::MatrixXd CosineCoordinates::tractions(const Eigen::MatrixXd& coordinates)
   return along_both(stretch_.cwiseInverse().asDiagonal() * coordinates, y_, z_);
 }
 
-Eigen::MatrixXd CosineCoordinates::sums(const Eigen::MatrixXd& tractions) const {
-  return stretch_.cwiseInverse().asDiagonal() *
-         along_both(tractions, y_.transpose(), z_.transpose());
+Eigen::MatrixXd CosineCoordinates::sums(Eigen::MatrixXd tractions) const {
+  Eigen::MatrixXd all = along_both(std::move(tractions), y_.transpose(), z_.transpose());
+  const Eigen::ArrayXd shrunk = stretch_.cwiseInverse();
+  all.array().colwise() *= shrunk;
+  return all;
 }
 
 Eigen::MatrixXd CosineCoordinates::coordinates(const Eigen::MatrixXd& tractions) const {
@@ -126,7 +131,7 @@ Eigen::MatrixXd FaceCoordinates::tractions(const Eigen::MatrixXd& coordinates) c
   return edges_ * (root_ ? root_->solve(coordinates) : solve_upper(triangle_, coordinates));
 }
 
-Eigen::MatrixXd FaceCoordinates::sums(const Eigen::MatrixXd& tractions) const {
+Eigen::MatrixXd FaceCoordinates::sums(Eigen::MatrixXd tractions) const {
   const Eigen::MatrixXd along = edges_.transpose() * tractions;
   if (root_) return root_->solve_transposed(along);
   return divide_upper(along.transpose(), triangle_).transpose();

@@ -25,8 +25,8 @@ class SkinCoordinates {
   [[nodiscard]] virtual Eigen::Index traction_count() const noexcept = 0;
   /// T c, column by column.
   [[nodiscard]] virtual Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const = 0;
-  /// T' f, column by column.
-  [[nodiscard]] virtual Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const = 0;
+  /// T' f, column by column. A matrix that is handed over is not copied.
+  [[nodiscard]] virtual Eigen::MatrixXd sums(Eigen::MatrixXd tractions) const = 0;
   /// The diagonal of T T'.
   [[nodiscard]] virtual Eigen::VectorXd squares() const = 0;
   /// The same of normal tractions summed over a window around each cell.
@@ -46,7 +46,7 @@ class CosineCoordinates final : public SkinCoordinates {
   [[nodiscard]] Eigen::Index count() const noexcept override { return stretch_.size(); }
   [[nodiscard]] Eigen::Index traction_count() const noexcept override { return stretch_.size(); }
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
-  [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
+  [[nodiscard]] Eigen::MatrixXd sums(Eigen::MatrixXd tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
   [[nodiscard]] Eigen::VectorXd squares(const SkinGrid& grid,
                                         const CellWindow& window) const override;
@@ -66,6 +66,9 @@ class CosineCoordinates final : public SkinCoordinates {
 
 /// The eigenvalues of L'L, one per wave.
 [[nodiscard]] Eigen::VectorXd stabiliser_spectrum(const SkinProblem& problem);
+/// The same with another tangential weight.
+[[nodiscard]] Eigen::VectorXd stabiliser_spectrum(const SkinProblem& problem,
+                                                  double tangential_weight);
 
 /// Of what a face of the cones leaves free, T = E R^-1 with E its directions and R'R = E' L'L E.
 /// Each direction lies in one cell and L'L joins neighbours, so that R is sparse. It comes from
@@ -82,7 +85,7 @@ class FaceCoordinates final : public SkinCoordinates {
   [[nodiscard]] Eigen::Index count() const noexcept override { return edges_.cols(); }
   [[nodiscard]] Eigen::Index traction_count() const noexcept override { return edges_.rows(); }
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
-  [[nodiscard]] Eigen::MatrixXd sums(const Eigen::MatrixXd& tractions) const override;
+  [[nodiscard]] Eigen::MatrixXd sums(Eigen::MatrixXd tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
   [[nodiscard]] Eigen::VectorXd squares(const SkinGrid& grid,
                                         const CellWindow& window) const override;

@@ -52,10 +52,10 @@ bool is_hopeless(double left, double all, double enough) {
 /// A problem's cones, each factored when it is first asked for, by any thread.
 class Cones {
  public:
-  Cones(SkinProblem problem, const Constraints& press)
+  Cones(std::shared_ptr<const SkinProblem> problem, const Constraints& press)
       : problem_(std::move(problem)), press_(press) {}
 
-  [[nodiscard]] const SkinProblem& problem() const noexcept { return problem_; }
+  [[nodiscard]] const SkinProblem& problem() const noexcept { return *problem_; }
   /// Whether a reading depends on any contact.
   [[nodiscard]] bool are_read() {
     const std::lock_guard lock(mutex_);
@@ -69,16 +69,16 @@ class Cones {
     const double alpha = smoothings[smoothing] * square();
     for (const auto& other : cones_)
       if (other) return cone.emplace(other->with_alpha(alpha));
-    return cone.emplace(problem_, alpha, press_);
+    return cone.emplace(*problem_, alpha, press_);
   }
 
  private:
   double square() {
-    if (!square_) square_ = largest_square(problem_);
+    if (!square_) square_ = largest_square(*problem_);
     return *square_;
   }
 
-  SkinProblem problem_;
+  std::shared_ptr<const SkinProblem> problem_;
   Constraints press_;
   std::optional<double> square_{};  // smoothings are shares of it
   std::array<std::optional<ConeSearch>, smoothings.size()> cones_{};
@@ -125,14 +125,19 @@ std::vector<double> pressing_part(const SkinProblem& problem, std::optional<doub
 }
 
 struct SkinDataJudge::Parts {
-  Parts(const SkinProblem& found_for, std::function<SkinProblem()> sought, DataLimits given);
+  Parts(std::shared_ptr<const SkinProblem> found_for, std::function<SkinProblem()> sought,
+        DataLimits given);
 
-  /// Of W (K f - g) over the noise, by the best contact found: as soon as it is enough.
-  [[nodiscard]] Eigen::VectorXd left_by_contact(std::span<const double> readings,
-                                                double enough) const;
+  /// Of W (K f - g) over the noise, by the best contact found with no more friction than the limit:
+  /// as soon as it is enough.
+  [[nodiscard]] Eigen::VectorXd left_by_contact(std::span<const double> readings, double enough,
+                                                const std::optional<double>& most_friction) const;
   /// The norm of that without a taxel, and no further than there is hope of `enough`.
   [[nodiscard]] double least_left(std::span<const double> readings, double enough,
                                   std::optional<std::size_t> taxel) const;
+  /// The same by one smoothing and to the end, which taxels are compared by: of two without which
+  /// there is enough, `least_left` says where each search happened to end.
+  [[nodiscard]] double left_in_full(std::span<const double> readings, std::size_t taxel) const;
   [[nodiscard]] Eigen::VectorXd left(const SkinProblem& of, std::span<const double> readings,
                                      std::span<const double> tractions) const;
   /// P W g over the noise.
@@ -150,26 +155,30 @@ struct SkinDataJudge::Parts {
   [[nodiscard]] Cones& contacts() const;
 
   DataLimits limits;
-  SkinProblem problem;
+  std::shared_ptr<const SkinProblem> shared;  // its matrix may take most of the memory
+  const SkinProblem& problem;
   std::function<SkinProblem()> make_contacts;
-  Constraints press{};
-  double unit;  // of all that is weighted: the noise, where it is known
+  std::optional<double> friction{};  // that is stated, or else usual; absent: nothing drags
+  Constraints press{};               // contacts of any friction that is likely
+  double unit;                       // of all that is weighted: the noise, where it is known
   double rows;
 
   mutable std::mutex mutex{};
   mutable std::unique_ptr<Cones> made{};
 };
 
-SkinDataJudge::Parts::Parts(const SkinProblem& found_for, std::function<SkinProblem()> sought,
-                            DataLimits given)
+SkinDataJudge::Parts::Parts(std::shared_ptr<const SkinProblem> found_for,
+                            std::function<SkinProblem()> sought, DataLimits given)
     : limits(std::move(given)),
-      problem(found_for),
+      shared(std::move(found_for)),
+      problem(*shared),
       make_contacts(std::move(sought)),
       unit(limits.noise_rms.value_or(1.0)),
       rows(static_cast<double>(independent_readings(problem))) {
   check_limits(limits, problem.weights.size());
-  if (problem.components == 3)
-    press.friction_limit = limits.friction_limit.value_or(usual_friction);
+  if (problem.components != 3) return;
+  friction = limits.friction_limit.value_or(usual_friction);
+  press.friction_limit = widest_friction(limits.friction_limit);
 }
 
 Eigen::VectorXd SkinDataJudge::Parts::left(const SkinProblem& of, std::span<const double> readings,
@@ -181,16 +190,18 @@ Eigen::VectorXd SkinDataJudge::Parts::left(const SkinProblem& of, std::span<cons
 Cones& SkinDataJudge::Parts::contacts() const {
   const std::lock_guard lock(mutex);
   if (!made) {
-    SkinProblem sought = make_contacts ? make_contacts() : problem;
-    if (sought.weights != problem.weights || sought.components != problem.components)
+    std::shared_ptr<const SkinProblem> sought =
+        make_contacts ? std::make_shared<const SkinProblem>(make_contacts()) : shared;
+    if (sought->weights != problem.weights || sought->components != problem.components)
       throw std::invalid_argument("contacts need the rows and components of the problem");
     made = std::make_unique<Cones>(std::move(sought), press);
   }
   return *made;
 }
 
-Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(std::span<const double> readings,
-                                                      double enough) const {
+Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(
+    std::span<const double> readings, double enough,
+    const std::optional<double>& most_friction) const {
   Cones& of = contacts();
   if (!of.are_read()) return seen(readings);
   const double all = seen(readings).norm();
@@ -205,7 +216,10 @@ Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(std::span<const double> re
       in_vain = is_hopeless(residual.norm(), all, enough);
       return in_vain;
     };
-    const SkinConeSolution found = of.cone(i).solve(readings, iteration_limit, converged, look);
+    const ConeSearch& all_contacts = of.cone(i);
+    const SkinConeSolution found =
+        (most_friction ? all_contacts.with_friction(*most_friction) : all_contacts)
+            .solve(readings, iteration_limit, converged, look);
     if (found.status != FrameStatus::ok) continue;
     if (first) (void)look(found.tractions);  // they came before a hundred steps
     if (in_vain) return residual;
@@ -249,6 +263,20 @@ double SkinDataJudge::Parts::least_left(std::span<const double> readings, double
   return best;
 }
 
+double SkinDataJudge::Parts::left_in_full(std::span<const double> readings,
+                                          std::size_t taxel) const {
+  constexpr std::size_t smoothing = 1;
+  Cones& of = contacts();
+  const std::span<const std::size_t> only(&taxel, 1);
+  const RestOfRows of_rest({of.problem().weights, of.problem().sites, of.problem().unknown_offsets},
+                           only);
+  if (!of.are_read()) return of_rest(seen(readings)).norm();
+  const SkinConeSolution found =
+      of.cone(smoothing).without(only).solve(readings, iteration_limit, converged);
+  if (found.status != FrameStatus::ok) return std::numeric_limits<double>::infinity();
+  return of_rest(left(of.problem(), readings, found.tractions)).norm();
+}
+
 /// Of the taxels with the largest residuals the one without which a contact explains the rest best.
 std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const double> readings,
                                                            const Eigen::VectorXd& residual) const {
@@ -264,8 +292,7 @@ std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const doubl
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return squares[a] > squares[b]; });
   order.resize(std::min(order.size(), most_suspects));
-  std::optional<std::size_t> worst;
-  double best = std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> alone;  // without each of which a contact explains the rest
   for (const std::size_t taxel : order) {
     if (taken[taxel] == 0.0 || taken[taxel] >= rows) continue;
     const double most = limit(taken[taxel]);
@@ -273,7 +300,14 @@ std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const doubl
     const double gain = residual.squaredNorm() - norm * norm;
     const double chance =
         chi_squared_limit(taken[taxel], false_alarms / static_cast<double>(problem.taxels));
-    if (norm > most || gain < chance || norm >= best) continue;
+    if (norm <= most && gain >= chance) alone.push_back(taxel);
+  }
+  if (alone.empty()) return std::nullopt;
+  std::size_t worst = alone.front();
+  double best = std::numeric_limits<double>::infinity();
+  for (const std::size_t taxel : alone) {
+    const double norm = alone.size() > 1 ? left_in_full(readings, taxel) : 0.0;
+    if (norm >= best) continue;
     best = norm;
     worst = taxel;
   }
@@ -281,16 +315,19 @@ std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const doubl
 }
 
 SkinDataJudge::SkinDataJudge(const SkinProblem& problem, DataLimits limits)
-    : SkinDataJudge(problem, std::function<SkinProblem()>{}, std::move(limits)) {}
+    : SkinDataJudge(std::make_shared<const SkinProblem>(problem), std::function<SkinProblem()>{},
+                    std::move(limits)) {}
 SkinDataJudge::SkinDataJudge(const SkinProblem& problem, const SkinProblem& contacts,
                              DataLimits limits)
     : SkinDataJudge(
-          problem, [contacts] { return contacts; }, std::move(limits)) {
+          std::make_shared<const SkinProblem>(problem), [contacts] { return contacts; },
+          std::move(limits)) {
   (void)parts_->contacts();
 }
-SkinDataJudge::SkinDataJudge(const SkinProblem& problem, std::function<SkinProblem()> contacts,
-                             DataLimits limits)
-    : parts_(std::make_unique<const Parts>(problem, std::move(contacts), std::move(limits))) {}
+SkinDataJudge::SkinDataJudge(std::shared_ptr<const SkinProblem> problem,
+                             std::function<SkinProblem()> contacts, DataLimits limits)
+    : parts_(std::make_unique<const Parts>(std::move(problem), std::move(contacts),
+                                           std::move(limits))) {}
 SkinDataJudge::~SkinDataJudge() = default;
 SkinDataJudge::SkinDataJudge(SkinDataJudge&&) noexcept = default;
 SkinDataJudge& SkinDataJudge::operator=(SkinDataJudge&&) noexcept = default;
@@ -309,12 +346,14 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
     verdict.doubts.push_back(DataDoubt::implausible);
     return verdict;
   }
+  const double size = p.seen(readings).norm();
+  verdict.noise_alone = size == 0.0 || (verdict.noise_known && size <= most);
   if (!verdict.noise_known) return verdict;
 
   Eigen::VectorXd residual =
-      p.left(p.problem, readings, pressing_part(p.problem, p.press.friction_limit, tractions));
+      p.left(p.problem, readings, pressing_part(p.problem, p.friction, tractions));
   if (!(residual.norm() <= most)) {
-    const Eigen::VectorXd best = p.left_by_contact(readings, most);
+    const Eigen::VectorXd best = p.left_by_contact(readings, most, p.friction);
     if (best.size() > 0 && !(residual.norm() <= best.norm())) residual = best;
   }
   verdict.residual_rms = residual.norm() * rms;
@@ -322,6 +361,15 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   if (!residual.allFinite()) {  // of no noise that a number can say
     verdict.doubts.push_back(DataDoubt::misfit);
     return verdict;
+  }
+
+  if (p.friction != p.press.friction_limit) {  // as where nobody states a limit
+    Eigen::VectorXd best = p.left_by_contact(readings, most, p.press.friction_limit);
+    if (best.size() > 0 && best.norm() <= most) {
+      verdict.doubts.push_back(DataDoubt::friction_limit);
+      return verdict;
+    }
+    if (best.size() > 0 && best.norm() <= residual.norm()) residual = std::move(best);
   }
 
   std::vector<double> turned(readings.begin(), readings.end());

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "tests/catch.hpp"
@@ -118,8 +119,8 @@ TEST_CASE("without a load nothing is divided by it", "[cli][spice]") {
                     "settling = { accuracy = 1e-3 }\ntolerance = { relative = 0.01 }\n");
   const ProcessResult result = run_tool({"relax", path});
   CHECK(result.code == 0);
-  CHECK_THAT(result.output, ContainsSubstring("there is no load") && !ContainsSubstring("nan") &&
-                                !ContainsSubstring("inf"));
+  CHECK_THAT(result.output, ContainsSubstring("there is no load"));
+  CHECK_FALSE(std::regex_search(result.output, std::regex("\\b(nan|inf)\\b")));
   CHECK_THAT(run_tool({"certify", path}).output, ContainsSubstring("There is no load"));
   const std::string deck = folder / "s.cir";
   CHECK(run_tool({"gen", path, "-o", deck}).code == 0);

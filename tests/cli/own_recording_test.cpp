@@ -1,4 +1,5 @@
 // Recordings as people have them: solve, plan and grasp understand them or say what to do.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -197,13 +198,14 @@ TEST_CASE("NaN in a .npy is missing as in CSV, and an empty row is one of NaN", 
   CHECK(run_tool({"solve", path, "--readings", file, "--missing", "skip"}).output == csv);
 }
 
-TEST_CASE("verdicts are told with their frames", "[cli]") {
+TEST_CASE("verdicts are told with their frames, and a frame where nothing presses has no fault",
+          "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", by_rule);
   std::string recording = head();
   for (int frame = 0; frame < 6; ++frame)
     if (frame == 1 || frame >= 4)
-      recording += std::to_string(frame) + ",0,0,0,0,0,0,0,0,0,0,0\n";  // no signal: no root
+      recording += std::to_string(frame) + ",0,0,0,0,0,0,0,0,0,0,0\n";
     else
       recording += row(frame);
   const std::string csv = folder.write("r.csv", recording);
@@ -212,16 +214,19 @@ TEST_CASE("verdicts are told with their frames", "[cli]") {
                 folder / "u.csv", "--json", folder / "s.json"});
   REQUIRE(result.code == 0);
   CHECK_THAT(result.errors,
-             ContainsSubstring("3 of 6 frames have the verdict no_root: frames 1, 4-5\n"));
+             ContainsSubstring("3 of 6 frames have the verdict noise_needed: frames 0, 2-3\n") &&
+                 !ContainsSubstring("no_contact"));
   const auto summary = nlohmann::json::parse(read_text(folder / "s.json"));
-  CHECK(summary["distrusted"]["no_root"]["runs"] == nlohmann::json{{1, 1}, {4, 5}});
-  CHECK(summary["distrusted"]["no_root"]["not_listed"] == 0);
+  CHECK(summary["verdicts"]["no_contact"] == 3);
+  CHECK(summary["distrusted"].size() == 1);
+  CHECK(summary["distrusted"]["noise_needed"]["runs"] == nlohmann::json{{0, 0}, {2, 3}});
+  CHECK(summary["distrusted"]["noise_needed"]["not_listed"] == 0);
   const Rows bands = fields(read_text(folder / "u.csv"));
   const std::size_t alpha = bands[0].size() - 2;
   double least = std::stod(bands[0][alpha]);
   double largest = least;
   for (std::size_t k = 0; k < 6; ++k) {
-    CHECK((bands[k].back() == "no_root") == (k == 1 || k >= 4));
+    CHECK((bands[k].back() == "no_contact") == (k == 1 || k >= 4));
     least = std::min(least, std::stod(bands[k][alpha]));
     largest = std::max(largest, std::stod(bands[k][alpha]));
   }
@@ -265,9 +270,56 @@ TEST_CASE("a header without frames and a time that runs backwards are noted", "[
         .errors;
   };
   CHECK_THAT(errors(""), ContainsSubstring("note: 0 frames"));
-  CHECK(errors("1,0.1,0.4,0.1\n").empty());
+  const std::string drag = errors("1,0.1,0.4,0.1\n");  // that, and nothing else
+  CHECK_THAT(drag, ContainsSubstring("note: pressure alone is solved for"));
+  CHECK(std::count(drag.begin(), drag.end(), '\n') == 1);
   CHECK_THAT(errors("1,1,2,3\n0,1,2,3\n"),
              ContainsSubstring("<stdin>: note: time runs backwards 1 time, first at frame 1"));
+}
+
+TEST_CASE("pages and JSON have seconds, whatever unit the times are in", "[cli]") {
+  const std::string small_skin =
+      "[sensor]\nrows = 1\ncolumns = 11\npitch = 1.0\ndepth = 1.5\nreads = [\"stress_x\"]\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+      "[noise]\nrms = 0.01\n[reconstruct]\nalpha = 1e-3\ntangential = false\n";
+  const bool skin = GENERATE(false, true);
+  const Folder folder;
+  const std::string path = folder.write("s.toml", skin ? small_skin : given);
+  std::string errors;
+  const auto times_of = [&](const std::string& name, const std::vector<std::string>& times) {
+    std::string names = head(name + ',');
+    if (skin)
+      for (std::size_t at = 0; (at = names.find("stress_x_", at)) != names.npos; at += 11)
+        names.insert(at + 9, "0_");
+    for (int k = 0; k < std::ssize(times); ++k) {
+      const std::string one = row(k);
+      names += times[static_cast<std::size_t>(k)] + one.substr(one.find(','));
+    }
+    const ProcessResult result = run_tool(
+        {"solve", path, "--readings", "-", "-o", folder / "f.csv", "--json", folder / "r.json"},
+        names);
+    CAPTURE(result.errors);
+    CHECK(result.code == 0);
+    errors = result.errors;
+    const nlohmann::json json = nlohmann::json::parse(read_text(folder / "r.json"));
+    nlohmann::json found = nlohmann::json::array();
+    for (const auto& one : json[skin ? "frames" : "shown"]) found.push_back(one["t"]);
+    return found;
+  };
+  const nlohmann::json seconds = {0.25, 0.5, 0.75};
+  CHECK(times_of("t", {"0.25", "0.5", "0.75"}) == seconds);
+  CHECK(times_of("time_ms", {"250", "500", "750"}) == seconds);
+  CHECK(times_of("stamp_us", {"250000", "500000", "750000"}) == seconds);
+  CHECK(times_of("t [ns]", {"250000000", "500000000", "750000000"}) == seconds);
+  CHECK_THAT(errors, !ContainsSubstring("no stated unit"));
+  CHECK(fields(read_text(folder / "f.csv"))[0][0] == "250000000");  // copied there
+  const nlohmann::json since_1970 =
+      times_of("stamp", {"1712345678250000000", "1712345678500000000", "1712345678750000000"});
+  for (std::size_t k = 0; k < 3; ++k)
+    CHECK_THAT(since_1970[k].get<double>() - 1712345678.0,
+               WithinAbs(seconds[k].get<double>(), 1e-6));
+  CHECK(times_of("t", {"1", "2", "3"}) == nlohmann::json{nullptr, nullptr, nullptr});
+  CHECK_THAT(errors, ContainsSubstring("no stated unit"));
 }
 
 TEST_CASE("a .npy comes by a pipe, unless its order needs the file", "[cli]") {

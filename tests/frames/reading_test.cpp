@@ -282,6 +282,7 @@ TEST_CASE("times are seconds by the unit in their name or by their size", "[fram
 
 TEST_CASE("whole numbers of no stated unit are not called seconds", "[frames][reading]") {
   CHECK_FALSE(clock_of("t," + plain.substr(0, 44) + "0,1,2,3,4\n10,1,2,3,4\n").known);
+  CHECK_FALSE(clock_of("t," + plain.substr(0, 44) + "0.0,1,2,3,4\n10.0,1,2,3,4\n").known);
   CHECK(clock_of("t [s]," + plain.substr(0, 44) + "0,1,2,3,4\n10,1,2,3,4\n").known);
 }
 

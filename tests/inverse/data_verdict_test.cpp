@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -117,6 +118,53 @@ TEST_CASE("the taxel that contradicts all others is named", "[data_verdict]") {
   const DataVerdict data = bench.judge(readings);
   CHECK(data.has(DataDoubt::bad_taxel));
   CHECK(data.taxel == taxel);
+}
+
+TEST_CASE("where more friction than the limit explains a frame the limit is doubted, and no taxel",
+          "[data_verdict]") {
+  const Bench bench = Bench::two_tractions();
+  const InverseProblem p = bench.problem();
+  const auto judged = [&](const std::vector<double>& readings, std::optional<double> limit) {
+    DataLimits limits = bench.limits();
+    limits.friction_limit = limit;
+    return DataJudge(p, limits).judge(readings, tikhonov_solve(p, 1e-5, readings));
+  };
+  for (const double place : {-4.0, 0.3, 2.8}) {
+    const std::vector<double> honest = bench.frame(contact_at(place, 0.6), 3);
+    CAPTURE(place);
+    const DataVerdict low = judged(honest, 0.1);
+    CHECK(low.doubts == only(DataDoubt::friction_limit));
+    CHECK_FALSE(low.taxel);
+    CHECK(low.residual_rms > low.residual_limit);
+    CHECK(judged(honest, 0.7).consistent());
+    CHECK(judged(honest, std::nullopt).consistent());
+
+    // A limit that holds names the taxel that is named without one.
+    std::vector<double> lies = honest;
+    lies[10] += 0.3;
+    const DataVerdict free = judged(lies, std::nullopt);
+    REQUIRE(free.taxel == 10U);
+    const DataVerdict limited = judged(lies, 0.7);
+    CHECK(limited.has(DataDoubt::bad_taxel));
+    CHECK(limited.taxel == free.taxel);
+  }
+}
+
+TEST_CASE("noise alone is told from a contact", "[data_verdict]") {
+  Bench bench;
+  const InverseProblem p = bench.problem();
+  const std::vector<double> nothing(p.kernel.columns);
+  std::vector<double> noise(reading_count(bench.array));
+  add_noise(noise, bench.noise, 4, 0);
+  const DataJudge judge(p, bench.limits());
+  CHECK(judge.judge(noise, nothing).noise_alone);
+  const std::vector<double> pressed = bench.frame(contact_at(0.4), 4);
+  CHECK_FALSE(judge.judge(pressed, tikhonov_solve(p, 1e-5, pressed)).noise_alone);
+  // Without the noise nothing but readings of nothing is known to be nothing.
+  bench.stated = false;
+  const DataJudge unaware(p, bench.limits());
+  CHECK_FALSE(unaware.judge(noise, nothing).noise_alone);
+  CHECK(unaware.judge(std::vector<double>(noise.size()), nothing).noise_alone);
 }
 
 TEST_CASE("a baseline is told from a load, whichever its sign, and its size", "[data_verdict]") {
@@ -247,7 +295,7 @@ TEST_CASE("limits out of range and sizes that do not fit are refused", "[data_ve
 
 TEST_CASE("doubts have names", "[data_verdict]") {
   for (const DataDoubt doubt : {DataDoubt::implausible, DataDoubt::pulls, DataDoubt::bad_taxel,
-                                DataDoubt::offset, DataDoubt::misfit})
+                                DataDoubt::offset, DataDoubt::misfit, DataDoubt::friction_limit})
     CHECK(data_doubt_named(name(doubt)) == doubt);
   CHECK(name(DataDoubt::bad_taxel) == "bad_taxel");
   CHECK_FALSE(data_doubt_named("ok"));

@@ -512,6 +512,12 @@ TEST_CASE("whole numbers that lost their sign are told, and with it are sound", 
   CAPTURE(seed);
   CHECK_FALSE(kinds(check(line)).contains("signs_lost"));
   CHECK(kinds(check(lost)) == Names{"signs_lost"});
+  lab::ReadingsChecker checker(lost.scene);
+  for (const auto& frame : lost.frames) checker.add({}, frame);
+  const lab::Findings told = checker.doubts();  // what solving tells
+  CHECK(std::any_of(told.begin(), told.end(), [](const lab::Finding& one) {
+    return std::holds_alternative<finding::SignsLost>(one);
+  }));
 }
 
 TEST_CASE("a converter's steps are no noise of a taxel, whatever its mean", "[lab][check]") {

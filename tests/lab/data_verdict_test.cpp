@@ -2,6 +2,7 @@
 
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/recording.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/repeating_taxels.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/summary.hpp"
@@ -57,6 +58,64 @@ TEST_CASE("a scene's own frame is consistent, and not with one taxel dead", "[da
   CHECK(overview.doubts.at(DataDoubt::bad_taxel) == 1);
   CHECK(overview.groups.front().doubted == 1);
   CHECK(overview.groups.front().data->taxel == 7);
+}
+
+TEST_CASE("no answer is ok whose readings cannot be true, or whose force is not told",
+          "[data][verdict]") {
+  const DataVerdict fine{.noise_known = true};
+  const DataVerdict empty{.noise_known = true, .noise_alone = true};
+  DataVerdict wrong = fine;
+  wrong.doubts.push_back(DataDoubt::misfit);
+  using lab::overall;
+  using lab::Verdict;
+  CHECK(overall(Verdict::ok, wrong) == Verdict::doubted);
+  CHECK(overall(Verdict::ok, fine) == Verdict::ok);
+  CHECK(overall(Verdict::ok, fine, Uncertain{2.0, 19.9}) == Verdict::undetermined);
+  CHECK(overall(Verdict::ok, fine, Uncertain{2.0, 0.2}) == Verdict::ok);
+  for (const Verdict other : {Verdict::clipped, Verdict::border, Verdict::undetermined})
+    CHECK(overall(other, wrong, Uncertain{2.0, 19.9}) == other);
+  // Where nothing presses there is no fault in that.
+  CHECK(is_faultless(overall(Verdict::ok, empty, Uncertain{0.1, 0.2})));
+  for (const Verdict of_alpha : {Verdict::border, Verdict::no_root, Verdict::oversmoothed}) {
+    CHECK(overall(of_alpha, empty, Uncertain{0.1, 0.2}) == Verdict::no_contact);
+    CHECK(overall(of_alpha, empty, Uncertain{2.0, 0.2}) == of_alpha);
+    CHECK(overall(of_alpha, fine, Uncertain{0.1, 0.2}) == of_alpha);
+  }
+  CHECK(overall(Verdict::ok, std::nullopt) == Verdict::ok);
+}
+
+TEST_CASE("every command's verdict knows the data's", "[data][verdict]") {
+  Scene scene = pressed_line();
+  const bool lies = GENERATE(false, true);
+  lab::RecordingSolver line{lab::SceneProblem(scene), Method::tikhonov};
+  std::vector<double> readings = lab::simulate(scene).readings;
+  if (lies) readings[7] = 0.0;
+  std::vector<double> f(line.tractions());
+  const auto found = line.solve(readings, f);
+  REQUIRE(found);
+  CHECK(found->data->consistent() != lies);
+  CHECK(found->verdict == (lies ? lab::Verdict::doubted : lab::Verdict::ok));
+  CHECK(line.solved().distrusted.size() == (lies ? 1U : 0U));
+
+  // A frame of noise has no fault, whatever alpha's rule makes of it.
+  scene.reconstruct.alpha.reset();
+  scene.contacts.clear();
+  lab::RecordingSolver idle{lab::SceneProblem(scene), Method::tikhonov};
+  std::vector<double> noise = lab::simulate(scene).readings;
+  const auto nothing = idle.solve(noise, f);
+  REQUIRE(nothing);
+  CHECK(is_faultless(nothing->verdict));
+  CHECK(idle.solved().distrusted.empty());
+}
+
+TEST_CASE("under constraints readings that only a pull explains pull", "[data][verdict]") {
+  Scene scene = pressed_line();
+  std::vector<double> readings = lab::simulate(scene).readings;
+  for (double& reading : readings) reading = -reading;
+  scene.reconstruct.nonnegative = true;
+  std::vector<double> f;
+  const lab::FrameResult result = solved_with_verdict(lab::SceneProblem(scene), readings, f);
+  CHECK(result.data->doubts == std::vector{DataDoubt::pulls});
 }
 
 TEST_CASE("a taxel that is listed as dead is not asked", "[data]") {

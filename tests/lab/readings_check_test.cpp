@@ -231,6 +231,17 @@ TEST_CASE("nothing is suspicious about a clean recording of a coarse array", "[l
   CHECK(result.peak->force < 80.0);
 }
 
+TEST_CASE("a spike is told wherever its neighbours would feel a load", "[lab][check]") {
+  const std::string pitch = GENERATE("0.5e-3", "1.0e-3", "3.0e-3");  // of a depth of 1.5 mm
+  std::string text = line_pad(11, "\"stress_x\"", idles, 1);
+  text.replace(text.find("0.5e-3"), 6, pitch);
+  CAPTURE(pitch);
+  RecordedLine recording = recorded_line(text);
+  CHECK_FALSE(kinds(check(recording)).contains("single_frame_spikes"));
+  recording.frames[200][4] += 150.0 * pad_noise;
+  CHECK(kinds(check(recording)).contains("single_frame_spikes") == (pitch != "3.0e-3"));
+}
+
 TEST_CASE("each planted defect is found", "[lab][check]") {
   const auto at = static_cast<std::size_t>(GENERATE(range(0, 22)));
   const std::size_t count = GENERATE(11u, 41u);

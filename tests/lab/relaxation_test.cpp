@@ -32,6 +32,25 @@ Certificate with_pole(double slowest) {
   return certificate;
 }
 
+/// A simulator that finds what the circuit's own equations say.
+class AtRest : public Simulator {
+ public:
+  explicit AtRest(const NetworkCircuit& circuit)
+      : names_(output_names(circuit.circuit())), volts_(operating_voltages(circuit.flat())) {}
+  Simulation run(const std::string&) override {
+    RawFile plot{.plot = "Operating Point", .points = 1};
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      plot.names.push_back("v(" + names_[i] + ")");
+      plot.values.push_back({volts_[i]});
+    }
+    return {.plot = plot};
+  }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<double> volts_;
+};
+
 std::optional<Disagreement::Kind> kind(const lab::Relaxation& relaxation) {
   const auto disagreement = relaxation.disagreement();
   return disagreement ? std::optional(disagreement->kind) : std::nullopt;
@@ -75,6 +94,37 @@ TEST_CASE("an answer holds, or says what is wrong with it and by how much", "[la
   drawn.tolerance = lab::ToleranceStudy{};
   drawn.tolerance->difference = 1e-5;
   CHECK(kind(drawn) == draws);
+}
+
+TEST_CASE("a circuit whose stability is not known is not called stable, nor unstable",
+          "[lab][relaxation]") {
+  Scene scene = read_scene(SCENES "/circuits/rail.toml");
+  scene.network.realization = Realization::crossbar;
+  scene.network.settling_accuracy.reset();
+  scene.network.parts.opamp.output_resistance = 150.0;
+  scene.network.tolerance = ToleranceOptions{.relative = 0.01, .trials = 1};
+  const auto relaxed = [&] {
+    const lab::SceneCircuit circuit = circuit_of(scene);
+    AtRest simulator(circuit.network());
+    lab::Relaxation result = relax(circuit, simulator);
+    std::erase_if(result.remarks, [](const lab::RelaxationRemark& one) {
+      return one.kind == lab::RelaxationRemark::Kind::inaccurate;
+    });
+    return result;
+  };
+  scene.network.parts.node_capacitance = 5e-10;
+  const lab::Relaxation loaded = relaxed();
+  REQUIRE(loaded.certificate.value().stability == Stability::not_modelled);
+  CHECK_FALSE(loaded.stable);
+  CHECK(kind(loaded) != Disagreement::Kind::unstable);
+  REQUIRE(loaded.remarks.size() == 2);
+  CHECK(loaded.remarks[0].kind == lab::RelaxationRemark::Kind::stability_not_known);
+  CHECK(loaded.remarks[1].kind == lab::RelaxationRemark::Kind::draws_without_opamps);
+
+  scene.network.parts.node_capacitance.reset();
+  const lab::Relaxation unloaded = relaxed();
+  CHECK(unloaded.stable);
+  CHECK(unloaded.remarks.empty());
 }
 
 TEST_CASE("a scene's circuit hands on what it made", "[lab][scene_circuit]") {

@@ -291,12 +291,46 @@ TEST_CASE("a skin's drift is told whoever solves it, frame by frame or all at on
   CHECK_THAT(drift.largest, WithinRel(slope * static_cast<double>(drift.to - drift.from), 0.25));
 }
 
+TEST_CASE("displacements in another unit are strains that no pad bears", "[lab][check][skin]") {
+  std::string text = skin_pad("\"displacement_y\", \"displacement_z\"", false);
+  text.replace(text.find("rms = 30.0"), 10, "rms = 1e-7");
+  RecordedSkin recording = recorded_skin(text);
+  double strain = 0.0;  // of neighbours in a row, which are 1 mm apart
+  for (const auto& frame : recording.frames)
+    for (std::size_t i = 0; i + 1 < frame.size(); ++i)
+      if ((i + 1) % taxel_columns != 0)
+        strain = std::max(strain, std::abs(frame[i + 1] - frame[i]) / 1e-3);
+  REQUIRE(strain < 0.9);
+  CHECK_FALSE(kinds(check(recording)).contains("strain_too_large"));
+  for (auto& frame : recording.frames)
+    for (double& reading : frame) reading *= 1.5 / strain;
+  const lab::ReadingsCheck found = check(recording);
+  REQUIRE(kinds(found).contains("strain_too_large"));
+  for (const lab::Finding& one : found.findings)
+    if (const auto* told = std::get_if<finding::StrainTooLarge>(&one)) CHECK(told->strain >= 1.4);
+}
+
+TEST_CASE("a skin of too many cells for a matrix is checked on cells of its pitch",
+          "[lab][check][skin]") {
+  RecordedSkin coarse = recorded_skin(skin_pad("\"stress_x\"", false));
+  RecordedSkin fine = coarse;
+  coarse.scene.reconstruct.grid.spacing = 1e-3;
+  fine.scene.reconstruct.grid.spacing = 0.02e-3;
+  REQUIRE(lab::SkinSceneProblem(fine.scene).is_large());
+  const lab::ReadingsCheck found = check(fine);
+  const lab::ReadingsCheck expected = check(coarse);
+  CHECK(kinds(found) == kinds(expected));
+  REQUIRE(found.peak);
+  REQUIRE(expected.peak);
+  CHECK(found.peak->force == expected.peak->force);
+}
+
 TEST_CASE("a skin's page and its JSON have every finding", "[lab][check][skin]") {
   RecordedSkin recording = recorded_skin(skin_pad("\"stress_x\"", false));
   for (auto& frame : recording.frames) frame[middle_taxel] = frame[middle_taxel + 1];
   const lab::SkinSceneProblem problem(recording.scene);
   lab::SkinRecordingAnswer all{.scene = recording.scene, .grid = problem.grid()};
-  all.add("", recording.frames[100], lab::solve(problem, recording.frames[100]));
+  all.add({}, recording.frames[100], lab::solve(problem, recording.frames[100]));
   all.findings = check(recording).findings;
   REQUIRE_FALSE(all.findings.empty());
   const std::string page = pages::recording_page(all, "skin.csv", "").html;

@@ -1,6 +1,7 @@
 // Answers that were wrong, and said ok.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -54,6 +55,18 @@ std::vector<std::size_t> beyond(const SkinScene& scene, double limit) {
 }
 
 }  // namespace
+
+TEST_CASE("a skin that nothing presses has no fault", "[lab][skin][verdict]") {
+  SkinScene scene = pressed_skin(0.0, 0.0);
+  scene.contacts.clear();
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    scene.noise->seed = seed;
+    const lab::SkinAnswer answer = answer_of_skin(scene);
+    CAPTURE(seed, name(answer.verdict));
+    REQUIRE(answer.data.noise_alone);
+    CHECK(is_faultless(answer.verdict));
+  }
+}
 
 TEST_CASE("taxels at the end of a skin's range are left out and named", "[lab][skin][clipped]") {
   const SkinScene honest = pressed_skin(1.0, -1.5);

@@ -138,7 +138,7 @@ TEST_CASE("a recording keeps the frame that presses hardest", "[lab][skin]") {
   for (const double share : {0.5, 1.0, 0.7}) {
     std::vector<double> part = readings;
     for (double& reading : part) reading *= share;
-    recording.add("", part, solve(problem, part));
+    recording.add({}, part, solve(problem, part));
   }
   CHECK(recording.frames.size() == 3);
   CHECK(recording.hardest == 1);

@@ -260,3 +260,12 @@ TEST_CASE("a board is of resistors and op-amps", "[board]") {
   built.parts.pop_back();
   CHECK_THROWS_AS(board_of(built), std::invalid_argument);
 }
+
+TEST_CASE("a node that is named as another net of the board is refused", "[board]") {
+  for (const char* name : {"VCC", "vee", "GND", "n1", "N1"}) {
+    CAPTURE(name);
+    SolderedCircuit built = soldered_network(Realization::crossbar, false);
+    built.circuit.nodes[built.circuit.outputs[0]] = name;
+    CHECK_THROWS_WITH(board_of(built), ContainsSubstring("name"));
+  }
+}

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <optional>
 #include <random>
 #include <set>
@@ -10,7 +11,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "tactile_net/network/dialect_deck.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/subcircuits.hpp"
 #include "tests/catch.hpp"
@@ -85,6 +88,29 @@ TEST_CASE("what makes ngspice print the answer stands behind the end", "[deck]")
   REQUIRE(plain.substr(plain.size() - 6) == "\n.end\n");
   CHECK(printed.substr(plain.size()) ==
         ".control\nset numdgt=17\nrun\nprint v(n0)\nquit 0\n.endc\n");
+}
+
+TEST_CASE("every output is printed once, in lines that ngspice takes", "[deck]") {
+  Circuit circuit = divider();
+  for (int node = 1; node < 1200; ++node) {
+    circuit.outputs.push_back(add_node(circuit, "n" + std::to_string(node)));
+    circuit.resistors.push_back({"Rn" + std::to_string(node), circuit.outputs.back(), 0, 1e-3});
+  }
+  const std::string text = deck(circuit, {.title = "t"}, Answer::printed);
+  std::istringstream lines(text.substr(text.find(".control\n")));
+  std::vector<std::string> printed;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word != "print") continue;
+    std::size_t of_line = 0;
+    for (; words >> word; ++of_line) printed.push_back(word);
+    CHECK(of_line < 1000);
+  }
+  std::vector<std::string> outputs;
+  for (const std::string& node : output_names(circuit)) outputs.push_back("v(" + node + ")");
+  CHECK(printed == outputs);
 }
 
 TEST_CASE("a nic brings its sub-circuits, each once, and its cards", "[deck]") {
@@ -317,6 +343,61 @@ TEST_CASE("names that a simulator would take for one, or for a card, are refused
     (void)add_node(circuit, name);
     check_refused(circuit, "a node's name must be one word");
   }
+}
+
+TEST_CASE("an element is what its name begins with", "[deck]") {
+  const auto renamed = [](const std::function<void(Circuit&)>& rename) {
+    Circuit circuit = divider();
+    circuit.capacitors = {{"C0", 1, 0, 1e-9}};
+    circuit.inductors = {{"L0", 1, 0, 1e-9}};
+    circuit.devices = {{"B0", 1, 0, 1e-3}};
+    circuit.amplifiers = {{"opamp", one_pole, Outputs::single}};
+    (void)add_node(circuit, "n1");
+    circuit.instances = {{"X0", {0, 1, 2}, "opamp"}};
+    rename(circuit);
+    return circuit;
+  };
+  CHECK_FALSE(deck(renamed([](Circuit&) {})).empty());
+  const char* const rule = "by which simulators know what it is";
+  check_refused(renamed([](Circuit& c) { c.resistors[0].name = "V0"; }), rule);
+  check_refused(renamed([](Circuit& c) { c.capacitors[0].name = ".end"; }), rule);
+  check_refused(renamed([](Circuit& c) { c.inductors[0].name = "R9"; }), rule);
+  check_refused(renamed([](Circuit& c) { c.devices[0].name = "R9"; }), rule);
+  check_refused(renamed([](Circuit& c) { c.sources[0].name = "V0"; }), rule);
+  check_refused(renamed([](Circuit& c) { c.instances[0].name = "R9"; }), rule);
+}
+
+TEST_CASE("sub-circuits of one name, or of what is no name, are refused", "[deck]") {
+  Circuit circuit = divider();
+  for (const char* name : {"", "a b", "a\n.end"}) {
+    circuit.amplifiers = {{name, one_pole, Outputs::single}};
+    check_refused(circuit, "a model's name must be one word");
+  }
+  for (const char* name : {"opamp", "OpAmp", "inverter"}) {
+    circuit.amplifiers = {{"opamp", one_pole, Outputs::single}, {name, {}, Outputs::single}};
+    check_refused(circuit, "another sub-circuit has that name");
+  }
+}
+
+TEST_CASE("what a form of a deck adds collides with nothing", "[deck][dialect]") {
+  NetworkProblem problem{
+      .matrix = {2, 2, {1, 2, 2, 5}}, .right_side = {1.0, 0.0}, .names = {"n0", "n1"}};
+  std::ostringstream out;
+  const auto ltspice = [&] {
+    write_deck(out, realize(Realization::lc, problem), {.title = "t"}, Answer::raw_file,
+               SingleFrequency{1e4}, {.dialect = Dialect::ltspice});
+  };
+  const auto opened = [&] {
+    write_subcircuit(out, realize(Realization::nic, problem), {.title = "t"}, "pad");
+  };
+  CHECK_NOTHROW(ltspice());
+  CHECK_NOTHROW(opened());
+  out.str("");
+  problem.names[1] = "mL0_1";  // between an inductor and its resistor
+  CHECK_THROWS_WITH(ltspice(), ContainsSubstring("'mL0_1'"));
+  problem.names[1] = "ma.Xf0_1";  // inside of a converter that is opened
+  CHECK_THROWS_WITH(opened(), ContainsSubstring("'ma.Xf0_1'"));
+  CHECK(out.str().empty());
 }
 
 TEST_CASE("every number reads back as the same double", "[deck][property]") {

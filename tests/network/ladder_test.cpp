@@ -192,11 +192,13 @@ TEST_CASE("the lag of one taxel's ladder is its formula by hand", "[ladder][cert
     return c.theorem.unmet.value().lag.number;
   };
   RealizationOptions options{
-      .opamp = {.gain = 1e6, .bandwidth = 1e7, .second_pole = 2e7, .input_capacitance = 2e-12},
-      .ladder = true};
+      .opamp = {.bandwidth = 1e7, .second_pole = 2e7, .input_capacitance = 2e-12}, .ladder = true};
   const double lag = 0.5 + w * 2e-12 / std::min(main, residual);
-  CHECK_THAT(number(options),
-             WithinRel(4.0 * theta2 * lag / (gamma * std::pow(1.0 - 0.25 * lag, 2)), 1e-9));
+  for (const double gain : {1e6, 10.0, 1.0}) {
+    options.opamp.gain = gain;
+    const double left = 1.0 - 0.25 * (1.0 + 1.0 / gain) * lag;
+    CHECK_THAT(number(options), WithinRel(4.0 * theta2 * lag / (gamma * left * left), 1e-9));
+  }
   options.opamp.second_pole.reset();
   options.opamp.input_capacitance.reset();
   options.node_capacitance = 1e-11;

@@ -124,7 +124,7 @@ TEST_CASE("names that simulators would read as another node or card are refused"
   };
   for (const Realization one : realizations) {
     for (const char* bad : {"n2", "N1", "0", "gnd", "", "n 0", "n\t0", "n\n0", "n0\nR9 n0 0 1",
-                            "n;0", "n(0)", "n=0", "n\xc3\xa9"})
+                            "n;0", "n(0)", "n=0", "n\xc3\xa9", "$n0", "//n0", "n0#branch"})
       refuses(one, named(bad), "is named");
     refuses(one, named("n\nR9"), "'n\\x0aR9'");
     CHECK(realize(one, named("p_0.1")).nodes[realize(one, named("p_0.1")).outputs[0]] == "p_0.1");
@@ -134,6 +134,10 @@ TEST_CASE("names that simulators would read as another node or card are refused"
   refuses(Realization::crossbar, named("R2"), "'r2'");
   refuses(Realization::least_squares, named("e0"), "'e0'");
   refuses(Realization::lattice, named("u1"), "'u1'");
+  // Nodes that a simulator makes inside of sub-circuits.
+  refuses(Realization::crossbar, named("xN0.x"), "inside of the element xN0");
+  refuses(Realization::rail, named("Xr1.Xa.x"), "inside of the element Xr1");
+  CHECK_NOTHROW(realize(Realization::ideal, named("Xn0.x")));
   CHECK_NOTHROW(realize(Realization::ideal, named("s0")));
 
   // The deck sees to circuits that others made.

@@ -59,8 +59,9 @@ NetworkProblem random_network(Random& random, unsigned seed) {
   return problem;
 }
 
-OpAmp opamp(std::optional<double> second_pole, std::optional<double> capacitance) {
-  return {.gain = 1e9,
+OpAmp opamp(std::optional<double> second_pole, std::optional<double> capacitance,
+            double gain = 1e9) {
+  return {.gain = gain,
           .bandwidth = bandwidth,
           .second_pole = second_pole,
           .input_capacitance = capacitance};
@@ -74,6 +75,26 @@ bool certified(Realization one, const NetworkProblem& problem, const Realization
 }
 
 constexpr unsigned networks = 200;
+
+double slowest_pole(const Circuit& circuit) {
+  return poles(state_space(FlatCircuit(circuit))).front().real();
+}
+
+/// From far less than any op-amp has.
+double any_gain(Random& random) { return random.decades(1.0, 1e9); }
+
+/// P = [1, s H; s H, 1], H of 1 beside a diagonal of -1: definite for s < 1/2, and what comes of
+/// its entries above 0 alone is not.
+NetworkProblem opposed_network(double s) {
+  NetworkProblem problem{.matrix = {8, 8, std::vector<double>(64)},
+                         .right_side = std::vector<double>(8, 1.0)};
+  for (std::size_t i = 0; i < 8; ++i) {
+    problem.matrix(i, i) = 1.0;
+    for (std::size_t j = 0; j < 8; ++j)
+      if ((i < 4) != (j < 4)) problem.matrix(i, j) = i % 4 == j % 4 ? -s : s;
+  }
+  return problem;
+}
 
 /// What a remark proposes is within the theorem.
 void check_proposals(const NetworkProblem& problem, RealizationOptions options,
@@ -97,11 +118,12 @@ TEST_CASE("T5: a crossbar bears second poles, and capacitance where they are not
   for (unsigned seed = 0; seed < networks; ++seed) {
     CAPTURE(seed);
     const NetworkProblem problem = random_network(random, seed);
+    const double gain = any_gain(random);
     CHECK(certified(Realization::crossbar, problem,
-                    {.opamp = opamp(bandwidth * random.decades(1e-2, 1e2), std::nullopt)}));
+                    {.opamp = opamp(bandwidth * random.decades(1e-2, 1e2), std::nullopt, gain)}));
     CHECK(certified(
         Realization::crossbar, problem,
-        {.opamp = opamp(bandwidth * random.decades(1.0, 1e2), random.decades(1e-13, 1e-9))}));
+        {.opamp = opamp(bandwidth * random.decades(1.0, 1e2), random.decades(1e-13, 1e-9), gain)}));
   }
   // Slow second poles and capacitance: one that is unstable.
   RealizationOptions slow{.opamp = opamp(0.01 * bandwidth, 1e-10)};
@@ -109,7 +131,80 @@ TEST_CASE("T5: a crossbar bears second poles, and capacitance where they are not
   CHECK(certify(Realization::crossbar, problem, slow).stability == Stability::unstable);
 }
 
-TEST_CASE("T1: converters bear capacitance at their inputs up to 1/(2 W r)",
+TEST_CASE("T3: with inverters a crossbar bears any capacitance and any gain that both kinds have",
+          "[theorems][property]") {
+  Random random(7);
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    const NetworkProblem problem = random_network(random, seed);
+    const RealizationOptions options{.opamp = opamp(std::nullopt, std::nullopt, any_gain(random)),
+                                     .inverters = true,
+                                     .bandwidth_ratio = random.decades(1e-2, 0.5)};
+    CHECK(certified(Realization::crossbar, problem, options));
+    Circuit circuit = realize(Realization::crossbar, problem, options);
+    for (const Instance& x : circuit.instances)
+      if (x.subcircuit != "inverter")
+        circuit.capacitors.push_back({"C" + x.name, x.pins[1], 0, random.decades(1e-14, 1e-8)});
+    CHECK(slowest_pole(circuit) < 0.0);
+  }
+
+  // Beyond half the inverters' bandwidth, and with more gain than they have: unstable.
+  const NetworkProblem opposed = opposed_network(0.4999);
+  RealizationOptions options{.opamp = opamp(std::nullopt, std::nullopt, 10.0), .inverters = true};
+  CHECK(certified(Realization::crossbar, opposed, options));
+  const auto with_gains = [&](double main, double inverters) {
+    Circuit circuit = realize(Realization::crossbar, opposed, options);
+    for (AmplifierModel& model : circuit.amplifiers)
+      model.opamp.gain = model.name == "opamp" ? inverters : main;
+    return slowest_pole(circuit);
+  };
+  CHECK(with_gains(10.0, 1e9) < 0.0);
+  CHECK(with_gains(1e9, 10.0) > 0.0);
+  options.opamp.gain = 1e9;
+  options.bandwidth_ratio = 10.0;
+  const Certificate fast = certify(Realization::crossbar, opposed, options);
+  CHECK_FALSE(fast.theorem.holds());
+  CHECK(fast.stability == Stability::unstable);
+}
+
+TEST_CASE("T2: op-amps of one bandwidth and one gain make a rail stable", "[theorems][property]") {
+  Random random(8);
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    const NetworkProblem problem = random_network(random, seed);
+    CHECK(certified(Realization::rail, problem,
+                    {.opamp = opamp(std::nullopt, std::nullopt, any_gain(random)),
+                     .node_capacitance = random.decades(1e-14, 1e-9)}));
+  }
+}
+
+TEST_CASE("what finite gain adds makes up for a P that is barely not definite",
+          "[theorems][property]") {
+  Random random(9);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    NetworkProblem problem = random_network(random, seed);
+    const double shift = smallest_eigenvalue(problem.matrix) + 1e-3;
+    for (std::size_t i = 0; i < problem.matrix.rows; ++i) problem.matrix(i, i) -= shift;
+    for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar}) {
+      CAPTURE(seed, name(one));
+      const auto at = [&](double gain) {
+        return certify(
+            one, problem,
+            {.opamp = opamp(std::nullopt, std::nullopt, gain), .node_capacitance = 1e-12});
+      };
+      const Certificate high = at(1e9);
+      const Certificate low = at(10.0);
+      CHECK(high.dynamics.value().slowest > 0.0);
+      CHECK(low.dynamics.value().slowest < 0.0);
+      for (const Certificate& c : {high, low}) {
+        CHECK(c.stability == Stability::not_definite);
+        CHECK_FALSE(c.theorem.holds());
+      }
+    }
+  }
+}
+
+TEST_CASE("T1: converters bear second poles, and capacitance at their inputs up to 1/(2 W r)",
           "[theorems][property]") {
   Random random(2);
   for (unsigned seed = 0; seed < networks; ++seed) {
@@ -120,6 +215,10 @@ TEST_CASE("T1: converters bear capacitance at their inputs up to 1/(2 W r)",
     CHECK(certified(Realization::nic, problem,
                     {.opamp = opamp(std::nullopt, capacitance),
                      .divider = divider,
+                     .node_capacitance = random.decades(1e-13, 1e-10)}));
+    const double second_pole = bandwidth * random.decades(1e-2, 1e2);
+    CHECK(certified(Realization::nic, problem,
+                    {.opamp = opamp(second_pole, std::nullopt, any_gain(random)),
                      .node_capacitance = random.decades(1e-13, 1e-10)}));
   }
   const NetworkProblem problem = array_network(11, 1e-3).problem;
@@ -170,10 +269,10 @@ TEST_CASE("T6: least squares bears the lag that its number allows", "[theorems][
     CAPTURE(seed);
     const std::size_t columns = 3 + seed % 4;
     const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
-    RealizationOptions options{
-        .opamp = opamp(bandwidth * random.decades(1.0, 1e3), random.decades(1e-15, 1e-11)),
-        .residual_gain = random.decades(0.3, 30.0),
-        .bandwidth_ratio = random.decades(1e-2, 1.0)};
+    RealizationOptions options{.opamp = opamp(bandwidth * random.decades(1.0, 1e3),
+                                              random.decades(1e-15, 1e-11), any_gain(random)),
+                               .residual_gain = random.decades(0.3, 30.0),
+                               .bandwidth_ratio = random.decades(1e-2, 1.0)};
     if (certified(Realization::least_squares, problem, options)) {
       ++spoken;
       continue;
@@ -205,10 +304,11 @@ TEST_CASE("T7: a lattice bears any second poles, or any capacitance at its resid
     CAPTURE(seed);
     const std::size_t columns = 3 + seed % 4;
     const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
+    const double gain = any_gain(random);
     CHECK(certified(Realization::lattice, problem,
-                    {.opamp = opamp(bandwidth * random.decades(1e-2, 1e2), std::nullopt)}));
+                    {.opamp = opamp(bandwidth * random.decades(1e-2, 1e2), std::nullopt, gain)}));
     CHECK(certified(Realization::lattice, problem,
-                    {.opamp = opamp(std::nullopt, std::nullopt),
+                    {.opamp = opamp(std::nullopt, std::nullopt, gain),
                      .node_capacitance = random.decades(1e-14, 1e-8)}));
   }
   // Capacitance at the inputs and as much at the residuals is outside, and unstable.
@@ -263,7 +363,8 @@ TEST_CASE(
     CAPTURE(seed);
     const std::size_t columns = 3 + seed % 4;
     const NetworkProblem problem = random_problem(random, columns + seed % 3, columns);
-    RealizationOptions options{.opamp = opamp(std::nullopt, std::nullopt),
+    const double gain = any_gain(random);
+    RealizationOptions options{.opamp = opamp(std::nullopt, std::nullopt, gain),
                                .residual_gain = random.decades(0.1, 1e3),
                                .ladder = true,
                                .bandwidth_ratio = random.decades(1e-2, 1e2)};
@@ -274,7 +375,8 @@ TEST_CASE(
     if (of_nodes)
       options.node_capacitance = random.decades(1e-13, 1e-9);
     else
-      options.opamp = opamp(bandwidth * random.decades(1.0, 1e3), random.decades(1e-13, 1e-9));
+      options.opamp =
+          opamp(bandwidth * random.decades(1.0, 1e3), random.decades(1e-13, 1e-9), gain);
     if (certified(Realization::least_squares, problem, options)) {
       ++spoken;
       continue;
@@ -324,7 +426,7 @@ TEST_CASE("T6L: one ladder outside of each of its conditions is unstable", "[the
       circuit.amplifiers.back().name = x.subcircuit;
       circuit.amplifiers.back().opamp.bandwidth = bandwidth * random.decades(1e-2, 1e2);
     }
-    if (poles(state_space(FlatCircuit(circuit))).front().real() > 0.0) ++unstable;
+    if (slowest_pole(circuit) > 0.0) ++unstable;
   }
   CHECK(unstable > 0);
 }

@@ -50,6 +50,7 @@ TEST_CASE("a wrong [sensor] is reported", "[scene]") {
       {"depth = 1.5", "", "1:1", "sensor.depth is missing"},
       {"depth = 1.5", "depht = 1.5", "4:1", "unknown key \"sensor.depht\"", "depth?"},
       {"depth = 1.5", "depth = nan", "4:9", "sensor.depth must be a finite number (got nan)"},
+      {"depth = 1.5", "depth = 0", "4:9", "sensor.depth must be > 0 (got 0)", "at the surface"},
       {"depth = 1.5", "\tdepth =\t-1.5", "4:10", "sensor.depth must be > 0 (got -1.5)"},
       {"depth = 1.5", "depth = 1\ndepths = [1]", "5:10", "sensor.depth exclude each other"},
       {"\ndepth = 1.5", "\ndepths = []", "4:10", "sensor.depths must hold at least one depth"},

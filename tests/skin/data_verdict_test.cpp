@@ -1,6 +1,7 @@
 #include "tactile_net/skin/data_verdict.hpp"
 
 #include <limits>
+#include <optional>
 
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/skin/family.hpp"
@@ -64,6 +65,39 @@ TEST_CASE("a skin's single liar is found, and a sign turned round", "[skin][data
     for (std::size_t k = 0; k < lies.size(); ++k) lies[k] = -readings[k];
     CHECK(bench.judge(lies, {.noise_rms = rms}).has(DataDoubt::pulls));
   }
+}
+
+TEST_CASE("a skin's limit of friction that is too low is doubted, and no taxel", "[skin][data]") {
+  const SkinArray skin = square_skin(8, 2e-3);
+  const SkinProblem problem = make_problem(skin, silicone);
+  const SkinContact contact{.y = 0.4e-3,
+                            .z = -0.3e-3,
+                            .radius = 2.5e-3,
+                            .force = 0.05,
+                            .friction = 0.6,
+                            .direction = 0.7};
+  std::mt19937 random(3);
+  std::vector<double> readings = exact_readings(skin, silicone, std::vector<SkinLoad>{contact});
+  const double rms = add_noise(readings, 0.01, random);
+  const SkinFamily family(problem);
+  const FilterFrame seen = family.analyse(readings);
+  const std::vector<double> found = family.solve(seen, choose_alone(seen, AlphaRule::aicc).alpha);
+  const auto judged = [&](std::optional<double> limit) {
+    return SkinDataJudge(problem, {.noise_rms = rms, .friction_limit = limit})
+        .judge(readings, found);
+  };
+  const DataVerdict low = judged(0.1);
+  CHECK(low.doubts == std::vector{DataDoubt::friction_limit});
+  CHECK_FALSE(low.taxel);
+  CHECK(low.residual_rms > low.residual_limit);
+  CHECK(judged(0.7).consistent());
+  CHECK(judged(std::nullopt).consistent());
+  CHECK_FALSE(low.noise_alone);
+  std::vector<double> noise(readings.size());
+  for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = i % 2 == 0 ? rms : -rms;
+  CHECK(SkinDataJudge(problem, {.noise_rms = rms})
+            .judge(noise, std::vector<double>(problem.kernel.columns))
+            .noise_alone);
 }
 
 TEST_CASE("a skin of another depth fits nothing, and a strain beyond 1 is no reading",

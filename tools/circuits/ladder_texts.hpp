@@ -24,7 +24,8 @@ the residuals are, about the fixed point,
 
 and those of the main amplifiers (D_f/W_f) y' = K'e - r y, r = rho d, D_f a number. D is symmetric; and as K+'1 and K-'1 are within what goes to ground, q = the largest
 share of a node's total that does, below 1, has G^-1 K+-'1 <= q 1: rows of what is taken off D_e sum to at most q sum_j |K_ij|, so D >= g_e. Hence V = (y'A y D_f/W_f + e'D e/W_e)/2
-is positive, and dV/dt = y'A K'e - e'K A y - r y'A y - g_e |e|^2 < 0: the coupling cancels because A is symmetric. Q.E.D. (Where R couples some
+is positive, and dV/dt = y'A K'e - e'K A y - r y'A y - g_e |e|^2 < 0: the coupling cancels because A is symmetric. A finite gain a adds D_f/a to r
+and D/a to g_e. Q.E.D. (Where R couples some
 tractions and not others, as of two components, z, d and D_f may differ from one group to the next: A's blocks commute with them.)
 
 **With lag.** T6's condition holds with D for D_e and theta = |D^-1/2 K A^1/2 D_f^-1/2|_2: in A^1/2 y in place of y all of its proof stands. tau is the largest C/D (C over D's least
@@ -35,7 +36,7 @@ eigenvalue) + 1/W2, gamma the least of g_e's form over D's. *Capacitance c at th
 *Proof:* now f = A(p) y with A(p) = z (G + p c)^-1 is what K sees of y. In f the main rows are (p D_f/W_f + r)(G + p c)/z f = K'e, and in the residuals' D gains
 N(p) = sum K+- (G^-1 - (G + p c)^-1) K+-', at p = jw of a real part that is not negative and an imaginary part of at most w c K+- G^-2 K+-'. So the coupling is skew again. New poles come in
 from -G/c, so that one could only cross at p = jw. There the real part says w^2 m = s and the imaginary part |k| = w d, with s = r f*A^-1 f + g_e |e|^2, m = c/z D_f/W_f |f|^2 + e*(Im N/w)e/W_e, d at
-least D_f/W_f f*A^-1 f + e*D e/W_e, and jk the coupling: m k^2 = s d^2. But m <= tau d, k^2 <= 4 theta^2 W_f d e*D e and s >= gamma e*D e. Q.E.D. Together with a second pole or
+least D_f/W_f f*A^-1 f + e*D e/W_e, and jk the coupling: m k^2 = s d^2. But m <= tau d, k^2 <= 4 theta^2 W_f d e*D e and s >= gamma e*D e. Finite gain adds to s and d alone. Q.E.D. Together with a second pole or
 capacitance at inputs: not covered.
 
 The nodes are what a board's stray capacitance finds first, and rho = 10 leaves it little. With op-amps as they are sold take `residual_gain = 1`, which the

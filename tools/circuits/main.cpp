@@ -29,6 +29,7 @@ Read the tables so:
   no op-amps); to 1e-3 of the end, from rest. First what the linear state space says, then ngspice's transient.
 - *proven margin*: every error of resistors up to this leaves the network stable; whatever the bandwidths for `ideal` and for complementary
   outputs (of `lattice` as long as its op-amps share one), otherwise as long as converters and inverters are fast against the network.
+  Nothing is proven for op-amps with second poles or capacitance at their inputs.
 - *median error, 1 % parts*, *stable builds*: over 1000 draws of every resistor, dividers included, by linear algebra.
 
 ## Which one
@@ -66,6 +67,9 @@ positive definite, `V = z' T z / 2` falls: `dV/dt = -z' S z < 0` about the fixed
 move S by at most E eps, and sym S stays positive definite while eps times the largest eigenvalue of D^-1/2 E D^-1/2 is below 1. D is
 the least eigenvalue of the outputs' block of sym S, and for the residuals' block its diagonal times the least eigenvalue in those units;
 the two are coupled by a skew block.
+
+**Finite gain** A of the op-amps is in every theorem on stability below. Where one says *only if*, gain is infinite: finite gain adds positive parts to
+the equations, so a P that is not definite by less than they are settles too, at an answer that is not that of P f = b. The certificate calls such a P not definite.
 
 **ngspice's transient**, with three precautions: sources step from zero (from its DC solution an unstable circuit stays there for a while),
 trapezoidal integration (Gear's damps what grows), first steps of 0.02/bandwidth. Where the certificate says unstable the sources begin with a kick,
@@ -176,10 +180,11 @@ An inverter per node offers -v_j: a positive P_ij is a resistor from n_i to r_j 
 to ground, the inverter's input taken off, is negative for most nodes: one grounded converter each. Two op-amps a node, and
 errors of large conductances that almost cancel.
 
-**T2.** Op-amps of equal bandwidth: stable for any node capacitance if and only if P is positive definite. *Proof:* inverter and converter
+**T2.** Op-amps of equal bandwidth and gain: stable for any node capacitance if and only if P is positive definite. *Proof:* inverter and converter
 answer as q = 1/(1 + 2 s/W). The nodes' law is C s v + K v + q E v = b with K + E = P; K, what is tied to nodes and ground directly, is
 diagonally dominant, hence positive definite. Times 1/q: (2C/W) s^2 + (C + 2K/W) s + P = 0, three symmetric matrices of which the first
-two are not negative. Unequal bandwidths are not covered: an example at x/÷10 was unstable.
+two are not negative. Finite gain makes it q = 1/(1 + 2/A + 2 s/W), and adds 2C/A to the second matrix and 2K/A to the third.
+Unequal bandwidths are not covered: an example at x/÷10 was unstable.
 
 )";
 
@@ -192,11 +197,12 @@ Amplifier i holds its summing node at 0 V, where the row's currents P_ij f_j mee
 
 **T5.** Stable if and only if P is positive definite, whatever the bandwidths W_i and the capacitances C_i at the summing nodes.
 *Proof:* D s = P v - b with D the rows' total conductance, and v' = -W s: (C/W) v'' + (D/W) v' + P v = b. All three are symmetric, the
-first two positive: a real quadratic with positive coefficients for every eigenvector.
+first two positive: a real quadratic with positive coefficients for every eigenvector. Finite gain adds C/A to the second and D/A to the third.
 
 *Second poles* W2_i: without capacitance the same with 1/(W W2) in place of C/W, for any of them. With both, as long as the least W2 is
 not below the largest W: an eigenvector gives a cubic with m3 of C/(W W2), m2 of C/W + D/(W W2), m1 of D/W and m0 of P. Its first part makes
-m2 >= min W2 m3; and min W2 m1 >= the form of D >= that of P, since the rows of |P| sum to D. So m2 m1 > m3 m0: Routh. Q.E.D.
+m2 >= min W2 m3; and min W2 m1 >= the form of D >= that of P, since the rows of |P| sum to D. So m2 m1 > m3 m0: Routh. Finite gain adds
+C/(A W2) to m2, C/A + D/(A W2) to m1 and D/A to m0; m3 D/A is one of the terms of the new m2 m1. Q.E.D.
 
 )";
 
@@ -207,12 +213,17 @@ constexpr const char* crossbar_inverters_text =
 
 Single-ended op-amps and an inverter per node (`inverters = true`).
 
-**T3.** Main op-amps of at most half the inverters' bandwidth (k <= 1/2, the default): stable if P is positive definite, for any capacitance at
-the main summing nodes. *Proof:* with P = P+ - N, N >= 0 what comes from the inverters, q = 1/(1 + 2 s/W) and k in units of W:
-(C s + D) s (1 + 2 s/W)/(k W) + P+ (1 + 2 s/W) - N = 0. For an eigenvector let c, d, p+, n, p be the forms of C/k, D/k, P+, N, P. The cubic
-(2c/W^2) s^3 + (c/W + 2d/W^2) s^2 + (d + 2 p+)/W s + p has only roots in the left half plane if d + 2p+ > 0 and (c + 2d/W)(d + 2p+) > 2 c p
-(Routh). Rows of |P| sum to at most D, so p+ >= -D's form and n >= -D's form; with k <= 1/2, d >= 2 D's form: d + 2p+ >= 0, and
-c (d + 2p+) >= 2 c (p+ - n) because d + 2n >= 0. The term 2d/W makes it strict.
+**T3.** Main op-amps of at most half the inverters' bandwidth (k W, k <= 1/2, the default) and of no more gain: stable if P is positive definite, for
+any capacitance at the main summing nodes. *Proof:* let P = P+ - N with P+ and N what comes from the amplifiers and from the inverters, no entry of either negative.
+With g = 1/A of the main op-amps and h of the inverters a main row has -(p/(k W) + g) f at its summing node, and an inverter answers as
+q = 1/(a + 2p/W), a = 1 + 2h. So for an eigenvector, with c, d, p+, n the forms of C, D, P+, N and s = p/W:
+
+    (W c s + d)(s/k + g)(a + 2s) + p+ (a + 2s) - n = 0.
+
+Rows of P+ + N sum to D: p+ + n >= -d and n >= -d. As p+ - n > 0, p+ > -d/2. The cubic's coefficients are m3 = 2Wc/k, m2 = aWc/k + 2d/k + 2Wcg,
+m1 = a (d/k + Wcg) + 2dg + 2p+ >= 2d - d, and m0 = a d g + a p+ - n = (p+ - n) + 2h p+ + a g d, which exceeds (p+ - n) + (a g - h) d: positive, since g >= h.
+And m2 m1 - m3 m0 = (Wc/k)(a m1 - 2 m0) + 2 (d/k + Wcg) m1, where a m1 - 2 m0 = a^2 (d/k + Wcg) + 2n >= 2d - 2d: Routh. Q.E.D.
+Main op-amps of more gain than the inverters are not covered: at infinite gain, with inverters of A = 10, an example is unstable at rest already (m0 < 0).
 
 )";
 
@@ -227,7 +238,7 @@ does not depend on K's unit.
 
 **T6.** With complementary outputs: stable for every rho and every bandwidth. *Proof:*
 (D_f/W_f) f' = K'e - rho R f and (D_e/W_e) e' = -(K f - g) - e/rho. About the fixed point V = (f' D_f/W_f f + e' D_e/W_e e)/2 falls:
-dV/dt = -rho f'R f - |e|^2/rho < 0, because the coupling cancels: e'K f comes with either sign.
+dV/dt = -rho f'R f - |e|^2/rho < 0, because the coupling cancels: e'K f comes with either sign. Finite gain subtracts (f'D_f f + e'D_e e)/A besides.
 
 rho buys speed at small alpha: the slowest pole grows with it, until the residual amplifiers themselves are the slowest.
 
@@ -235,13 +246,16 @@ rho buys speed at small alpha: the slowest pole grows with it, until the residua
 largest bandwidth, W_f the main amplifiers' largest, gamma the least feedback conductance of a residual row over its D_e, and
 theta = |D_e^-1/2 K D_f^-1/2|_2, at most 1. Stable if
 
-    4 theta^2 W_f tau < gamma (1 - W tau/4)^2.
+    4 theta^2 W_f tau < gamma (1 - (1 + 1/A) W tau/4)^2.
 
-*Proof:* with z = (f, e) and X = D/W the rows are X p (1 + tau1 p)(1 + tau2 p) z + (S + J) z = h, S = diag(rho R, g_e) > 0, J skew. Let all
+*Proof,* first of infinite gain: with z = (f, e) and X = D/W the rows are X p (1 + tau1 p)(1 + tau2 p) z + (S + J) z = h, S = diag(rho R, g_e) > 0, J skew. Let all
 lags grow from 0. New poles come in from -1/tau and S + J is regular, so a pole could only cross at p = jw. There, with m = sum X tau |z|^2,
 d = sum X |z|^2, s = z*S z and jk = z*J z: w^2 m = s and |k| = w (d - w^2 m3), where m3 <= tau m/4. Rows of rho |R| and g_e are within D, so
 w^2 m3 <= tau s/4 <= (W tau/4) d, and a crossing needs m k^2 >= s d^2 (1 - W tau/4)^2. But m <= tau d,
-k^2 <= 4 theta^2 (f*D_f f)(e*D_e e) <= 4 theta^2 W_f d (e*D_e e), and s >= gamma e*D_e e: m k^2 <= (4 theta^2 W_f tau/gamma) s d^2. Q.E.D.
+k^2 <= 4 theta^2 (f*D_f f)(e*D_e e) <= 4 theta^2 W_f d (e*D_e e), and s >= gamma e*D_e e: m k^2 <= (4 theta^2 W_f tau/gamma) s d^2.
+Finite gain puts p + W/A in the place of the first p. With D = W X and u = W tau/4 it adds z*D z/A to s and sum D tau1 tau2 |z|^2/A to m, and |k| is at least
+w (d - w^2 m3). So w^2 m3 <= tau s/4 <= (1 + 1/A) u d, m <= (1 + u/A) tau d and s >= (gamma + 1/A) e*D_e e; as gamma <= 1 and u < 1,
+(gamma + 1/A)/(1 + u/A) >= gamma, and the end is the same. Q.E.D.
 
 The loop's crossover has to lie below 1/tau, and rho = 10 puts it high: with a second pole at twice the bandwidth, as op-amps have it,
 the array of the tables is unstable (certify says so). Measured limits lie two to six times above what is proven. `certify` prints the
@@ -285,7 +299,7 @@ C = d/(2 W - W2) on.
 
 With C_u an eigenvector gives h(p) = sum |k_i|^2/(D_u + p C_u) and F = (p/2W)(d - h) + c h + r. F(jw) = 0 asks for |Im h|^2 = (Re h + r/c)(d - Re h). But each term of h lies on the
 circle through 0 and its value at p = 0, so |Im h|^2 <= Re h (h(0) - Re h), which is less, as h(0) < d and r > 0: no pole crosses, and C_u = 0 is
-stable. Q.E.D.
+stable. Finite gain asks for more still: (c - 1/(2A)) |Im h|^2 = (c Re h + r)(d - Re h) + (d - Re h)^2/(2A). Q.E.D.
 
 Resistors' errors do not harm the proof's symmetry: one resistor carries both directions' currents. So the *proven margin* needs sym S alone
 (rows of residuals over c), whatever the errors, for one bandwidth, one pole and no capacitance; it covers the voltage that an amplifier's two inputs have

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -48,10 +49,10 @@ class FrameClock {
   /// @param stated  by the name of the column; nothing: the numbers show it, if anything does
   explicit FrameClock(const std::optional<Unit>& stated) noexcept : unit_(stated) {}
 
-  /// The next frame's time.
-  void add(double time, bool has_decimals) noexcept {
+  /// The next frame's time. @pre  finite
+  void add(double time) noexcept {
     if (!unit_ && !last_) unit_ = time_unit_by_size(time);
-    has_decimals_ = has_decimals_ || has_decimals;
+    has_decimals_ = has_decimals_ || time != std::floor(time);
     last_ = time;
     now_ = time;
   }

@@ -41,7 +41,8 @@ struct WantedColumns {
   /// from 1, `t=` says where the times are (`t=1+2`: seconds and nanoseconds); empty: they are
   /// found by name.
   std::string places{};
-  bool accept_missing = false;  ///< values that are missing are NaN, in place of an error
+  bool accept_missing = false;   ///< values that are missing are NaN, in place of an error
+  bool keep_infinities = false;  ///< with it: an infinity is a value, and is not missing
   /// Per name: what its numbers are to be in, and a header's unit is converted to; empty: the scene
   /// states no units, and numbers are taken as they stand.
   std::vector<WantedUnit> units{};

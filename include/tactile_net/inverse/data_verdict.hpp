@@ -10,7 +10,10 @@
 /// happens to one honest frame in a thousand at most, without an alpha, a prior or degrees of
 /// freedom to be estimated. Where no contact explains a frame, the single causes that a
 /// least-squares problem can hold are tried, worst first: the sign, one taxel, one constant a
-/// channel.
+/// channel. They are tried with contacts of any friction that rubber has, whatever limit is stated:
+/// what a limit that is too low leaves of honest readings lies at the taxels that feel the drag
+/// most, and none of them is to blame. Where those contacts explain the frame, it is the limit that
+/// is doubted.
 ///
 ///     const DataJudge judge(problem, {.noise_rms = 1.0, .largest_traction = pad.youngs_modulus});
 ///     const DataVerdict data = judge.judge(readings, tractions);
@@ -29,13 +32,19 @@
 
 namespace tactile_net {
 
+/// Of honest frames each test doubts one in a thousand.
+inline constexpr double false_alarms = 1e-3;
+/// Of rubber on what it touches, at most, where nobody states a limit.
+inline constexpr double usual_friction = 1.0;
+
 /// Worst first.
 enum class DataDoubt {
-  implausible,  ///< a strain beyond 1, of the readings or of the pad's whole surface
-  pulls,        ///< explained by tractions that pull alone, or best with the sign turned round
-  bad_taxel,    ///< explained without one taxel alone
-  offset,       ///< explained with a constant added to a channel alone, or better by far
-  misfit,       ///< no tractions explain it: pad, depth, noise or calibration are not as stated
+  implausible,     ///< a strain beyond 1, of the readings or of the pad's whole surface
+  pulls,           ///< explained by tractions that pull alone, or best with the sign turned round
+  bad_taxel,       ///< explained without one taxel alone
+  offset,          ///< explained with a constant added to a channel alone, or better by far
+  misfit,          ///< no tractions explain it: pad, depth, noise or calibration are not as stated
+  friction_limit,  ///< explained with more friction than is stated alone: the limit may be too low
 };
 
 /// The spelling in JSON and tables: "bad_taxel".
@@ -46,7 +55,9 @@ struct DataVerdict {
   std::vector<DataDoubt> doubts{};  ///< worst first
   bool noise_known = false;  ///< false: `misfit`, and tractions that pull here and there, are
                              ///< never found
-  double strain = 0.0;       ///< the largest reading, or the mean normal traction, over its limit
+  /// The noise alone explains the readings: nothing presses, or no more than it hides.
+  bool noise_alone = false;
+  double strain = 0.0;  ///< the largest reading, or the mean normal traction, over its limit
   /// Rms of a weighted reading that the best contact found leaves, and the limit that this exceeds
   /// in one honest frame of a thousand; limit 0: the noise is not known.
   double residual_rms = 0.0;
@@ -60,7 +71,7 @@ struct DataVerdict {
 
 struct DataLimits {
   std::optional<double> noise_rms{};       ///< of a weighted reading, > 0; absent: not known
-  std::optional<double> friction_limit{};  ///< |f_t| / f_v, > 0; absent: 1
+  std::optional<double> friction_limit{};  ///< |f_t| / f_v, > 0; absent: `usual_friction`
   /// Tractions and readings of a strain of 1: Young's modulus; per row of K, Young's modulus for
   /// stresses and 1 for strains. Absent, or no rows: not judged.
   std::optional<double> largest_traction{};

@@ -173,6 +173,9 @@ struct OrderSerpentine {
 };
 
 // Readings and stiffness.
+struct StrainTooLarge {
+  double strain = 0.0;  ///< the largest that readings show, > 1
+};
 struct TractionExceedsModulus {
   double times = 0.0;  ///< the largest traction over Young's modulus, > 3
 };
@@ -204,8 +207,8 @@ using Finding = std::variant<
     finding::WornTaxels, finding::Baseline, finding::ZeroUnderLoad, finding::Drift,
     finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
     finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled, finding::OrderMirrored,
-    finding::OrderSerpentine, finding::TractionExceedsModulus, finding::DeformationTiny,
-    finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
+    finding::OrderSerpentine, finding::StrainTooLarge, finding::TractionExceedsModulus,
+    finding::DeformationTiny, finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 
 /// The spelling in JSON: "dead_taxels".

@@ -112,7 +112,8 @@ class ReadingsChecker {
   [[nodiscard]] ReadingsCheck result_without_loads() const;
 
   /// Of its findings what no single frame shows, and what makes forces wrong in frames that look
-  /// right: readings that are equal or new too rarely, a baseline, a drift.
+  /// right: numbers that are no readings, or equal, or new too rarely, worn taxels, a baseline, a
+  /// drift.
   [[nodiscard]] Findings doubts() const;
 
  private:

@@ -29,7 +29,7 @@ namespace tactile_net::lab {
 struct FrameGroup {
   std::size_t first = 0;  ///< number of the first frame, from 0
   std::size_t count = 0;
-  std::size_t distrusted = 0;      ///< how many of them have a verdict other than ok
+  std::size_t distrusted = 0;      ///< how many of them have a verdict that is a fault
   Verdict distrust = Verdict::ok;  ///< of the first of these
   std::size_t doubted = 0;         ///< how many hold readings that cannot be true
   double lowest_normal = 0.0;      ///< F_v over all of them [N/m]
@@ -38,7 +38,7 @@ struct FrameGroup {
   double highest_tangential = 0.0;
 
   std::size_t shown = 0;  ///< the frame whose answer follows
-  double time = 0.0;      ///< [s]; NaN where the recording has none
+  double time = 0.0;      ///< [s]; NaN where the recording has none, or none of a known unit
   double load = 0.0;      ///< sum |f_v| [Pa]
   Verdict verdict = Verdict::ok;
   std::optional<ChosenAlpha> alpha{};
@@ -92,6 +92,9 @@ class Recording {
   void add(std::optional<double> time, const SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
            const FrameResult& result);
+
+  /// The times that were handed over are of a unit that nobody states: they are no seconds.
+  void times_without_unit();
 
   /// A frame without an answer: it counts, with the verdict `failed`.
   void skip();

@@ -46,7 +46,8 @@ struct RelaxationRemark {
   enum class Kind {
     no_load,                ///< nothing to settle to, and nothing for components to change
     inaccurate,             ///< `value` off the direct solve, relative, though its parts explain it
-    draws_without_opamps,   ///< draws leave out the op-amps' dynamics, which are unstable here
+    stability_not_known,    ///< the certificate says why
+    draws_without_opamps,   ///< draws leave out the op-amps' dynamics, not known to be stable here
     settles_otherwise,      ///< ngspice's settling time over the certificate's, less 1, is `value`
     nothing_takes_time,     ///< settling is asked for; neither op-amps nor nodes are slow
     tolerances_not_linear,  ///< tolerances are studied for networks of resistors and op-amps
@@ -67,7 +68,8 @@ struct Relaxation {
   ExplainedDifference explained{};   ///< what may make that difference
   double smallest_eigenvalue = 0.0;  ///< of P
   Condition condition{};             ///< of P, a bound
-  bool stable = false;  ///< by the certificate if there is one, otherwise: P is definite
+  /// Known to be: by the certificate if there is one, otherwise since P is definite.
+  bool stable = false;
   double ngspice_seconds = 0.0;
   std::optional<Certificate> certificate{};   ///< where op-amps, parasitics or tolerances are given
   std::optional<Transient> transient{};       ///< where settling is asked for

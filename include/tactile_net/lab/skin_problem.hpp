@@ -39,6 +39,8 @@ class SkinSceneProblem {
   [[nodiscard]] bool is_large() const noexcept;
   /// @throw std::invalid_argument  as `make_problem`, here and below; it is large
   [[nodiscard]] const SkinProblem& problem() const;
+  /// The same, for what may outlive this.
+  [[nodiscard]] std::shared_ptr<const SkinProblem> shared_problem() const;
   /// The same without its kernel where it is large.
   /// @throw std::invalid_argument  where it is large: it would take more memory than is left
   [[nodiscard]] const SkinProblem& layout() const;

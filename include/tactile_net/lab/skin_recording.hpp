@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "tactile_net/lab/finding.hpp"
@@ -18,7 +17,7 @@ namespace tactile_net::lab {
 struct SkinRecordingAnswer {
   /// What is kept of every frame.
   struct Frame {
-    std::string time{};      ///< as the file has it; empty: it has none
+    double time = 0.0;       ///< [s]; NaN where it has none, or none of a known unit
     bool missing = false;    ///< readings are, and there is no answer: what follows holds nothing
     bool estimated = false;  ///< solved without the taxels whose readings are missing
     Verdict verdict = Verdict::ok;
@@ -49,10 +48,12 @@ struct SkinRecordingAnswer {
 
   /// Memory grows by what is kept of a frame alone.
   /// @param estimated  it was solved without the taxels whose readings are missing
-  void add(std::string time, std::span<const double> frame_readings, const SkinAnswer& found,
-           bool estimated = false);
+  void add(std::optional<double> time, std::span<const double> frame_readings,
+           const SkinAnswer& found, bool estimated = false);
   /// A frame without an answer.
-  void skip(std::string time);
+  void skip(std::optional<double> time);
+  /// The times that were handed over are of a unit that nobody states: they are no seconds.
+  void times_without_unit();
   /// Frames without an answer, and those that were estimated.
   [[nodiscard]] FrameRuns skipped() const;
   [[nodiscard]] FrameRuns estimated() const;

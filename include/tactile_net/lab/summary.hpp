@@ -20,7 +20,7 @@ namespace tactile_net::lab {
 struct SolvedFrames {
   std::size_t frames = 0;
   std::map<Verdict, std::size_t> verdicts{};        ///< how many frames have it
-  std::map<Verdict, FrameRuns> distrusted{};        ///< and which, of all that are not ok
+  std::map<Verdict, FrameRuns> distrusted{};        ///< and which, of all that are faults
   std::map<DataDoubt, FrameRuns> doubted{};         ///< which frames' readings are, and why
   std::map<std::size_t, std::size_t> bad_taxels{};  ///< in how many frames, by the taxel
   bool noise_known = false;                         ///< else nobody asks for a misfit

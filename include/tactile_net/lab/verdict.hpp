@@ -6,8 +6,10 @@
 #include <string_view>
 
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/dft.hpp"
 #include "tactile_net/inverse/dft_friction.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
 
 namespace tactile_net::lab {
 
@@ -26,8 +28,8 @@ enum class Verdict {
   cut_off,  ///< also of tikhonov: the contact may reach beyond what taxels see
   not_one_contact,
   drag_in_noise,
-  no_contact,
-  null_mode,  ///< a combination of tractions that no reading shows was set to zero
+  no_contact,  ///< also of tikhonov: the readings hold no more than the noise
+  null_mode,   ///< a combination of tractions that no reading shows was set to zero
   // Iterations that were stopped.
   not_converged,
   iteration_limit,
@@ -41,6 +43,7 @@ enum class Verdict {
   undetermined,  ///< the readings tell little of the force, or it may be larger than any that such
                  ///< readings could come from
   coarse,        ///< the taxels lie too far apart for their depth
+  doubted,       ///< no contact explains the readings, see DataVerdict
 };
 
 /// The spelling in JSON and tables: "ok", "rules_disagree".
@@ -52,5 +55,20 @@ enum class Verdict {
 [[nodiscard]] Verdict verdict_of(AlphaVerdict verdict) noexcept;
 [[nodiscard]] Verdict verdict_of(DftVerdict verdict) noexcept;
 [[nodiscard]] Verdict verdict_of(const FrictionSolution& solution) noexcept;
+
+/// The one word for all that is known of an answer, which every output has. `ok` means that the
+/// readings can be true, too, and that the force is more than its deviation. Where nothing presses
+/// neither alpha's choice nor where a contact would end is a fault: it is `no_contact`.
+///
+/// @param answer  what else is known of it
+/// @param data    absent: nobody has judged the readings
+/// @param force   along the normal; absent: its deviation is not known
+[[nodiscard]] Verdict overall(Verdict answer, const std::optional<DataVerdict>& data,
+                              const std::optional<Uncertain>& force = {}) noexcept;
+
+/// Whether a frame has no fault: `ok`, or `no_contact`.
+[[nodiscard]] constexpr bool is_faultless(Verdict verdict) noexcept {
+  return verdict == Verdict::ok || verdict == Verdict::no_contact;
+}
 
 }  // namespace tactile_net::lab

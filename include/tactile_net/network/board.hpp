@@ -65,7 +65,8 @@ struct Board {
 /// Designators are numbered in the order of the circuit's resistors, of its amplifiers, and of the
 /// pins. Courtyards do not overlap, and leave room for the designator above each.
 ///
-/// @throw std::invalid_argument  the circuit has other parts, or sub-circuits
+/// @throw std::invalid_argument  the circuit has other parts, or sub-circuits; two nodes have one
+///                               name, or one has the supply's
 /// @throw std::domain_error      it has no unique operating point, so that powers are not known
 [[nodiscard]] Board board_of(const SolderedCircuit& soldered);
 

@@ -24,7 +24,7 @@ namespace tactile_net {
 enum class Stability {
   stable,        ///< every pole lies in the left half plane, or a theorem says so
   unstable,      ///< a pole lies in the right half plane
-  not_definite,  ///< P is not positive definite: no circuit for it settles
+  not_definite,  ///< P is not positive definite: no circuit of ideal op-amps settles for it
   lossless,      ///< capacitors and inductors alone: it rings for ever
   not_modelled,  ///< not known, see `UnknownStability`
 };
@@ -47,8 +47,8 @@ struct StabilityVerdict {
 
 /// How much lag the loop of `least_squares` has, and what brings it within theorem T6: stable where
 /// 4 theta^2 W_main tau < gamma (1 - W tau/4)^2, tau the largest C/D + 1/W2 of a row, W the
-/// amplifiers' largest bandwidth, W_main the main ones' [1/s]. The same of T6L; of capacitance at
-/// the nodes of its ladder 4 theta^2 W_main tau < gamma.
+/// amplifiers' largest bandwidth times 1 + 1/gain, W_main the main ones' [1/s]. The same of T6L; of
+/// capacitance at the nodes of its ladder 4 theta^2 W_main tau < gamma.
 struct LagBound {
   double number = 0.0;   ///< the left side over the right one; infinite: W tau is 4 or more
   double siemens = 0.0;  ///< the least `Scale::siemens` that makes it 1; 0: second poles exceed it

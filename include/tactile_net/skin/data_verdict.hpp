@@ -30,11 +30,6 @@ namespace tactile_net {
                                   std::span<const double> readings,
                                   std::span<const double> tractions);
 
-/// Of honest frames each test doubts one in a thousand.
-inline constexpr double false_alarms = 1e-3;
-/// Of rubber on what it touches, at most, where nobody states a limit.
-inline constexpr double usual_friction = 1.0;
-
 /// Of tractions what presses, with no more friction than the limit.
 /// @param friction_limit  absent: any
 [[nodiscard]] std::vector<double> pressing_part(const SkinProblem& problem,
@@ -46,15 +41,15 @@ class SkinDataJudge {
  public:
   /// O(1): what a frame needs is made when the first one does.
   ///
-  /// @param problem   that tractions are found for
+  /// @param problem   that tractions are found for; kept, and copied only where it is not shared
   /// @param contacts  the same rows on a grid on which contacts are sought, fine enough for narrow
-  ///                  ones; absent: that of the problem. A function that makes it is called at most
-  ///                  once
+  ///                  ones; absent, or an empty function: that of the problem. A function that
+  ///                  makes it is called at most once
   /// @param limits    `inner` is not read
   /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
   SkinDataJudge(const SkinProblem& problem, DataLimits limits);
   SkinDataJudge(const SkinProblem& problem, const SkinProblem& contacts, DataLimits limits);
-  SkinDataJudge(const SkinProblem& problem, std::function<SkinProblem()> contacts,
+  SkinDataJudge(std::shared_ptr<const SkinProblem> problem, std::function<SkinProblem()> contacts,
                 DataLimits limits);
   ~SkinDataJudge();
   SkinDataJudge(SkinDataJudge&&) noexcept;

@@ -47,6 +47,8 @@ CheckedSensor checked_sensor(const Scene& scene) {
   for (const Site& one : all)
     sensor.is_wide =
         sensor.is_wide || std::abs(one.y - all.front().y) >= wide_in_depths * one.depth;
+  for (const auto& [a, b] : sensor.layout.neighbours)
+    sensor.apart.push_back(std::abs(all[b].y - all[a].y));
   sensor.around.resize(all.size());
   const double reach = 2.0 * most_depths * least_depth(scene.sensor);
   for (const SignalChannel& channel : sensor.layout.channels)
@@ -71,6 +73,7 @@ CheckedSensor checked_sensor(const SkinScene& scene) {
                                            wide_in_depths * one.depth;
   std::vector<std::vector<std::size_t>> near(all.size());
   for (const auto& [a, b] : sensor.layout.neighbours) {
+    sensor.apart.push_back(std::hypot(all[b].y - all[a].y, all[b].z - all[a].z));
     near[a].push_back(b);
     near[b].push_back(a);
   }

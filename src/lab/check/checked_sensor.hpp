@@ -30,6 +30,7 @@ struct CheckedSensor {
   bool is_wide = false;
   bool offset = false;  ///< each channel has a constant that is not known
   double youngs_modulus = 0.0;
+  std::vector<double> apart{};  ///< how far each two of the layout's neighbours are [m]
   /// Readings of a channel around one: what a load over it shows in.
   struct Around {
     std::vector<std::size_t> beside{};  ///< all of which feel it; none: taxels are too far apart

@@ -26,6 +26,25 @@ bool holds(const ReadingsCheck& check) {
                      [](const Finding& one) { return std::holds_alternative<Kind>(one); });
 }
 
+/// The largest strain that readings show: what they are, and what displacements side by side differ
+/// by, over the way between them.
+double strain_in(std::span<const double> readings, const Evidence& evidence) {
+  const SignalLayout& layout = evidence.sensor.layout;
+  const auto tells = [&](std::size_t i, QuantityKind kind) {
+    return evidence.living[i] && traits(SkinQuantity(layout.readings[i].quantity)).kind == kind;
+  };
+  double largest = 0.0;
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    if (tells(i, QuantityKind::strain)) largest = std::max(largest, std::abs(readings[i]));
+  for (std::size_t k = 0; k < layout.neighbours.size(); ++k) {
+    const auto& [a, b] = layout.neighbours[k];
+    const double apart = evidence.sensor.apart[k];
+    if (apart > 0.0 && tells(a, QuantityKind::displacement) && tells(b, QuantityKind::displacement))
+      largest = std::max(largest, std::abs(readings[b] - readings[a]) / apart);
+  }
+  return largest;
+}
+
 PeakFrame peak_of(std::span<const double> readings, const SolvedPattern& solved,
                   const Evidence& evidence, std::size_t frame) {
   PeakFrame peak{.frame = frame};
@@ -123,6 +142,7 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
   finding::WholePadPulled sign;
   std::vector<double> residuals;
   std::optional<PeakFrame> found;
+  double strain = 0.0;  // of the peak frame
   std::vector<std::vector<double>> loaded;
   struct Pulled {
     double force = 0.0;
@@ -136,7 +156,10 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
     const auto solved = solver.solve(readings, evidence.living);
     if (!solved) continue;
     ++check.solved;
-    if (!found) found = peak_of(readings, *solved, evidence, number);
+    if (!found) {
+      found = peak_of(readings, *solved, evidence, number);
+      strain = strain_in(readings, evidence);
+    }
     if (stated && solved->unexplained > 0.0) {
       double left = solved->unexplained;
       // Of few readings rules leave more than the noise, though a contact explains them to noise.
@@ -166,7 +189,9 @@ void judge_loads(const Evidence& evidence, std::span<const double> baseline,
   judge_order(evidence, loaded, solver, check);
   if (sign.loaded > 0) {
     const double times = std::abs(found->traction) / evidence.sensor.youngs_modulus;
-    if (times > 3.0)
+    if (strain > 1.0 && !holds<finding::SingleFrameSpikes>(check))
+      check.findings.emplace_back(finding::StrainTooLarge{strain});
+    else if (times > 3.0)
       check.findings.emplace_back(finding::TractionExceedsModulus{times});
     else if (times < 1e-4)
       check.findings.emplace_back(finding::DeformationTiny{times});
@@ -192,6 +217,7 @@ void judge_scale(ReadingsCheck& check) {
     if (is_thousandfold(times)) {
       std::erase_if(check.findings, [](const Finding& one) {
         return std::holds_alternative<finding::DeformationTiny>(one) ||
+               std::holds_alternative<finding::StrainTooLarge>(one) ||
                std::holds_alternative<finding::TractionExceedsModulus>(one);
       });
       check.findings.emplace_back(finding::ScaleBy1000{times});

@@ -9,15 +9,15 @@ namespace {
 
 constexpr double spike_times = 10.0;  // the noise: what none of 1e9 sound readings reaches
 
-/// Whether a load could be read by this taxel alone, as by coarse arrays one
-/// may.
+/// Whether a contact could be read by this taxel alone, as by coarse arrays one may; an array
+/// solved without a matrix does not tell.
 bool is_load(const Evidence& evidence, PatternSolver& solver, std::size_t reading) {
   std::vector<double> pattern(evidence.living.size());
   pattern[reading] = evidence.spikes[reading].largest;
   const double size = evidence.sensor.weights[evidence.sites()[reading].channel] *
                       pattern[reading] / std::sqrt(static_cast<double>(pattern.size()));  // rms
-  const auto solved = solver.solve(pattern, evidence.living);
-  return solved && solved->residual < 0.5 * size;
+  const auto pressed = solver.press(pattern, evidence.living);
+  return !pressed || pressed->residual < 0.35 * size;
 }
 
 }  // namespace

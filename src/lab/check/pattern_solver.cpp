@@ -45,6 +45,15 @@ SkinScene unconstrained(SkinScene scene) {
   return scene;
 }
 
+/// On cells as far apart as the taxels, where the scene's are too many for a matrix of them.
+SkinSceneProblem with_matrix(SkinScene scene) {
+  SkinSceneProblem problem(scene);
+  if (!problem.is_large() || !is_even(scene.sensor)) return problem;
+  std::optional<double>& spacing = scene.reconstruct.grid.spacing;
+  spacing = std::max({scene.sensor.pitch_y, scene.sensor.pitch_z, spacing.value_or(0.0)});
+  return SkinSceneProblem(std::move(scene));
+}
+
 /// What a contact may do, whatever the scene demands.
 Constraints press_of(std::size_t tractions_a_place, const auto& options) {
   Constraints press{.nonnegative = true};
@@ -188,7 +197,7 @@ class LineSolver final : public PatternSolver {
 class SkinSolver final : public PatternSolver {
  public:
   explicit SkinSolver(const SkinScene& scene)
-      : whole_(unconstrained(scene)), problem_(whole_), dead_(scene.dead_taxels) {}
+      : whole_(with_matrix(unconstrained(scene))), problem_(whole_), dead_(scene.dead_taxels) {}
 
   std::optional<SolvedPattern> solve(std::span<const double> readings,
                                      const std::vector<bool>& living) override {
@@ -250,9 +259,11 @@ class SkinSolver final : public PatternSolver {
   }
 
  private:
-  /// The frame with zeros for what is dead, which `problem_` is then without.
+  /// The frame with zeros for what is dead, which `problem_` is then without. Nothing where no
+  /// taxel is left, or there is no matrix.
   std::optional<std::vector<double>> without_dead(std::span<const double> readings,
                                                   const std::vector<bool>& living) {
+    if (whole_.is_large()) return std::nullopt;
     std::vector<double> frame = with_missing(readings, living);
     const SkinScene& scene = whole_.scene();
     const std::vector<SkinSite> all = sites(scene.sensor);

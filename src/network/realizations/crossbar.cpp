@@ -12,8 +12,7 @@ Circuit crossbar_circuit(const NetworkProblem& problem, const RealizationOptions
   const std::vector<double>& right_side = problem.right_side;
   const std::size_t n = matrix.rows;
   if (n == 0 || matrix.columns != n || matrix.values.size() != n * n || right_side.size() != n)
-    throw std::invalid_argument(
-        "a crossbar crossbar_conditions a square matrix and one current per row");
+    throw std::invalid_argument("a crossbar needs a square matrix and one current per row");
   if (!all_finite(matrix.values) || !all_finite(right_side))
     throw std::invalid_argument("the matrix and the currents must be finite");
   check(options);
@@ -61,13 +60,14 @@ constexpr RealizationTraits crossbar_traits{
     .drives_nodes = true,
     .theorem =
         {"T5",
-         "Complementary outputs: stable if and only if P is positive definite, for any "
-         "bandwidths, and either any second poles or any capacitance at the summing nodes; for "
-         "both where the second poles are not below the bandwidths.",
+         "Complementary outputs: stable if P is positive definite (at infinite gain only then), "
+         "for any bandwidths, and either any second poles or any capacitance at the summing nodes; "
+         "for both where the second poles are not below the bandwidths.",
          crossbar_conditions},
     .theorem_with_inverters = {"T3",
-                               "Main op-amps of at most half the inverters' bandwidth: stable if P "
-                               "is positive definite, for any capacitance at the summing nodes.",
+                               "Main op-amps of at most half the inverters' bandwidth, and of no "
+                               "more gain: stable if P is positive definite, for any capacitance "
+                               "at the summing nodes.",
                                crossbar_conditions_with_inverters},
     .theorem_of_slewing =
         {"T8",

@@ -51,9 +51,9 @@ constexpr RealizationTraits nic_traits{
     .opamps_per_branch = true,
     .theorem = {"T1",
                 "Converters with '+' at the network's nodes: stable for any node capacitance, any "
-                "bandwidths and any second poles if and only if P is positive definite; with one "
-                "pole for any capacitance at inverting inputs up to 1/(W r (1 + sqrt(1 + 1/A))) "
-                "too, A the gain.",
+                "bandwidths and any second poles if P is positive definite (at infinite gain "
+                "only then); with one pole for any capacitance at inverting inputs up to "
+                "1/(W r (1 + sqrt(1 + 1/A))) too, A the gain.",
                 nic_conditions},
     .build = nic_circuit};
 

@@ -62,8 +62,8 @@ constexpr RealizationTraits rail_traits{
     .name = "rail",
     .uses_opamps = true,
     .theorem = {"T2",
-                "Op-amps of equal bandwidth: stable for any node capacitance if and only if P is "
-                "positive definite.",
+                "Op-amps of equal bandwidth and gain: stable for any node capacitance if P is "
+                "positive definite; at infinite gain only then.",
                 rail_conditions},
     .build = rail_circuit};
 

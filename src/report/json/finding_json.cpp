@@ -95,6 +95,7 @@ Json numbers(const finding::OrderMirrored& f) {
 Json numbers(const finding::OrderSerpentine& f) {
   return {{"columns", f.columns}, {"first", f.first}, {"frames", f.frames}, {"of", f.of}};
 }
+Json numbers(const finding::StrainTooLarge& f) { return {{"strain", f.strain}}; }
 Json numbers(const finding::TractionExceedsModulus& f) { return {{"times", f.times}}; }
 Json numbers(const finding::DeformationTiny& f) { return {{"times", f.times}}; }
 Json numbers(const finding::MixedUnits& f) {

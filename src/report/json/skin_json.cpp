@@ -191,7 +191,7 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
   json["findings"] = findings_json(recording.findings, recording.scene);
   json["frames"] = Json::array();
   for (const lab::SkinRecordingAnswer::Frame& frame : recording.frames) {
-    Json one = {{"t", frame.time.empty() ? Json(nullptr) : Json(frame.time)},
+    Json one = {{"t", finite_or_null(frame.time)},
                 {"verdict", name(frame.verdict)},
                 {"missing", frame.missing     ? Json("skipped")
                             : frame.estimated ? Json("estimated")

@@ -431,6 +431,13 @@ Words say(const finding::OrderSerpentine& f, const auto&) {
               std::to_string(f.first) + ", " + std::to_string(f.first + 2) +
               ", ... of the file's numbers"};
 }
+Words say(const finding::StrainTooLarge& f, const auto& scene) {
+  return {"the readings say that the pad is strained by " + percent(f.strain) +
+              ": no pad is that is solved as a linear one",
+          "displacements and pitch are in different units, or strains are in percent: see " +
+              by_calibration(scene, "[units] and gain under [calibration]", "[units]") +
+              "; of markers in pixels, gain is what a pixel measures"};
+}
 Words say(const finding::TractionExceedsModulus& f, const auto& scene) {
   return {"the largest traction is " + brief(f.times) + " times Young's modulus: no pad bears that",
           "readings and youngs_modulus are in different units, or strains are "

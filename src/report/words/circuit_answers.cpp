@@ -24,7 +24,8 @@ Answer stability(const lab::Certification& c) {
     case Stability::unstable:
       return {"unstable", circuit + ": it runs away from the answer", true};
     case Stability::not_definite:
-      return {"no circuit", "P is not positive definite: nothing for it settles", true};
+      return {"no circuit",
+              "P is not positive definite: no circuit of ideal op-amps settles for it", true};
     case Stability::lossless:
       return {"rings", circuit + ", lossless: it has its answer at one frequency alone"};
     case Stability::not_modelled:

@@ -21,6 +21,9 @@ constexpr Named<DataDoubt> doubt_sentences[] = {
     {DataDoubt::misfit,
      "no contact explains the readings within the noise stated: pad, depth, calibration or noise "
      "is not as the scene says"},
+    {DataDoubt::friction_limit,
+     "contacts explain the readings with more friction than friction_limit allows, and none within "
+     "it does: the limit may be too low; else a baseline or a gain of what reads the drag is off"},
 };
 
 std::string number_of(DataDoubt doubt, const lab::remark::DataDoubted& doubted) {
@@ -34,6 +37,7 @@ std::string number_of(DataDoubt doubt, const lab::remark::DataDoubted& doubted) 
       return " (" + in_words(doubted.offsets) + ")";
     case DataDoubt::pulls:
     case DataDoubt::misfit:
+    case DataDoubt::friction_limit:
       if (!(data.residual_limit > 0.0)) return {};  // the noise is not known
       return " (a contact leaves " + brief(data.residual_rms / data.residual_limit, 2) +
              " times what noise does)";

@@ -26,7 +26,7 @@ std::string stability_in_words(const Certificate& c) {
     case Stability::unstable:
       return "UNSTABLE";
     case Stability::not_definite:
-      return "P IS NOT POSITIVE DEFINITE: no circuit for it settles";
+      return "P IS NOT POSITIVE DEFINITE: no circuit of ideal op-amps settles for it";
     case Stability::lossless:
       return "lossless: it rings for ever, and has its answer at one frequency alone";
     case Stability::not_modelled:
@@ -277,9 +277,11 @@ std::string in_words(const lab::RelaxationRemark& remark) {
     case Kind::inaccurate:
       return "the circuit's answer is " + percent(remark.value) +
              " off the direct solve: not accurate, though its parts explain it";
+    case Kind::stability_not_known:
+      return "whether the circuit is stable is not known, and an operating point does not tell";
     case Kind::draws_without_opamps:
-      return "draws of components are judged without the op-amps' dynamics, which are unstable "
-             "here";
+      return "draws of components are judged without the op-amps' dynamics, with which the circuit "
+             "is not known to be stable";
     case Kind::settles_otherwise:
       return "ngspice's settling time is " + percent(remark.value) +
              " off the certificate's, which is for linear parts that start from zero: offsets, "

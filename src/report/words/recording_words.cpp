@@ -90,7 +90,7 @@ Answer trust(const RecordingOverview& overview) {
   std::size_t distrusted = 0;
   const std::pair<const Verdict, std::size_t>* most = nullptr;
   for (const auto& entry : overview.verdicts) {
-    if (entry.first == Verdict::ok) continue;
+    if (is_faultless(entry.first)) continue;
     distrusted += entry.second;
     if (most == nullptr || entry.second > most->second) most = &entry;
   }
@@ -136,7 +136,7 @@ std::vector<Answer> answers(const RecordingOverview& overview) {
   const bool pressed = overview.loaded(peak);
   std::vector<Answer> all;
   all.push_back({normal_in_words(overview.scene, peak), what_presses(overview, peak),
-                 !pressed || peak.verdict != Verdict::ok});
+                 overview.pulled(peak) || !is_faultless(peak.verdict)});
   if (overview.tangential() && pressed) {
     double used = 0.0;
     const FrameGroup* where = nullptr;
@@ -183,10 +183,13 @@ std::string group_place(const RecordingOverview& overview, const FrameGroup& gro
   return text;
 }
 
-std::string group_clock(const FrameGroup& group) {
-  return std::isnan(group.time) ? "frame " + std::to_string(group.shown)
-                                : brief(group.time, 4) + " s";
+std::string clock_in_words(double seconds, std::size_t frame) {
+  if (std::isnan(seconds)) return "frame " + std::to_string(frame);
+  const double before_point = std::log10(std::max(std::abs(seconds), 1.0));
+  return brief(seconds, std::min(4 + static_cast<int>(before_point), 15)) + " s";
 }
+
+std::string group_clock(const FrameGroup& group) { return clock_in_words(group.time, group.shown); }
 
 std::string group_answer(const RecordingOverview& overview, const FrameGroup& group) {
   std::string text = "normal force " + normal_in_words(overview.scene, group);
@@ -202,7 +205,7 @@ std::string group_answer(const RecordingOverview& overview, const FrameGroup& gr
 
 std::string group_distrust(const RecordingOverview& overview, const FrameGroup& group) {
   std::string text;
-  if (group.verdict != Verdict::ok)
+  if (!is_faultless(group.verdict) && group.verdict != Verdict::doubted)
     text = std::string(name(group.verdict)) + ": " + std::string(in_words(group.verdict));
   if (group.data && !group.data->consistent())
     text += (text.empty() ? "" : "; ") + in_words(lab::data_doubted(*group.data, overview.scene));
@@ -212,7 +215,7 @@ std::string group_distrust(const RecordingOverview& overview, const FrameGroup& 
 std::vector<std::string> distrusted_in_words(const RecordingOverview& overview) {
   std::vector<std::string> sentences;
   for (const auto& [verdict, frames] : overview.verdicts)
-    if (verdict != Verdict::ok)
+    if (!is_faultless(verdict) && verdict != Verdict::doubted)  // of which the data say more
       sentences.push_back(counted(frames, "frame") + ' ' + std::string(name(verdict)) + ": " +
                           std::string(in_words(verdict)));
   for (const auto& [doubt, frames] : overview.doubts)

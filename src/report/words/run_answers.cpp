@@ -36,7 +36,7 @@ Answer force(const Experiment& experiment, const MethodResult& lead) {
   if (lead.verdict != Verdict::ok) {
     answer.meaning +=
         ". " + std::string(name(lead.verdict)) + ": " + std::string(in_words(lead.verdict));
-    answer.doubtful = true;
+    answer.doubtful = answer.doubtful || !is_faultless(lead.verdict);
   }
   return answer;
 }
@@ -94,7 +94,7 @@ std::vector<Answer> answers(const Experiment& experiment) {
   const bool pressed = experiment.frame.force != 0.0;
   if (!pressed)
     all.push_back(
-        {"nothing presses", "no contact: the readings are noise, and so is what follows", true});
+        {"nothing presses", "no contact: the readings are noise, and so is what follows"});
   else
     all.push_back(force(experiment, *lead));
   if (pressed && lead->resultant && lead->resultant->centre)

@@ -95,7 +95,7 @@ Answer pressed(const lab::SkinExperiment& experiment) {
   if (found.verdict != lab::Verdict::ok) {
     answer.meaning += ". " + std::string(name(found.verdict)) + ": " +
                       std::string(report::in_words(found.verdict));
-    answer.doubtful = true;
+    answer.doubtful = answer.doubtful || !is_faultless(found.verdict);
   }
   return answer;
 }
@@ -263,8 +263,7 @@ std::vector<std::string> warnings(const lab::SkinExperiment& experiment) {
 std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
   if (!experiment.answer) return {{"no answer", experiment.refusal, true}};
   if (experiment.scene.contacts.empty())
-    return {
-        {"nothing presses", "no contact: the readings are noise, and so is what follows", true}};
+    return {{"nothing presses", "no contact: the readings are noise, and so is what follows"}};
   std::vector<Answer> all = {pressed(experiment)};
   if (const auto answer = dragged(experiment)) all.push_back(*answer);
   if (const auto answer = placed(experiment)) all.push_back(*answer);
@@ -297,9 +296,9 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
                    "its centre of pressure (y, z)"});
   const auto good = static_cast<std::size_t>(
       std::count_if(recording.frames.begin(), recording.frames.end(),
-                    [](const auto& frame) { return frame.verdict == lab::Verdict::ok; }));
+                    [](const auto& frame) { return is_faultless(frame.verdict); }));
   all.push_back({std::to_string(good) + " of " + std::to_string(recording.frames.size()),
-                 "frames have the verdict ok", good < recording.frames.size()});
+                 "frames have the verdict ok or no_contact", good < recording.frames.size()});
   add_missing(all, recording);
   const auto doubted = static_cast<std::size_t>(
       std::count_if(recording.frames.begin(), recording.frames.end(),

@@ -6,12 +6,22 @@
 
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/report/words/data_words.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 
 namespace tactile_net::report {
 namespace {
 
 std::string of(std::size_t count, std::size_t frames) {
   return std::to_string(count) + " of " + counted(frames, "frame");
+}
+
+/// Whether drag counts as none though nobody states that there is none.
+bool takes_drag_for_none(const Scene& scene) {
+  return unknowns(scene) == 1 && !scene.reconstruct.contact_friction &&
+         (scene.contacts.empty() || any_friction(scene));
+}
+bool takes_drag_for_none(const SkinScene& scene) {
+  return components(scene) == 1 && (scene.contacts.empty() || any_drag(scene));
 }
 
 }  // namespace
@@ -32,10 +42,17 @@ std::string in_words(const lab::FrameRuns& frames) {
 
 std::vector<std::string> in_words(const lab::SolvedFrames& solved, const AnyScene& scene) {
   std::vector<std::string> sentences;
-  if (solved.frames == 0) sentences.emplace_back("0 frames: the recording holds none");
+  if (solved.frames == 0)
+    sentences.emplace_back("0 frames: the recording holds none");
+  else if (std::visit([](const auto& one) { return takes_drag_for_none(one); }, scene))
+    sentences.emplace_back(
+        "pressure alone is solved for, and drag counts as none: under friction 0.5 the centre of "
+        "pressure that stress_x tells is off by up to half the taxels' depth, which no deviation "
+        "holds; read a second quantity, such as shear_xy, to find the drag too");
   std::map<std::string, const lab::FrameRuns*> verdicts;  // sorted by name
   for (const auto& [verdict, frames] : solved.distrusted)
-    verdicts.emplace(lab::name(verdict), &frames);
+    if (verdict != lab::Verdict::doubted)  // of which the data say more
+      verdicts.emplace(lab::name(verdict), &frames);
   for (const auto& [verdict, frames] : verdicts)
     sentences.push_back(of(frames->count(), solved.frames) +
                         (frames->count() == 1 ? " has the verdict " : " have the verdict ") +

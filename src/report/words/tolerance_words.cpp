@@ -101,6 +101,10 @@ std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
   if (c.certificate().stability == Stability::unstable && c.tolerance->stable > 0)
     lines.push_back(
         "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
+  if (c.certificate().stability == Stability::not_modelled)
+    lines.push_back(
+        "the builds take op-amps for infinitely fast: whether the circuit is stable with its own "
+        "is not known");
   return lines;
 }
 

@@ -28,7 +28,7 @@ constexpr Named<Verdict> verdict_sentences[] = {
      "measured, and the force is a lower bound"},
     {Verdict::not_one_contact, "the readings are not those of a single contact that drags"},
     {Verdict::drag_in_noise, "the noise could hide the drag"},
-    {Verdict::no_contact, "nothing presses"},
+    {Verdict::no_contact, "nothing presses, or no more than the noise hides"},
     {Verdict::null_mode, "part of the traction shows in no reading and was set to zero"},
     {Verdict::not_converged, "the iteration did not converge"},
     {Verdict::iteration_limit, "the search for the constraints' optimum was stopped"},
@@ -44,7 +44,10 @@ constexpr Named<Verdict> verdict_sentences[] = {
      "the readings do not tell the force: its value is mostly assumed; see identify for what these "
      "sensors tell"},
     {Verdict::coarse,
-     "the taxels lie more than two depths apart: what presses between them is a guess"},
+     "the taxels lie more than two depths apart, or 1.75 under constraints: what presses between "
+     "them is a guess"},
+    {Verdict::doubted,
+     "no contact explains the readings: what is said of the data says what may be wrong with them"},
 };
 
 }  // namespace

@@ -25,6 +25,11 @@ void say_closing(std::ostream& err, const std::string& name, const frames::Frame
     err << name << ": note: " << printable(note) << '\n';
 }
 
+void say_times_without_unit(std::ostream& err, const std::string& name) {
+  err << name << ": note: times are whole numbers of no stated unit: the page and JSON count "
+      << "frames in their place\nhint: name the column t_s, t_ms, t_us or t_ns\n";
+}
+
 void say_findings(std::ostream& err, Method method, const lab::Findings& findings,
                   const AnyScene& scene) {
   for (const lab::Finding& one : findings)

@@ -21,6 +21,9 @@ void say_opening(std::ostream& err, const std::string& name, const frames::Frame
 /// What turned out to be odd about its frames.
 void say_closing(std::ostream& err, const std::string& name, const frames::FrameSource& source);
 
+/// That times are of an unknown unit, and what a page and JSON do about it.
+void say_times_without_unit(std::ostream& err, const std::string& name);
+
 /// What is suspicious about its readings, each with what to do about it.
 void say_findings(std::ostream& err, Method method, const lab::Findings& findings,
                   const AnyScene& scene);

@@ -1,22 +1,12 @@
 #include "commands/recording_results.hpp"
 
 #include <filesystem>
-#include <optional>
 
-#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/csv/recording_csv.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::tool {
-namespace {
-
-std::optional<double> seconds_of(std::string_view time) {
-  double seconds = 0.0;
-  return read_number(time, seconds) ? std::optional(seconds) : std::nullopt;
-}
-
-}  // namespace
 
 RecordingResults::RecordingResults(const ResultOptions& options, const lab::SceneProblem& problem,
                                    Method method, const Streams& streams)
@@ -25,14 +15,19 @@ RecordingResults::RecordingResults(const ResultOptions& options, const lab::Scen
       recording_(problem, method),
       checker_(problem.scene()) {}
 
-void RecordingResults::read(std::string_view time, std::span<const double> readings) {
-  checker_.add(seconds_of(time), readings);
+void RecordingResults::read(std::optional<double> seconds, std::span<const double> readings) {
+  checker_.add(seconds, readings);
 }
 
-void RecordingResults::add(std::string_view time, const lab::SceneProblem& problem,
+void RecordingResults::add(std::optional<double> seconds, const lab::SceneProblem& problem,
                            std::span<const double> readings, std::span<const double> tractions,
                            const lab::FrameResult& result) {
-  recording_.add(seconds_of(time), problem, readings, tractions, result);
+  recording_.add(seconds, problem, readings, tractions, result);
+}
+
+void RecordingResults::times_without_unit() {
+  checker_.times_without_unit();
+  recording_.times_without_unit();
 }
 
 void RecordingResults::write(const lab::SolvedFrames& solved, const report::SolveReport& report,

@@ -2,9 +2,9 @@
 /// What `solve` tells of a recording as a whole: the page with the numbers beside it, and JSON.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "commands/results.hpp"
 #include "streams.hpp"
@@ -24,13 +24,15 @@ class RecordingResults {
   [[nodiscard]] std::string tractions() const { return results_.place("tractions.csv"); }
 
   /// The readings of the next frame as they were recorded, before it is solved or skipped.
-  void read(std::string_view time, std::span<const double> readings);
+  void read(std::optional<double> seconds, std::span<const double> readings);
   /// Its answer.
-  void add(std::string_view time, const lab::SceneProblem& problem,
+  void add(std::optional<double> seconds, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
            const lab::FrameResult& result);
   /// It has none.
   void skip() { recording_.skip(); }
+  /// Of no frame the times were seconds.
+  void times_without_unit();
 
   /// What is suspicious about the readings. Solves some frames for it.
   [[nodiscard]] lab::Findings findings() const { return checker_.result().findings; }

@@ -45,10 +45,9 @@ class UncertaintyFile {
 
   void add(const lab::SceneFrame& frame, std::span<const double> tractions,
            const lab::FrameResult& result, std::string_view time) {
-    sink_.add(time,
-              report::uncertainty_values(lab::uncertainty(frame, tractions, result), result.data,
-                                         result.alpha->value),
-              lab::name(result.verdict));
+    const lab::FrameUncertainty bands = lab::uncertainty(frame, tractions, result);
+    sink_.add(time, report::uncertainty_values(bands, result.data, result.alpha->value),
+              lab::name(lab::overall(result.verdict, result.data, bands.resultant.normal)));
   }
   void skip(std::string_view time) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -80,16 +79,17 @@ class Outputs {
   }
 
   /// The readings of the next frame, before it is solved.
-  void read(std::string_view time, std::span<const double> readings) {
-    if (results_ != nullptr) results_->read(time, readings);
+  void read(const frames::FrameSource& source, std::span<const double> readings) {
+    if (results_ != nullptr) results_->read(source.seconds(), readings);
   }
+  /// @param source   that the frame was read of
   /// @param problem  that the frame was solved with
-  void add(std::string_view time, const lab::SceneProblem& problem,
+  void add(const frames::FrameSource& source, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
            const lab::FrameResult& result) {
-    sink_->add(time, tractions);
-    if (uncertainty_) uncertainty_->add({problem, readings}, tractions, result, time);
-    if (results_ != nullptr) results_->add(time, problem, readings, tractions, result);
+    sink_->add(source.time(), tractions);
+    if (uncertainty_) uncertainty_->add({problem, readings}, tractions, result, source.time());
+    if (results_ != nullptr) results_->add(source.seconds(), problem, readings, tractions, result);
   }
   /// A frame without an answer: its row is there, so that row k of the answers is frame k of the
   /// recording.
@@ -136,11 +136,11 @@ void solve(lab::RecordingSolver& solver, frames::ReadingsFile& file, Outputs& ou
   std::vector<double> readings(source.columns().size());
   std::vector<double> tractions(solver.tractions());
   while (source.next(readings)) {
-    outputs.read(source.time(), readings);
+    outputs.read(source, readings);
     if (const auto result = solver.solve(readings, tractions)) {
       if (result->status != FrameStatus::ok)
         source.refuse("the frame's tractions overflow a double", "scale the readings");
-      outputs.add(source.time(), solver.problem(), readings, tractions, *result);
+      outputs.add(source, solver.problem(), readings, tractions, *result);
     } else {
       outputs.skip(source.time());
     }
@@ -226,6 +226,10 @@ void solve_line(Scene scene, const SolveOptions& options, const Streams& streams
   say_closing(streams.err, file.name(), file.source());
   for (const std::string& sentence : report::in_words(solved, problem.scene()))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
+  if (results && !file.source().time_unit_known()) {
+    say_times_without_unit(streams.err, file.name());
+    results->times_without_unit();
+  }
   lab::Findings findings = results ? results->findings() : solver.doubts();
   if (const auto taken = lab::noise_taken(stated, problem))
     findings.insert(findings.begin(), *taken);

@@ -119,6 +119,7 @@ class SkinOutputs {
 /// Of a frame that was read and is being solved, what the source no longer says when it is.
 struct FrameRead {
   std::string time;
+  std::optional<double> seconds;
   bool incomplete;
   InputError overflow;  // what is said where its tractions overflow
 };
@@ -139,7 +140,7 @@ lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::Rea
     const bool incomplete = std::any_of(readings.begin(), readings.end(),
                                         [](double reading) { return std::isnan(reading); });
     read.push_back(
-        {std::string(source.time()), incomplete,
+        {std::string(source.time()), source.seconds(), incomplete,
          source.refusal("the frame's tractions overflow a double", "scale the readings")});
     return true;
   };
@@ -148,10 +149,10 @@ lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::Rea
     const FrameRead& frame = read.front();
     if (answer) {
       outputs.add(frame.time, *answer);
-      recording.add(frame.time, readings, *answer, frame.incomplete);
+      recording.add(frame.seconds, readings, *answer, frame.incomplete);
     } else {
       outputs.skip(frame.time);
-      recording.skip(frame.time);
+      recording.skip(frame.seconds);
     }
     read.pop_front();
     if (file.live()) outputs.flush();
@@ -197,6 +198,11 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
   say_closing(streams.err, file.name(), source);
   for (const std::string& sentence : report::in_words(solver.solved(), scene))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
+  if (results && !source.time_unit_known()) {
+    say_times_without_unit(streams.err, file.name());
+    checker->times_without_unit();
+    recording.times_without_unit();
+  }
   Progress progress(streams);
   recording.findings = checker ? checker->result(progress).findings : solver.doubts();
   progress.clear();

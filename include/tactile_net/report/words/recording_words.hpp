@@ -2,6 +2,7 @@
 /// A recording in words: what a page says first, and of each frame.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,10 @@ namespace tactile_net::report {
 [[nodiscard]] std::string group_place(const lab::RecordingOverview& overview,
                                       const lab::FrameGroup& group);
 
-/// "0.8 s", or the frame's number where the recording has no time.
+/// "0.8 s", to the millisecond even since 1970; "frame 7" where the frame has no time.
+[[nodiscard]] std::string clock_in_words(double seconds, std::size_t frame);
+
+/// The same of the frame that stands for a group.
 [[nodiscard]] std::string group_clock(const lab::FrameGroup& group);
 
 /// "normal force 20.2 ± 0.2, tangential 7.1 ± 0.1, centre 0.35 ± 0.02; alpha 1e-3"

@@ -13,8 +13,9 @@ namespace tactile_net::report {
 /// "frame 17", "frames 17, 40-43", of many the first.
 [[nodiscard]] std::string in_words(const lab::FrameRuns& frames);
 
-/// "5 of 70 frames have the verdict border: frames 17, 40-43": one for each that is not ok; and how
-/// many were skipped or estimated.
+/// "5 of 70 frames have the verdict border: frames 17, 40-43": one for each that is not ok; how
+/// many were skipped or estimated; and that drag counts as none, where pressure alone is solved for
+/// and no contact of the scene says that there is none.
 [[nodiscard]] std::vector<std::string> in_words(const lab::SolvedFrames& solved,
                                                 const AnyScene& scene);
 
