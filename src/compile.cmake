@@ -16,9 +16,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   endif()
 endif()
 
-# Where sources are compiled together (CMAKE_UNITY_BUILD), unnamed namespaces of several meet: g++ takes that for a header's mistake.
-if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  add_compile_options(-Wno-subobject-linkage)
+# Where sources are compiled together (CMAKE_UNITY_BUILD), unnamed namespaces of several meet: g++ takes that for a header's mistake,
+# and to clang a local name shadows another source's. What shadows a name of its own source is told file by file.
+if(CMAKE_UNITY_BUILD)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    add_compile_options(-Wno-subobject-linkage)
+  else()
+    add_compile_options(-Wno-shadow)
+  endif()
 endif()
 
 # A second build takes seconds where ccache is installed.

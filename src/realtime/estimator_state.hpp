@@ -139,8 +139,8 @@ struct ContactEstimator::Ready {
   /// Of the force of a window around each cell, shared out among its cells [N^2].
   [[nodiscard]] static std::vector<double> variances_of(const PlanCells& cells) {
     std::vector<double> variances;
-    const auto reach = [](std::size_t at, std::size_t count, std::size_t window) {
-      return std::min(at + window, count - 1) - (at - std::min(at, window)) + 1;
+    const auto reach = [](std::size_t at, std::size_t places, std::size_t window) {
+      return std::min(at + window, places - 1) - (at - std::min(at, window)) + 1;
     };
     for (std::size_t cell = 0; cell < cells.window_deviations.size(); ++cell) {
       const double force = cells.area() * cells.window_deviations[cell];

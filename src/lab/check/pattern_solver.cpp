@@ -160,7 +160,7 @@ class LineSolver final : public PatternSolver {
       leave_out(left, dead);
       ConstrainedTikhonov cone(left, least_smoothing(problem_.family().singular_values(), 1e-6),
                                press_of(options.unknowns, problem_.scene().reconstruct));
-      presser_.emplace(dead, std::move(left), std::move(cone));
+      presser_ = {.dead = dead, .problem = std::move(left), .cone = std::move(cone)};
     }
     return presser_->press(*whole_contacts_, frame);
   }
@@ -244,7 +244,7 @@ class SkinSolver final : public PatternSolver {
       leave_out(left, dead_);
       SkinCone cone(left, least_smoothing(whole_.family().singular_values(), 1e-5),
                     press_of(left.components, scene.reconstruct));
-      presser_.emplace(dead_, std::move(left), std::move(cone));
+      presser_ = {.dead = dead_, .problem = std::move(left), .cone = std::move(cone)};
     }
     return presser_->press(*whole_contacts_, *frame);
   }
