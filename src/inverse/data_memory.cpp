@@ -1,6 +1,7 @@
 #include "inverse/data_memory.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "numeric/decompositions.hpp"
 
@@ -16,9 +17,10 @@ std::optional<DataMemory::Kept::Explained> DataMemory::Kept::explain(const Eigen
   for (auto set = sets.begin(); set != sets.end(); ++set) {
     const Eigen::VectorXd z = set->inverse * y;
     if (z.minCoeff() < 0.0) continue;
-    const double left = (y - set->columns * z).norm();
-    if (left > enough) continue;
-    const Explained found{left, (set->constants.transpose() * y).squaredNorm(), set->leaves_an_end};
+    Eigen::VectorXd residual = y - set->columns * z;
+    if (residual.norm() > enough) continue;
+    const Explained found{std::move(residual), (set->constants.transpose() * y).squaredNorm(),
+                          set->leaves_an_end};
     std::rotate(sets.begin(), set, set + 1);
     return found;
   }

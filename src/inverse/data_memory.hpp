@@ -21,7 +21,7 @@ struct DataMemory::Kept {
     bool leaves_an_end = false;
   };
   struct Explained {
-    double left = 0.0;  // norm of the residual
+    Eigen::VectorXd residual{};
     double gain = 0.0;  // what constants would take from its square
     bool leaves_an_end = false;
   };

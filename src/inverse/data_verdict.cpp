@@ -12,14 +12,15 @@
 #include "inverse/data_memory.hpp"
 #include "inverse/nonnegative.hpp"
 #include "inverse/significance.hpp"
+#include "inverse/single_liar.hpp"
 #include "inverse/weighting.hpp"
+#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr std::size_t most_suspects = 4;
 constexpr std::size_t constraint_limit = 300;
 
 /// What a contact is allowed besides pressing: columns without a sign.
@@ -65,7 +66,12 @@ struct DataJudge::Parts {
   [[nodiscard]] double norm_to_rms() const { return unit / std::sqrt(rows); }
   [[nodiscard]] const Eigen::MatrixXd& widest() const { return wide.cols() > 0 ? wide : cone; }
   [[nodiscard]] Freedom without(std::size_t taxel) const;
-  [[nodiscard]] std::vector<std::size_t> suspects(const Eigen::VectorXd& residual) const;
+  [[nodiscard]] static Eigen::VectorXd alone(const Eigen::MatrixXd& of, const Fit& base);
+  [[nodiscard]] double likeness(const Eigen::VectorXd& y, const Freedom& freedom,
+                                const Fit& rest) const;
+  [[nodiscard]] std::optional<std::size_t> single_liar(const Eigen::MatrixXd& of,
+                                                       const Eigen::VectorXd& y,
+                                                       const Fit& base) const;
 
   DataLimits limits;
   double unit;  // of all that is weighted: the noise, where it is known
@@ -73,11 +79,12 @@ struct DataJudge::Parts {
   std::size_t taxels, values;
   std::ptrdiff_t components;  // normal, or the tangential one too
   Weighting weighting;
-  Eigen::VectorXd weights;              // over the unit
-  Eigen::MatrixXd kernel;               // W K
-  Eigen::MatrixXd cone;                 // W K E within the limit that is stated, unit columns
-  Eigen::MatrixXd wide;                 // W K E of any friction that is likely; empty: as `cone`
-  double rows;                          // independent ones
+  Eigen::VectorXd weights;  // over the unit
+  Eigen::MatrixXd kernel;   // W K
+  Eigen::MatrixXd cone;     // W K E within the limit that is stated, unit columns
+  Eigen::MatrixXd wide;     // W K E of any friction that is likely; empty: as `cone`
+  double rows;              // independent ones
+  SingleLiar liars;
   double most = 0.0;                    // limit(0)
   double constant_gain;                 // square that a constant in each channel takes of noise
   std::vector<Side> places{};           // of the values of contacts
@@ -98,6 +105,7 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
       weights(weighting.weights()),
       kernel(as_eigen(problem.kernel)),
       rows(static_cast<double>(weighting.rows())),
+      liars(rows),
       constant_gain(std::numeric_limits<double>::infinity()) {
   check_limits(limits, problem.weights.size());
   if (!(contacts.weights == problem.weights && contacts.unknowns == problem.unknowns &&
@@ -218,17 +226,47 @@ Freedom DataJudge::Parts::without(std::size_t taxel) const {
   return freedom;
 }
 
-/// The taxels with the largest residuals, largest first.
-std::vector<std::size_t> DataJudge::Parts::suspects(const Eigen::VectorXd& residual) const {
-  std::vector<double> squares(taxels);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(residual.size()); ++i)
-    squares[sites[i].taxel] += std::pow(residual(static_cast<Eigen::Index>(i)), 2);
-  std::vector<std::size_t> order(taxels);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return squares[a] > squares[b]; });
-  order.resize(std::min(order.size(), most_suspects));
-  return order;
+/// How far each reading is from what all others say of it, with the same columns pressed: a contact
+/// beneath a taxel that lies follows it, and leaves more at its neighbours than there.
+Eigen::VectorXd DataJudge::Parts::alone(const Eigen::MatrixXd& of, const Fit& base) {
+  constexpr double least = 1e-3;  // of a reading's own say in what is left of it
+  if (base.pressed.empty()) return base.residual;
+  const Eigen::MatrixXd pressed = of(Eigen::indexing::all, base.pressed);
+  const Svd svd = singular_value_decomposition(pressed);
+  const auto rank = (svd.values.array() > 1e-10 * svd.values(0)).count();
+  const Eigen::VectorXd own = 1.0 - svd.u.leftCols(rank).rowwise().squaredNorm().array();
+  return base.residual.cwiseQuotient(own.cwiseMax(least).cwiseSqrt());
+}
+
+/// What taxels are compared by, smaller for the one that is likelier to lie: by contacts within the
+/// stated limit where these explain the rest too.
+double DataJudge::Parts::likeness(const Eigen::VectorXd& y, const Freedom& freedom,
+                                  const Fit& rest) const {
+  if (wide.cols() == 0) return rest.norm;
+  const double enough = limit(static_cast<double>(freedom.columns.cols()));
+  const double within = fit(cone, y, 0.0, freedom).norm;
+  return within <= enough ? within : enough + rest.norm;
+}
+
+/// @param of    columns of a cone that explains the frame
+/// @param base  what it leaves at least
+std::optional<std::size_t> DataJudge::Parts::single_liar(const Eigen::MatrixXd& of,
+                                                         const Eigen::VectorXd& y,
+                                                         const Fit& base) const {
+  std::optional<std::size_t> liar;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t taxel : suspects(alone(of, base), sites, taxels)) {
+    const Freedom freedom = without(taxel);
+    const auto taken = static_cast<double>(freedom.columns.cols());
+    if (taken == 0.0) continue;
+    const Fit rest = fit(of, y, 0.0, freedom);
+    if (!liars.is_found(base.residual, rest.residual, taxel_gain(taken, taxels), y)) continue;
+    const double like = likeness(y, freedom, rest);
+    if (like >= least) continue;
+    least = like;
+    liar = taxel;
+  }
+  return liar;
 }
 
 void DataJudge::Parts::take_offset(const Eigen::VectorXd& allowance, const Freedom& freedom,
@@ -314,29 +352,38 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
   if (memory != nullptr) {
     const auto known = memory->explain(y, most);
     // A contact that leaves an end alone explains the frame, and a constant would gain nothing.
-    if (known && known->leaves_an_end && known->gain < constant_gain) {
-      verdict.residual_rms = known->left * rms;
+    if (known && known->leaves_an_end && known->gain < constant_gain &&
+        !liars.may_be_in(known->residual)) {
+      verdict.residual_rms = known->residual.norm() * rms;
       return;
     }
   }
   const Eigen::VectorXd contact = nearest_contact(tractions);
-  double left = (y - kernel * contact).norm();
-  Fit base;
-  if (left > most || memory != nullptr) {
-    base = fit(cone, y, most);
-    left = base.norm;
-    if (memory != nullptr && left <= most && !base.pressed.empty()) remember(base, *memory);
-  }
-  verdict.residual_rms = left * rms;
-  if (left <= most) {
+  Fit base{.residual = y - kernel * contact};
+  base.norm = base.residual.norm();
+  if (base.norm > most || memory != nullptr) base = fit(cone, y, most);
+  // The first contact that is near enough may well leave more than the nearest one.
+  const auto is_odd = [&](const Eigen::MatrixXd& of) {
+    if (!liars.may_be_in(base.residual)) return false;
+    base = fit(of, y);
+    return liars.may_be_in(alone(of, base));
+  };
+  if (base.norm <= most) {
+    const bool odd = is_odd(cone);
+    if (memory != nullptr && !base.pressed.empty()) remember(base, *memory);
+    verdict.residual_rms = base.norm * rms;
     look_for_constant(y, contact, verdict);
+    if (odd && verdict.consistent()) verdict.taxel = single_liar(cone, y, base);
+    if (verdict.taxel) verdict.doubts.push_back(DataDoubt::bad_taxel);
     return;
   }
+  verdict.residual_rms = base.norm * rms;
 
   // By contacts that the limit does not hold, as where nobody states one.
   if (wide.cols() > 0) base = fit(wide, y, most);
   if (base.norm <= most) {
-    verdict.doubts.push_back(DataDoubt::friction_limit);
+    if (is_odd(wide)) verdict.taxel = single_liar(wide, y, base);
+    verdict.doubts.push_back(verdict.taxel ? DataDoubt::bad_taxel : DataDoubt::friction_limit);
     return;
   }
 
@@ -346,13 +393,16 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
            base.norm * base.norm - fit.norm * fit.norm >= chi_squared_limit(taken, alarms);
   };
   double by_taxel = std::numeric_limits<double>::infinity();
-  for (const std::size_t taxel : suspects(base.residual)) {
+  double least = by_taxel;
+  for (const std::size_t taxel : suspects(alone(widest(), base), sites, taxels)) {
     const Freedom freedom = without(taxel);
     const auto taken = static_cast<double>(freedom.columns.cols());
     if (taken == 0.0) continue;
     const Fit rest = fit(widest(), y, 0.0, freedom);
-    if (rest.norm >= by_taxel || !gains(rest, taken, false_alarms / static_cast<double>(taxels)))
-      continue;
+    if (!gains(rest, taken, false_alarms / static_cast<double>(taxels))) continue;
+    const double like = likeness(y, freedom, rest);
+    if (like >= least) continue;
+    least = like;
     by_taxel = rest.norm;
     verdict.taxel = taxel;
   }

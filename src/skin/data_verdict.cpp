@@ -15,6 +15,7 @@
 #include "inverse/checks.hpp"
 #include "inverse/data_limits.hpp"
 #include "inverse/significance.hpp"
+#include "inverse/single_liar.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/cone_search.hpp"
 #include "skin/rest_of_rows.hpp"
@@ -23,7 +24,6 @@
 namespace tactile_net {
 namespace {
 
-constexpr std::size_t most_suspects = 4;
 constexpr std::size_t iteration_limit = 1000;
 constexpr double converged = 1e-5;
 /// Over the square of the largest singular value, in the order in which they are tried.
@@ -145,6 +145,11 @@ struct SkinDataJudge::Parts {
     const std::vector<double> g = weighted(problem, readings);
     return as_eigen(std::span(g)) / unit;
   }
+  [[nodiscard]] double readings_of(std::size_t taxel) const;
+  /// Of readings that contacts with no more friction explain, and what such a contact leaves.
+  [[nodiscard]] std::optional<std::size_t> single_liar(
+      std::span<const double> readings, const Eigen::VectorXd& residual,
+      const std::optional<double>& most_friction) const;
   [[nodiscard]] std::optional<std::size_t> bad_taxel(std::span<const double> readings,
                                                      const Eigen::VectorXd& residual) const;
   /// Of a residual's norm, where so many rows are taken by something else than noise.
@@ -162,6 +167,7 @@ struct SkinDataJudge::Parts {
   Constraints press{};               // contacts of any friction that is likely
   double unit;                       // of all that is weighted: the noise, where it is known
   double rows;
+  SingleLiar liars;
 
   mutable std::mutex mutex{};
   mutable std::unique_ptr<Cones> made{};
@@ -174,7 +180,8 @@ SkinDataJudge::Parts::Parts(std::shared_ptr<const SkinProblem> found_for,
       problem(*shared),
       make_contacts(std::move(sought)),
       unit(limits.noise_rms.value_or(1.0)),
-      rows(static_cast<double>(independent_readings(problem))) {
+      rows(static_cast<double>(independent_readings(problem))),
+      liars(rows) {
   check_limits(limits, problem.weights.size());
   if (problem.components != 3) return;
   friction = limits.friction_limit.value_or(usual_friction);
@@ -277,30 +284,64 @@ double SkinDataJudge::Parts::left_in_full(std::span<const double> readings,
   return of_rest(left(of.problem(), readings, found.tractions)).norm();
 }
 
+double SkinDataJudge::Parts::readings_of(std::size_t taxel) const {
+  double count = 0.0;
+  for (std::size_t row = 0; row < problem.sites.size(); ++row)
+    if (problem.sites[row].taxel == taxel && problem.weights[row] > 0.0) count += 1.0;
+  return count;
+}
+
+/// With much smoothing first, which is quick and gains more by each taxel that is left out.
+std::optional<std::size_t> SkinDataJudge::Parts::single_liar(
+    std::span<const double> readings, const Eigen::VectorXd& residual,
+    const std::optional<double>& most_friction) const {
+  if (!liars.may_be_in(residual) || !contacts().are_read()) return std::nullopt;
+  Cones& of = contacts();
+  const Eigen::VectorXd all = seen(readings);
+  std::vector<std::size_t> taxels;
+  std::optional<std::size_t> liar;
+  for (const std::size_t smoothing : {std::size_t{0}, std::size_t{1}}) {
+    const ConeSearch& whole = of.cone(smoothing);
+    const ConeSearch cone = most_friction ? whole.with_friction(*most_friction) : whole;
+    const SkinConeSolution best = cone.solve(readings, iteration_limit, converged);
+    if (best.status != FrameStatus::ok) return std::nullopt;
+    const Eigen::VectorXd base = left(of.problem(), readings, best.tractions);
+    if (!liars.may_be_in(base)) return std::nullopt;
+    if (smoothing == 0) taxels = suspects(base, problem.sites, problem.taxels);
+    liar.reset();
+    double least = std::numeric_limits<double>::infinity();
+    std::erase_if(taxels, [&](std::size_t taxel) {
+      const double taken = readings_of(taxel);
+      if (taken == 0.0 || taken >= rows) return true;
+      const std::span<const std::size_t> only(&taxel, 1);
+      const SkinConeSolution found = cone.without(only).solve(readings, iteration_limit, converged);
+      if (found.status != FrameStatus::ok) return true;
+      const RestOfRows of_rest(
+          {of.problem().weights, of.problem().sites, of.problem().unknown_offsets}, only);
+      const Eigen::VectorXd rest = of_rest(left(of.problem(), readings, found.tractions));
+      if (!liars.is_found(base, rest, taxel_gain(taken, problem.taxels), all)) return true;
+      if (rest.norm() < least) {
+        least = rest.norm();
+        liar = taxel;
+      }
+      return false;
+    });
+    if (taxels.empty()) return std::nullopt;
+  }
+  return liar;
+}
+
 /// Of the taxels with the largest residuals the one without which a contact explains the rest best.
 std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const double> readings,
                                                            const Eigen::VectorXd& residual) const {
-  std::vector<double> squares(problem.taxels);
-  std::vector<double> taken(problem.taxels);
-  for (std::size_t row = 0; row < problem.sites.size(); ++row) {
-    const std::size_t taxel = problem.sites[row].taxel;
-    squares[taxel] += std::pow(residual(static_cast<Eigen::Index>(row)), 2);
-    if (problem.weights[row] > 0.0) taken[taxel] += 1.0;
-  }
-  std::vector<std::size_t> order(problem.taxels);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return squares[a] > squares[b]; });
-  order.resize(std::min(order.size(), most_suspects));
   std::vector<std::size_t> alone;  // without each of which a contact explains the rest
-  for (const std::size_t taxel : order) {
-    if (taken[taxel] == 0.0 || taken[taxel] >= rows) continue;
-    const double most = limit(taken[taxel]);
+  for (const std::size_t taxel : suspects(residual, problem.sites, problem.taxels)) {
+    const double taken = readings_of(taxel);
+    if (taken == 0.0 || taken >= rows) continue;
+    const double most = limit(taken);
     const double norm = least_left(readings, most, taxel);
     const double gain = residual.squaredNorm() - norm * norm;
-    const double chance =
-        chi_squared_limit(taken[taxel], false_alarms / static_cast<double>(problem.taxels));
-    if (norm <= most && gain >= chance) alone.push_back(taxel);
+    if (norm <= most && gain >= taxel_gain(taken, problem.taxels)) alone.push_back(taxel);
   }
   if (alone.empty()) return std::nullopt;
   std::size_t worst = alone.front();
@@ -357,7 +398,11 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
     if (best.size() > 0 && !(residual.norm() <= best.norm())) residual = best;
   }
   verdict.residual_rms = residual.norm() * rms;
-  if (residual.norm() <= most) return verdict;
+  if (residual.norm() <= most) {
+    verdict.taxel = p.single_liar(readings, residual, p.friction);
+    if (verdict.taxel) verdict.doubts.push_back(DataDoubt::bad_taxel);
+    return verdict;
+  }
   if (!residual.allFinite()) {  // of no noise that a number can say
     verdict.doubts.push_back(DataDoubt::misfit);
     return verdict;
@@ -366,7 +411,8 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   if (p.friction != p.press.friction_limit) {  // as where nobody states a limit
     Eigen::VectorXd best = p.left_by_contact(readings, most, p.press.friction_limit);
     if (best.size() > 0 && best.norm() <= most) {
-      verdict.doubts.push_back(DataDoubt::friction_limit);
+      verdict.taxel = p.single_liar(readings, best, p.press.friction_limit);
+      verdict.doubts.push_back(verdict.taxel ? DataDoubt::bad_taxel : DataDoubt::friction_limit);
       return verdict;
     }
     if (best.size() > 0 && best.norm() <= residual.norm()) residual = std::move(best);

@@ -120,6 +120,31 @@ TEST_CASE("the taxel that contradicts all others is named", "[data_verdict]") {
   CHECK(data.taxel == taxel);
 }
 
+TEST_CASE("a lie that a narrow contact takes up is told, and by no honest frame",
+          "[data_verdict]") {
+  Bench bench = Bench::two_tractions();
+  bench.array.depths = {1.0};
+  const InverseProblem p = bench.problem();
+  DataLimits limits = bench.limits();
+  limits.friction_limit = 0.5;
+  const DataJudge judge(p, limits);
+  const auto judged = [&](const std::vector<double>& readings) {
+    return judge.judge(readings, tikhonov_solve(p, 1e-5, readings));
+  };
+  const std::vector<double> honest = bench.frame(contact_at(0.4, 0.3), 1);
+  CHECK(judged(honest).consistent());
+  // At the array's end, beside the contact and away from it. Of two neighbours without each of
+  // which a contact explains the rest as well either may be named.
+  for (const std::size_t taxel : {0u, 3u, 8u, 17u}) {
+    std::vector<double> lies = honest;
+    lies[taxel] += 40.0 * bench.noise;
+    CAPTURE(taxel);
+    const DataVerdict data = judged(lies);
+    REQUIRE(data.doubts == only(DataDoubt::bad_taxel));
+    CHECK(std::abs(static_cast<double>(*data.taxel) - static_cast<double>(taxel)) <= 1.0);
+  }
+}
+
 TEST_CASE("where more friction than the limit explains a frame the limit is doubted, and no taxel",
           "[data_verdict]") {
   const Bench bench = Bench::two_tractions();

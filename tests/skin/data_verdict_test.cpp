@@ -67,6 +67,32 @@ TEST_CASE("a skin's single liar is found, and a sign turned round", "[skin][data
   }
 }
 
+TEST_CASE("a lie that a narrow contact takes up is told of a skin, and by no honest frame",
+          "[skin][data]") {
+  const SkinArray skin = square_skin(6, 2e-3);
+  const SkinProblem problem = make_problem(skin, silicone);
+  const SkinContact contact{
+      .y = 0.4e-3, .z = -0.3e-3, .radius = 3e-3, .force = 0.05, .friction = 0.3};
+  std::mt19937 random(3);
+  std::vector<double> readings = exact_readings(skin, silicone, std::vector<SkinLoad>{contact});
+  const double rms = add_noise(readings, 0.01, random);
+  const SkinFamily family(problem);
+  const SkinDataJudge judge(problem, {.noise_rms = rms, .friction_limit = 0.5});
+  const auto judged = [&] {
+    const FilterFrame seen = family.analyse(readings);
+    return judge.judge(readings, family.solve(seen, choose_alone(seen, AlphaRule::aicc).alpha));
+  };
+  CHECK(judged().consistent());
+  for (const std::size_t taxel : {8u, 20u}) {
+    readings[taxel] += 15.0 * rms;
+    CAPTURE(taxel);
+    const DataVerdict data = judged();
+    CHECK(data.doubts == std::vector{DataDoubt::bad_taxel});
+    CHECK(data.taxel == taxel);
+    readings[taxel] -= 15.0 * rms;
+  }
+}
+
 TEST_CASE("a skin's limit of friction that is too low is doubted, and no taxel", "[skin][data]") {
   const SkinArray skin = square_skin(8, 2e-3);
   const SkinProblem problem = make_problem(skin, silicone);

@@ -15,6 +15,12 @@
 /// most, and none of them is to blame. Where those contacts explain the frame, it is the limit that
 /// is doubted.
 ///
+/// A narrow contact takes up most of what a single taxel says too much, and the sum leaves room for
+/// the rest. So a contact that explains a frame but leaves a reading odd, as noise does in one
+/// frame of 20, is compared with contacts without one taxel: it lies where that gains more than
+/// noise or 5 % of the largest reading would, and nothing odd is left. A lie just like a needle
+/// that presses is not told from one, and of two neighbours either may be named.
+///
 ///     const DataJudge judge(problem, {.noise_rms = 1.0, .largest_traction = pad.youngs_modulus});
 ///     const DataVerdict data = judge.judge(readings, tractions);
 ///     data.consistent();                     // or data.doubts: name(data.doubts.front())
@@ -41,7 +47,7 @@ inline constexpr double usual_friction = 1.0;
 enum class DataDoubt {
   implausible,     ///< a strain beyond 1, of the readings or of the pad's whole surface
   pulls,           ///< explained by tractions that pull alone, or best with the sign turned round
-  bad_taxel,       ///< explained without one taxel alone
+  bad_taxel,       ///< explained without one taxel alone, or better by far
   offset,          ///< explained with a constant added to a channel alone, or better by far
   misfit,          ///< no tractions explain it: pad, depth, noise or calibration are not as stated
   friction_limit,  ///< explained with more friction than is stated alone: the limit may be too low
@@ -117,7 +123,8 @@ class DataJudge {
   ///
   /// @param readings   g, one per row of K, finite
   /// @param tractions  that a method found for them [Pa]
-  /// @param memory     of this judge; the doubts are the same without one
+  /// @param memory     of this judge; the doubts are the same without one, but for a single taxel
+  ///                   at the edge of what is odd
   /// @throw std::invalid_argument  a size does not fit
   [[nodiscard]] DataVerdict judge(std::span<const double> readings,
                                   std::span<const double> tractions,

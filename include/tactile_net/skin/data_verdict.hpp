@@ -4,7 +4,8 @@
 ///
 /// A contact whose W K f lies nearer to W g than white noise of the stated rms reaches in 999
 /// frames of 1000 is sought among the tractions found, then by `SkinCone` with less and less
-/// smoothing. Where there is none, the sign and single taxels are tried. Constants added to a
+/// smoothing. Where there is none, the sign and single taxels are tried, and single taxels where it
+/// leaves a reading odd. Constants added to a
 /// channel are not looked for.
 #pragma once
 
