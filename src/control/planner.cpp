@@ -137,7 +137,7 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   plan.alpha = alpha;
   plan.reconstruction = std::move(reconstruction.plan);
   plan.weights = problem.weights;
-  take_options(planned, options);
+  take_options(planned, options, problem.unknown_offsets);
   if (options.noise_rms > 0.0) {
     plan.force_deviation = options.noise_rms * force_deviation(problem, alpha);
     if (options.diagnostics)
@@ -146,8 +146,6 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
           noise_limit(plan.weights, static_cast<std::size_t>(Weighting(problem).rows()));
   }
 
-  plan.known_offsets = options.judge_baseline && options.diagnostics && options.noise_rms > 0.0 &&
-                       !problem.unknown_offsets;
   if (options.diagnostics) {
     const ProductTask prediction = prediction_task(task, Weighting(problem));
     plan.prediction = plan_product(prediction).plan;

@@ -79,7 +79,7 @@ void take_raw(ProductTask& task, const Calibration& calibration, std::size_t cou
   task.symmetric = task.symmetric && is_constant_in_channels(calibration.gain, count);
 }
 
-void take_options(PlannedEstimator& planned, const PlannerOptions& options) {
+void take_options(PlannedEstimator& planned, const PlannerOptions& options, bool unknown_offsets) {
   EstimatorPlan& plan = planned.plan;
   plan.label = options.label;
   plan.accuracy = options.accuracy;
@@ -95,6 +95,8 @@ void take_options(PlannedEstimator& planned, const PlannerOptions& options) {
   if (options.diagnostics)
     for (const std::size_t value : options.border)
       plan.border.push_back(static_cast<std::uint32_t>(value));
+  plan.known_offsets =
+      options.judge_baseline && options.diagnostics && options.noise_rms > 0.0 && !unknown_offsets;
   plan.friction_coefficient = options.friction_coefficient;
   plan.ranges = options.ranges;
 }

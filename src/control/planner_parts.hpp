@@ -33,7 +33,9 @@ void check_structure(const ProductTask& task, bool symmetric);
 void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count);
 
 /// What does not follow from the problem; after the reconstruction and the weights.
-void take_options(PlannedEstimator& planned, const PlannerOptions& options);
+///
+/// @param unknown_offsets  the problem's: channels have constants that nobody knows
+void take_options(PlannedEstimator& planned, const PlannerOptions& options, bool unknown_offsets);
 
 /// The diagonal of a prediction, kept below 1.
 [[nodiscard]] std::vector<double> leverages_of(const Eigen::MatrixXd& prediction);

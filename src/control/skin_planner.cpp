@@ -294,10 +294,8 @@ PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& fa
   plan.unjudged = edge_taxels(problem);
   plan.reconstruction = std::move(reconstruction.plan);
   plan.weights = problem.weights;
-  take_options(planned, options);
+  take_options(planned, options, problem.unknown_offsets);
   if (options.noise_rms > 0.0) take_noise(plan, problem, family, alpha, options);
-  plan.known_offsets = options.judge_baseline && options.diagnostics && options.noise_rms > 0.0 &&
-                       !problem.unknown_offsets;
 
   if (options.diagnostics) {
     // W K M W^-1: the readings that the tractions explain, and the constants where they are free;

@@ -11,6 +11,8 @@
 namespace tactile_net::lab {
 namespace {
 
+constexpr double least_difference = 1e-9;  // what lies just as far is as near in every unit
+
 /// How far apart taxels lie that are nowhere in rows: the mean distance to the third nearest place,
 /// which of a square lattice and of a triangular one is their pitch. The nearest ones lie closer
 /// the less even a skin is, though it leaves no gaps.
@@ -37,9 +39,9 @@ double mean_spacing(std::span<const SkinSite> sites) {
 /// Whether taxels stand all around a place, near enough for each to read what presses there: what
 /// is loaded between them cannot be much more, or elsewhere, without their seeing it.
 bool is_surrounded(double y, double z, const SkinProblem& problem) {
-  constexpr double rounding = 1e-9;        // what lies just as far is near in every unit
-  constexpr double near = 1.5 + rounding;  // of a taxel's own depth
-  constexpr double widest = 150.0 / 180.0 * std::numbers::pi + rounding;  // between neighbours
+  constexpr double near = 1.5 + least_difference;  // of a taxel's own depth
+  constexpr double widest =
+      150.0 / 180.0 * std::numbers::pi + least_difference;  // between neighbours
   std::vector<double> directions;
   for (std::size_t i = 0; i < problem.sites.size(); ++i) {
     const SkinSite& site = problem.sites[i];
@@ -61,8 +63,7 @@ double sight_of(const SkinArray& skin) {
   const double pitch = is_even(skin) ? std::max(skin.rows > 1 ? skin.pitch_y : 0.0,
                                                 skin.columns > 1 ? skin.pitch_z : 0.0)
                                      : std::max(skin.pitch_y, mean_spacing(sites(skin)));
-  constexpr double rounding = 1e-9;  // cells that lie just as far are seen in every unit
-  return (1.0 + rounding) * std::max(0.75 * pitch, 0.5 * least_depth(skin));
+  return (1.0 + least_difference) * std::max(0.75 * pitch, 0.5 * least_depth(skin));
 }
 
 std::vector<bool> unseen_cells(const SkinSceneProblem& problem) {

@@ -110,21 +110,27 @@ void check_proposals(const NetworkProblem& problem, RealizationOptions options,
   }
 }
 
+/// Calls with what draws, and a network each.
+void for_each_network(unsigned first, const auto& use) {
+  Random random(first);
+  for (unsigned seed = 0; seed < networks; ++seed) {
+    CAPTURE(seed);
+    use(random, random_network(random, seed));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("T5: a crossbar bears second poles, and capacitance where they are not slow",
           "[theorems][property]") {
-  Random random(1);
-  for (unsigned seed = 0; seed < networks; ++seed) {
-    CAPTURE(seed);
-    const NetworkProblem problem = random_network(random, seed);
+  for_each_network(1, [&](Random& random, const NetworkProblem& problem) {
     const double gain = any_gain(random);
     CHECK(certified(Realization::crossbar, problem,
                     {.opamp = opamp(bandwidth * random.decades(1e-2, 1e2), std::nullopt, gain)}));
     CHECK(certified(
         Realization::crossbar, problem,
         {.opamp = opamp(bandwidth * random.decades(1.0, 1e2), random.decades(1e-13, 1e-9), gain)}));
-  }
+  });
   // Slow second poles and capacitance: one that is unstable.
   RealizationOptions slow{.opamp = opamp(0.01 * bandwidth, 1e-10)};
   const NetworkProblem problem = array_network(11, 1e-2).problem;
@@ -133,10 +139,7 @@ TEST_CASE("T5: a crossbar bears second poles, and capacitance where they are not
 
 TEST_CASE("T3: with inverters a crossbar bears any capacitance and any gain that both kinds have",
           "[theorems][property]") {
-  Random random(7);
-  for (unsigned seed = 0; seed < networks; ++seed) {
-    CAPTURE(seed);
-    const NetworkProblem problem = random_network(random, seed);
+  for_each_network(7, [&](Random& random, const NetworkProblem& problem) {
     const RealizationOptions options{.opamp = opamp(std::nullopt, std::nullopt, any_gain(random)),
                                      .inverters = true,
                                      .bandwidth_ratio = random.decades(1e-2, 0.5)};
@@ -146,7 +149,7 @@ TEST_CASE("T3: with inverters a crossbar bears any capacitance and any gain that
       if (x.subcircuit != "inverter")
         circuit.capacitors.push_back({"C" + x.name, x.pins[1], 0, random.decades(1e-14, 1e-8)});
     CHECK(slowest_pole(circuit) < 0.0);
-  }
+  });
 
   // Beyond half the inverters' bandwidth, and with more gain than they have: unstable.
   const NetworkProblem opposed = opposed_network(0.4999);
@@ -168,14 +171,11 @@ TEST_CASE("T3: with inverters a crossbar bears any capacitance and any gain that
 }
 
 TEST_CASE("T2: op-amps of one bandwidth and one gain make a rail stable", "[theorems][property]") {
-  Random random(8);
-  for (unsigned seed = 0; seed < networks; ++seed) {
-    CAPTURE(seed);
-    const NetworkProblem problem = random_network(random, seed);
+  for_each_network(8, [&](Random& random, const NetworkProblem& problem) {
     CHECK(certified(Realization::rail, problem,
                     {.opamp = opamp(std::nullopt, std::nullopt, any_gain(random)),
                      .node_capacitance = random.decades(1e-14, 1e-9)}));
-  }
+  });
 }
 
 TEST_CASE("what finite gain adds makes up for a P that is barely not definite",
@@ -206,10 +206,7 @@ TEST_CASE("what finite gain adds makes up for a P that is barely not definite",
 
 TEST_CASE("T1: converters bear second poles, and capacitance at their inputs up to 1/(2 W r)",
           "[theorems][property]") {
-  Random random(2);
-  for (unsigned seed = 0; seed < networks; ++seed) {
-    CAPTURE(seed);
-    const NetworkProblem problem = random_network(random, seed);
+  for_each_network(2, [&](Random& random, const NetworkProblem& problem) {
     const double divider = 1e4;
     const double capacitance = random.decades(1e-3, 0.4999) / (angular_bandwidth * divider);
     CHECK(certified(Realization::nic, problem,
@@ -220,7 +217,7 @@ TEST_CASE("T1: converters bear second poles, and capacitance at their inputs up 
     CHECK(certified(Realization::nic, problem,
                     {.opamp = opamp(second_pole, std::nullopt, any_gain(random)),
                      .node_capacitance = random.decades(1e-13, 1e-10)}));
-  }
+  });
   const NetworkProblem problem = array_network(11, 1e-3).problem;
   CHECK(certify(Realization::nic, problem,
                 {.opamp = opamp(std::nullopt, 20.0 / (angular_bandwidth * 1e4)),

@@ -37,19 +37,19 @@ class ExtremeNumbers {
   /// @return  null: others are farther out. Valid until the next call
   ExtremeNumber* add(double number, std::size_t reading) {
     if (held_ == most && sign_ * number < sign_ * all_[most - 1].number) return nullptr;
-    const auto end = all_.begin() + static_cast<std::ptrdiff_t>(held_);
-    const auto at = std::find_if(all_.begin(), end, [&](const ExtremeNumber& one) {
-      return sign_ * number >= sign_ * one.number;
-    });
+    ExtremeNumber* const first = all_.data();
+    ExtremeNumber* const end = first + held_;
+    ExtremeNumber* const at = std::find_if(
+        first, end, [&](const ExtremeNumber& one) { return sign_ * number >= sign_ * one.number; });
     if (at == end || at->number != number) {
       held_ = std::min(held_ + 1, most);
-      const auto last = all_.begin() + static_cast<std::ptrdiff_t>(held_) - 1;
+      ExtremeNumber* const last = first + held_ - 1;
       std::move_backward(at, last, last + 1);
       *at = {.number = number, .reading = reading};
     }
     ++at->count;
     at->several = at->several || at->reading != reading;
-    return &*at;
+    return at;
   }
   /// A frame holds this number in every reading of the channel.
   void add_frame(double number) {

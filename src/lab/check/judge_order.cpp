@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lab/check/judgement.hpp"
+#include "lab/check/order_contest.hpp"
 #include "numeric/finite.hpp"
 
 namespace tactile_net::lab {
@@ -97,36 +98,25 @@ void judge_order(const Evidence& evidence, const std::vector<std::vector<double>
   // Where pressure is not read nothing says which drag belongs to a press: each order of the taxels
   // has one that explains the readings, and how smooth that is says nothing of the order.
   if (!evidence.sensor.reads_pressure) return;
-  constexpr std::size_t most_frames = 8;
   const std::vector<SignalChannel>& channels = evidence.channels();
   const std::vector<Turn> all = turns(channels, evidence.sensor.has_columns);
-  const std::vector<bool> living = evidence.telling();
   std::vector<const std::vector<double>*> whole;  // turned, a gap would be another taxel's
   for (const std::vector<double>& readings : loaded)
     if (all_finite(readings)) whole.push_back(&readings);
   if (all.empty() || whole.empty()) return;
-  std::vector<double> gain(all.size());
-  std::vector<std::size_t> better(all.size());
-  const std::size_t frames = std::min(most_frames, whole.size());
-  for (std::size_t k = 0; k < frames; ++k) {
-    const std::vector<double>& readings = *whole[k * whole.size() / frames];
-    const auto stated = solver.surprise(readings, living);
-    if (!stated) return;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto other = solver.surprise(turned(readings, all[i], channels), living);
-      if (!other) return;
-      gain[i] += *stated - *other;
-      better[i] += *other < *stated;
-    }
-  }
-  const auto best = std::max_element(gain.begin(), gain.end()) - gain.begin();
-  const auto at = static_cast<std::size_t>(best);
-  // Of two log-likelihoods: a frame of which neither order is likelier gains nothing, and a pad
-  // that is a little other than stated does not gain by turning it.
-  constexpr double least_gain = 20.0;
-  if (!(gain[at] > least_gain) || 5 * better[at] < 4 * frames) return;
-  finding::OrderMirrored found = all[at].as;
-  found.frames = better[at];
+  OrderContest contest(solver, evidence.telling(), all.size(),
+                       [&](std::span<const double> readings, std::size_t order) {
+                         return turned(readings, all[order], channels);
+                       });
+  const std::size_t frames = std::min(most_ordered, whole.size());
+  for (std::size_t k = 0; k < frames; ++k)
+    if (!contest.add(*whole[k * whole.size() / frames])) return;
+  const std::vector<double>& gain = contest.gain();
+  const auto best =
+      static_cast<std::size_t>(std::max_element(gain.begin(), gain.end()) - gain.begin());
+  if (!contest.wins(best)) return;
+  finding::OrderMirrored found = all[best].as;
+  found.frames = contest.better(best);
   found.of = frames;
   check.findings.emplace_back(found);
 }

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <variant>
 
 #include "lab/check/judgement.hpp"
+#include "lab/check/order_contest.hpp"
 #include "numeric/finite.hpp"
 
 namespace tactile_net::lab {
@@ -83,42 +83,36 @@ std::vector<std::vector<double>> loaded_frames(const Evidence& evidence,
 
 void judge_serpentine(const Evidence& evidence, const AnyScene& scene,
                       std::span<const double> baseline, PatternSolver& solver, Findings& findings) {
-  constexpr std::size_t most_frames = 8;
-  constexpr double least_gain = 20.0;  // of two log-likelihoods, as of orders that are mirrored
   const auto* skin = std::get_if<SkinScene>(&scene);
   if (skin == nullptr || !is_even(skin->sensor)) return;
   const std::vector<Serpentine> all = serpentines(evidence.channels(), skin->sensor);
-  const std::vector<std::vector<double>> frames = loaded_frames(evidence, baseline, most_frames);
+  const std::vector<std::vector<double>> frames = loaded_frames(evidence, baseline, most_ordered);
   if (all.empty() || frames.empty()) return;
-  const std::vector<bool> living = living_in_all(evidence, all);
-  std::vector<double> gain(all.size());
-  std::vector<std::size_t> better(all.size());
+  OrderContest contest(solver, living_in_all(evidence, all), all.size(),
+                       [&](std::span<const double> frame, std::size_t order) {
+                         std::vector<double> turned;
+                         for (const std::size_t i : all[order].from) turned.push_back(frame[i]);
+                         return turned;
+                       });
+  const std::vector<double>& gain = contest.gain();
   for (std::size_t k = 0; k < frames.size(); ++k) {
     // Two frames that are likelier in none of these orders: the order stated is right.
     if (k == 2 && std::all_of(gain.begin(), gain.end(), [](double one) { return one <= 0.0; }))
       return;
-    const std::optional<double> stated = solver.surprise(frames[k], living);
-    for (std::size_t n = 0; n < all.size(); ++n) {
-      std::vector<double> turned;
-      for (const std::size_t i : all[n].from) turned.push_back(frames[k][i]);
-      const std::optional<double> other = solver.surprise(turned, living);
-      if (!stated || !other) return;
-      gain[n] += *stated - *other;
-      better[n] += *other < *stated;
-    }
+    if (!contest.add(frames[k])) return;
   }
   // The first of those that are as likely.
   std::size_t best = 0;
   for (std::size_t n = 1; n < all.size(); ++n)
-    if (gain[n] > gain[best] + least_gain) best = n;
-  if (!(gain[best] > least_gain) || 5 * better[best] < 4 * frames.size()) return;
+    if (gain[n] > gain[best] + OrderContest::least_gain) best = n;
+  if (!contest.wins(best)) return;
   // The same readings, told by half.
   std::erase_if(findings, [](const Finding& one) {
     return std::holds_alternative<finding::OrderMirrored>(one);
   });
   findings.emplace_back(finding::OrderSerpentine{.columns = all[best].columns,
                                                  .first = all[best].first,
-                                                 .frames = better[best],
+                                                 .frames = contest.better(best),
                                                  .of = frames.size()});
 }
 
