@@ -23,7 +23,7 @@ constexpr Index window_alphas = 61;
 constexpr double largest_alpha = 64.0;  // over the largest gamma squared
 constexpr double least_noise = 1e-14;   // over the largest reading: below, rounding is larger
 constexpr double negligible_probability = 1e-6;  // a probability
-constexpr double widest = 6.0;  // over the narrowest: what is wider takes most of the time
+constexpr std::size_t most_widths = 9;           // what is wider takes most of the time
 
 /// Values of one traction in a row.
 struct Range {
@@ -38,7 +38,7 @@ std::vector<std::vector<Range>> ranges(const Surface& surface, double narrowest)
   const double to_array = static_cast<double>(surface.margin);
   const double last = static_cast<double>(n - 1);
   std::vector<std::vector<Range>> levels;
-  for (double width = narrowest; width < std::min(whole, widest * narrowest);
+  for (double width = narrowest; width < whole && levels.size() < most_widths;
        width *= std::sqrt(2.0)) {
     // Hats fall to 0 one spacing beyond the outermost values: they are one less than spacings.
     const Index count = std::clamp<Index>(std::lround(width / surface.spacing) - 1, 1, n);

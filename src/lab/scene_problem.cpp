@@ -22,6 +22,12 @@ namespace {
 /// bands share, and not from one of its own: that takes seconds.
 constexpr std::size_t one_decomposition = 256;
 
+/// Windows of loads, in depths. Dense taxels show how wide a contact is: narrower windows would
+/// take the model's error for rough loads. Between coarse ones a narrow contact is not told from a
+/// wide one.
+constexpr double narrowest_of_dense = 3.5;
+constexpr double narrowest_of_coarse = 1.0;
+
 /// Tractions over taxels up to which windows of them take less than a second.
 constexpr std::size_t most_of_windows = 384;
 
@@ -248,9 +254,11 @@ bool SceneProblem::has_load_windows() const {
 }
 
 const LoadWindows& SceneProblem::load_windows() const {
-  if (!parts_->load_windows)
-    parts_->load_windows.emplace(reaching_beyond().problem(),
-                                 3.5 * least_depth(parts_->scene.sensor));
+  if (!parts_->load_windows) {
+    const SensorArray& array = parts_->scene.sensor;
+    const double narrowest = is_dense(array) ? narrowest_of_dense : narrowest_of_coarse;
+    parts_->load_windows.emplace(reaching_beyond().problem(), narrowest * least_depth(array));
+  }
   return *parts_->load_windows;
 }
 

@@ -62,14 +62,14 @@ bool within(double value, double truth, double deviation) {
 
 SurfaceBasis basis(const Setting& setting) { return scene_of(setting).reconstruct.surface.basis; }
 
-Contacts::Contacts(std::size_t count, Place place, bool layer) {
+Contacts::Contacts(std::size_t count, Place place, bool layer, const HalfWidths& half_widths) {
   std::mt19937_64 random(place == Place::inside ? 1 : 2);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * std::ldexp(static_cast<double>(random() >> 11U), -53);
   };
   const SensorArray array = array_of(finest_pitch, 2);
   for (std::size_t i = 0; i < count; ++i) {
-    RigidContact contact{.half_width = uniform(0.4, 2.0)};
+    RigidContact contact{.half_width = uniform(half_widths.least, half_widths.most)};
     contact.friction = uniform(-most_friction, most_friction);
     const double end = i % 2 == 0 ? half_length : -half_length;
     contact.center = place == Place::inside

@@ -20,7 +20,7 @@ enum class Place {
 
 /// One array on one pad, one size of noise.
 struct Setting {
-  double pitch = 1.0;         ///< of the taxels: 0.25, 0.5, 1, 2 or 4
+  double pitch = 1.0;         ///< of the taxels: a number of quarters
   double noise = 0.01;        ///< rms over the frame's largest reading
   std::size_t unknowns = 1;   ///< 1: stress_x; 2: stress_x and shear_xy, friction up to 0.6
   bool layer = false;         ///< three depths thick, bonded; else a half plane
@@ -33,12 +33,18 @@ struct Setting {
 /// Where the setting's tractions lie.
 [[nodiscard]] SurfaceBasis basis(const Setting& setting);
 
-/// Hertz strips, half widths 0.4 to 2 depths, with their readings at taxels a quarter of the depth
-/// apart: every setting's are among them.
+/// Of contacts: anywhere between, each as often as another.
+struct HalfWidths {
+  double least = 0.4;
+  double most = 2.0;
+};
+
+/// Hertz strips, with their readings at taxels a quarter of the depth apart: every setting's are
+/// among them.
 class Contacts {
  public:
   /// Takes seconds for some hundred in a layer.
-  Contacts(std::size_t count, Place place, bool layer);
+  Contacts(std::size_t count, Place place, bool layer, const HalfWidths& half_widths = {});
 
   [[nodiscard]] std::size_t count() const noexcept { return contacts_.size(); }
   /// Contact i as the setting has it, of a force that makes the largest reading 1.

@@ -20,7 +20,7 @@
 /// Two deviations hold force, centre and tractions of contacts inside the array and over its ends
 /// as docs/internals/numerics.md has measured.
 ///
-///     const LoadWindows windows(problem, 3.5 * depth);  // once
+///     const LoadWindows windows(problem, depth);  // once
 ///     const TractionCovariance covariance = windows.covariance(readings, f, alpha, noise_rms);
 ///     resultant_of(problem, f, covariance, noise_rms).normal.deviation;  // uncertainty.hpp
 #pragma once
@@ -36,11 +36,11 @@ namespace tactile_net {
 
 class LoadWindows {
  public:
-  /// The whole surface, and windows of up to six widths from `narrowest` on, each sqrt(2) times the
-  /// one before, a quarter of the width apart, with their middles between the first and the last
-  /// taxel: O(n) of them. As much as some ten decompositions of the whole problem.
+  /// The whole surface, and windows of up to nine widths from `narrowest` on, each sqrt(2) times
+  /// the one before, a quarter of the width apart, with their middles between the first and the
+  /// last taxel: O(n) of them. As much as some ten decompositions of the whole problem.
   ///
-  /// @param narrowest  [m], > 0; three to four depths: what is narrower reads as if it were not
+  /// @param narrowest  [m], > 0; one depth, or three to four where taxels are dense and tell widths
   /// @throw std::invalid_argument  narrowest is not > 0 and finite
   LoadWindows(const InverseProblem& problem, double narrowest);
   ~LoadWindows();

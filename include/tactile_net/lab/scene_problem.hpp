@@ -125,7 +125,7 @@ class SceneProblem {
   /// What bands go by in its place: on a grid where the noise is stated, since coarse arrays have
   /// too few readings to tell it from the load; on dense arrays, which do, up to 384 tractions.
   [[nodiscard]] bool has_load_windows() const;
-  /// Of `reaching_beyond`, from three and a half of the least depth on.
+  /// Of `reaching_beyond`, from the least depth on, of dense arrays three and a half of it.
   [[nodiscard]] const LoadWindows& load_windows() const;
 
  private:
