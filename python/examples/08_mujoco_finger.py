@@ -1,5 +1,5 @@
 # %% [markdown]
-# # Two fingers in MuJoCo: readings, tractions, friction margin
+# # Two fingers in MuJoCo: readings, tractions, slip margin
 #
 # A gripper closes on a box, then on a ball, lifts it, and loosens its grip until it slips. MuJoCo logs what the taxels
 # of both pads read; all that is drawn comes from that. Friction is 1.
@@ -52,8 +52,8 @@ for (name, model), (above, middle, below) in zip(MODELS.items(), axes.T):
     above.set(title=f"{name}: tractions on the left", ylabel="y [mm]")
     middle.plot(t, force[:, 0], label=["normal", "tangential"])
     below.plot(t, 1 - np.abs(force[..., 1]) / np.where(force[..., 0] > 0.2, force[..., 0], np.nan))
-    below.set(xlabel="t [s]", ylabel="friction margin", ylim=(-0.2, 1))
+    below.set(xlabel="t [s]", ylabel="slip margin", ylim=(-0.2, 1))
     print(f"{name}: {force[900, 0, 0]:.2f} N at 0.9 s, of 4; {-force[900, 0, 1]:.2f} N along the pad, of 0.49")
 middle.legend(frameon=False, title="force on the left [N]")
 figure.savefig("mujoco-finger.png")
-print("their friction margins are in mujoco-finger.png")
+print("their slip margins are in mujoco-finger.png")

@@ -52,7 +52,7 @@ MethodAnswer answer(const lab::Experiment& experiment, const lab::MethodResult& 
   found["normal_force"] = resultant ? pair_of(resultant->normal) : nb::none();
   found["tangential_force"] = resultant ? pair_of(resultant->tangential) : nb::none();
   found["centre"] = resultant ? pair_of(resultant->centre) : nb::none();
-  found["remarks"] = report::remarks_in_words(experiment, result);
+  found["remarks"] = report::remarks_in_words(experiment, result).all();
   found["failure"] = report::failure_in_words(experiment, result);
   return found;
 }

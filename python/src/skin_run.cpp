@@ -77,7 +77,8 @@ void bind_skin_run(nb::module_& module) {
                               self.grid, width);
            })
       .def("network", &network_of)
-      .def("remarks", &report::warnings)
+      .def("remarks",
+           [](const lab::SkinExperiment& self) { return report::remarks_in_words(self).all(); })
       .def("html", [](const lab::SkinExperiment& self) { return pages::run_page(self, "").html; });
   module.def("run_skin", &run_skin, nb::arg("scene"), nb::arg("frame").none(),
              nb::arg("with_circuit"), nb::arg("progress").none());

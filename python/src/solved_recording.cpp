@@ -38,6 +38,12 @@ lab::SceneProblem problem_of(SharedScene& shared, Method method, const Rows& rea
   });
 }
 
+lab::RecordingSolver solver_of(SharedScene& shared, const lab::SceneProblem& problem, Method method,
+                               const lab::RecordingSolverOptions& options) {
+  const auto locked = shared.lock();  // of which `problem` may be a copy
+  return lab::RecordingSolver(problem, method, options);
+}
+
 }  // namespace
 
 SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
@@ -49,30 +55,27 @@ SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
       missing_(options.missing),
       times_(std::move(times)),
       readings_(readings.data(), readings.data() + readings.size()),
-      recording_(problem_, method),
-      checker_(problem_.scene()) {
+      solver_(solver_of(*shared_, problem_, method, options)),
+      recording_(problem_, method) {
   const auto locked = shared_->lock();
-  lab::RecordingSolver solver(problem_, method, options);
-  width_ = solver.tractions();
-  remarks_ = solver.remarks();
+  width_ = solver_.tractions();
+  remarks_ = solver_.remarks();
   tractions_.assign(readings.shape(0) * width_, unknown);
   const std::size_t size = readings.shape(1);
   for (std::size_t i = 0; i < readings.shape(0); ++i) {
     watcher.frame();
     const std::span frame(readings_.data() + i * size, size);
     const std::span answer(tractions_.data() + i * width_, width_);
-    checker_.add(time(i), frame);
-    const auto result = solver.solve(frame, answer);
+    const auto result = solver_.solve(frame, answer, time(i));
     if (result && result->status != FrameStatus::ok) throw bad_frame(result->status, frame, i);
     results_.push_back(result);
-    problems_.push_back(solver.problem());
+    problems_.push_back(solver_.problem());
     if (result)
-      recording_.add(time(i), solver.problem(), frame, answer, *result);
+      recording_.add(time(i), solver_.problem(), frame, answer, *result);
     else
       recording_.skip();
   }
-  solved_ = solver.solved();
-  doubts_ = solver.doubts();
+  doubts_ = solver_.doubts();
   if (const auto taken = lab::noise_taken(locked.problem, problem_))
     doubts_.insert(doubts_.begin(), *taken);
 }
@@ -84,7 +87,7 @@ std::optional<double> SolvedRecording::time(std::size_t frame) const {
 
 std::vector<std::string> SolvedRecording::notes() const {
   std::vector<std::string> all = report::in_words(remarks_);
-  for (std::string& sentence : report::in_words(solved_, problem_.scene()))
+  for (std::string& sentence : report::in_words(solver_.solved(), problem_.scene()))
     all.push_back(std::move(sentence));
   for (const lab::Finding& doubt : doubts_)
     all.push_back(report::in_words(doubt, problem_.scene()) + "; " +
@@ -121,17 +124,18 @@ Bands SolvedRecording::bands(Watcher& watcher) {
 lab::RecordingOverview SolvedRecording::overview(Watcher& watcher) const {
   const auto locked = shared_->lock();
   lab::RecordingOverview overview = recording_.overview(watcher);
-  overview.findings = checker_.result(watcher).findings;
+  overview.findings = solver_.findings(watcher);
   return overview;
 }
 
 std::string SolvedRecording::json(const lab::RecordingOverview& overview,
                                   const std::string& name) const {
-  const bool any = solved_.frames > solved_.skipped.count();
-  return report::solve_json(overview, solved_,
+  const lab::SolvedFrames& solved = solver_.solved();
+  const bool any = solved.frames > solved.skipped.count();
+  return report::solve_json(overview, solved,
                             {.readings = name,
                              .missing = missing_,
-                             .remarks = any ? solved_.last.remarks : remarks_,
+                             .remarks = any ? solved.last.remarks : remarks_,
                              .seconds = unknown});
 }
 

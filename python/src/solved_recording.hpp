@@ -71,11 +71,10 @@ class SolvedRecording {
   std::vector<double> tractions_{};
   std::vector<std::optional<lab::FrameResult>> results_{};
   std::vector<lab::SceneProblem> problems_{};  // that each frame was solved with
-  lab::SolvedFrames solved_{};
   lab::Remarks remarks_{};
   lab::Findings doubts_{};
+  lab::RecordingSolver solver_;
   lab::Recording recording_;
-  lab::ReadingsChecker checker_;
 };
 
 }  // namespace tactile_net::python

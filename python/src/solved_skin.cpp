@@ -24,6 +24,11 @@ void check_finite(std::span<const double> readings, std::size_t frame, bool may_
       throw bad_frame(FrameStatus::not_finite, readings, frame);
 }
 
+lab::SkinRecordingSolver solver_of(SharedSkin& shared, const lab::RecordingSolverOptions& options) {
+  const auto locked = shared.lock();
+  return lab::SkinRecordingSolver(locked.problem, options);
+}
+
 }  // namespace
 
 SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& options,
@@ -32,24 +37,21 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
       times_(std::move(times)),
       readings_(readings.data(), readings.data() + readings.size()),
       size_(readings.shape(1)),
-      checker_(shared_->scene()) {
+      solver_(solver_of(*shared_, options)) {
   const auto locked = shared_->lock();
   grid_ = locked.problem.grid();
   width_ = locked.problem.tractions();
-  lab::SkinRecordingSolver solver(locked.problem, options);
   for (std::size_t i = 0; i < readings.shape(0); ++i) {
     watcher.frame();
     const std::span frame(readings_.data() + i * size_, size_);
     check_finite(frame, i, options.missing != lab::Missing::fail);
-    checker_.add(time(i), frame);
     try {
-      answers_.push_back(solver.solve(frame));
+      answers_.push_back(solver_.solve(frame, time(i)));
     } catch (const lab::FrameOverflow&) {
       throw bad_frame(FrameStatus::too_large, frame, i);
     }
   }
-  solved_ = solver.solved();
-  doubts_ = solver.doubts();
+  doubts_ = solver_.doubts();
 }
 
 lab::SkinAnswer answer_of(const lab::SkinSceneProblem& problem, std::span<const double> readings,
@@ -79,23 +81,24 @@ lab::SkinRecordingAnswer SolvedSkin::recording() const {
 
 lab::SkinRecordingAnswer SolvedSkin::checked_recording() const {
   lab::SkinRecordingAnswer all = recording();
-  all.findings = checker_.result().findings;
+  all.findings = solver_.findings();
   return all;
 }
 
 const SkinScene& SolvedSkin::scene() const noexcept { return shared_->scene(); }
 
 std::vector<std::string> SolvedSkin::notes() const {
-  std::vector<std::string> notes = report::in_words(solved_, scene());
+  std::vector<std::string> notes = report::in_words(solver_.solved(), scene());
   for (const lab::Finding& doubt : doubts_)
     notes.push_back(report::in_words(doubt, scene()) + "; " + report::advice(doubt, scene()));
   const lab::SkinRecordingAnswer all = recording();
   if (!all.answer) return notes;
-  for (std::string& warning : report::warnings({.scene = all.scene,
-                              .grid = all.grid,
-                              .frame = {.readings = all.readings},
-                              .answer = all.answer}))
-    notes.push_back(std::move(warning));
+  const lab::SkinExperiment hardest{.scene = all.scene,
+                                    .grid = all.grid,
+                                    .frame = {.readings = all.readings},
+                                    .answer = all.answer};
+  for (std::string& sentence : report::remarks_in_words(hardest).all())
+    notes.push_back(std::move(sentence));
   return notes;
 }
 

@@ -62,10 +62,9 @@ class SolvedSkin {
   std::size_t size_;              // of a frame of them
   SkinGrid grid_{};
   std::size_t width_ = 0;
+  lab::SkinRecordingSolver solver_;
   std::vector<std::optional<lab::SkinAnswer>> answers_{};
-  lab::SolvedFrames solved_{};
   lab::Findings doubts_{};
-  lab::ReadingsChecker checker_;
 };
 
 }  // namespace tactile_net::python

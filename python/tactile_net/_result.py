@@ -48,7 +48,7 @@ class MethodResult:
     tangential_force: tuple[float, float] | None
     centre: tuple[float, float] | None
     remarks: tuple[str, ...]
-    """What to know before trusting it, a sentence each."""
+    """What is to be said of it, a sentence each: reasons for doubt first, then what was found in the normal course."""
     failure: str
     """Why there is no answer that holds; empty: there is one."""
 

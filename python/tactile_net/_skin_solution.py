@@ -225,7 +225,7 @@ class SkinSolution(Solution):
         return dataset.assign(verdict=("t", self.verdict), alpha=("t", self.alpha))
 
     def to_dataframe(self) -> Any:
-        """A frame a row, as `solve --uncertainty` writes it: forces, centre, torsion, friction, angle and margin,
+        """A frame a row, as `solve --uncertainty` writes it: forces, centre, torsion, friction, angle and slip margin,
         their deviations, offsets where they were sought, alpha, verdict; over t."""
         pandas = optional("pandas", "tables")
         names, values = self._drawable().uncertainty()

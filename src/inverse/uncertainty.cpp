@@ -168,15 +168,15 @@ UncertainResultant resultant_of(const InverseProblem& problem, std::span<const d
 
 namespace {
 
-/// Of the values from `first` to before `last`. @param tractions  0 elsewhere
+/// Of the values from `first` to before `last`, with nothing elsewhere.
 UncertainResultant resultant_between(std::size_t first, std::size_t last, const Surface& surface,
                                      std::span<const double> tractions,
                                      const Covariance& covariance, double noise_rms) {
   const std::size_t n = surface.count;
   const double d = surface.spacing;
   const bool two = tractions.size() > n;
-  const Resultant sum =
-      resultant_of(tractions.first(n), tractions.subspan(n, two ? n : std::size_t{0}), surface);
+  const Resultant sum = resultant_between(first, last, tractions.first(n),
+                                          tractions.subspan(n, two ? n : std::size_t{0}), surface);
   // The gradient of each result by the tractions, made of three: F_v, F_t and the centre.
   std::array<std::vector<double>, 3> gradients;
   gradients.fill(std::vector<double>(tractions.size()));
@@ -229,12 +229,7 @@ std::optional<UncertainResultant> nearest_to_slipping(const Surface& surface,
       nearest_to_slipping(tractions.data(), tractions.data() + n, n,
                           deviations * whole.normal.deviation / surface.spacing);
   if (worst.contacts < 2) return std::nullopt;
-  std::vector<double> own(tractions.size());
-  for (std::size_t i = worst.first; i < worst.last; ++i) {
-    own[i] = tractions[i];
-    own[n + i] = tractions[n + i];
-  }
-  return resultant_between(worst.first, worst.last, surface, own, covariance, noise_rms);
+  return resultant_between(worst.first, worst.last, surface, tractions, covariance, noise_rms);
 }
 
 }  // namespace tactile_net

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "realtime/border_pressure.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
+#include "tactile_net/skin/resultant.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -13,6 +15,30 @@ namespace {
 std::size_t nearest_place(double at, double first, double spacing, std::size_t count) {
   const double index = std::round((at - first) / spacing);
   return static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(count - 1)));
+}
+
+/// The cells above dead taxels that no live one sees, and those that touch them.
+std::vector<std::size_t> holes(const SkinSceneProblem& problem, const std::vector<bool>& unseen,
+                               double sight) {
+  const SkinGrid& grid = problem.grid();
+  const SkinProblem& solved = problem.layout();
+  std::vector<std::size_t> cells;
+  for (std::size_t i = 0; i < solved.sites.size(); ++i) {
+    if (solved.weights[i] != 0.0) continue;
+    const SkinSite& site = solved.sites[i];
+    const auto nearest = [sight](double at, double first, double spacing, std::size_t count) {
+      return std::pair(nearest_place(at - sight, first, spacing, count),
+                       nearest_place(at + sight, first, spacing, count));
+    };
+    const auto [top, bottom] = nearest(site.y, grid.y(0), grid.spacing_y, grid.rows);
+    const auto [left, right] = nearest(site.z, grid.z(0), grid.spacing_z, grid.columns);
+    for (std::size_t m = top; m <= bottom; ++m)
+      for (std::size_t n = left; n <= right; ++n)
+        if (unseen[m * grid.columns + n] &&
+            std::hypot(grid.y(m) - site.y, grid.z(n) - site.z) <= sight)
+          cells.push_back(m * grid.columns + n);
+  }
+  return cells.empty() ? cells : with_neighbours(grid, cells);
 }
 
 }  // namespace
@@ -42,11 +68,12 @@ std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,
   const SkinArray& skin = problem.scene().sensor;
   const SkinGrid& grid = problem.grid();
   const SkinProblem& solved = problem.layout();
-  const double reach = sight_of(skin) + 1.01 * std::max(grid.spacing_y, grid.spacing_z);
+  const double sight = sight_of(skin);
+  const double reach = sight + 1.01 * std::max(grid.spacing_y, grid.spacing_z);
   // Across a single row of taxels every contact reaches beyond them.
   const bool one_row = is_even(skin) && skin.rows == 1;
   const bool one_column = is_even(skin) && skin.columns == 1;
-  std::vector<std::size_t> cells;
+  std::vector<std::size_t> cells = holes(problem, unseen, sight);
   for (std::size_t i = 0; i < solved.sites.size(); ++i) {
     if (solved.weights[i] == 0.0) continue;
     const SkinSite& site = solved.sites[i];

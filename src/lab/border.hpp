@@ -15,6 +15,8 @@ namespace tactile_net::lab {
 [[nodiscard]] std::vector<std::size_t> border_values(const SceneProblem& problem);
 /// The cells above those live taxels of a skin beside which lies a cell that no taxel sees: at the
 /// skin's edges, and around dead taxels. Of a single row or column of taxels its two ends count.
+/// And the cells above dead taxels that no live one sees, with those that touch them: what is
+/// pressed hardest there has its peak where no taxel tells how high it is.
 ///
 /// @param unseen  of the problem
 [[nodiscard]] std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,

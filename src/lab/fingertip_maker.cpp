@@ -30,15 +30,18 @@ double half_width(const SensorArray& array) {
          0.5 * array.pitch;
 }
 
-/// Where the resultant of tractions acts, whose deviations are not known.
-UncertainResultant certain(std::span<const double> normal, std::span<const double> tangential,
-                           const Surface& surface) {
-  const Resultant sum = resultant_of(normal, tangential, surface);
+/// A resultant whose deviations are not known.
+UncertainResultant certain(const Resultant& sum, bool has_tangential) {
   UncertainResultant result;
   result.normal = {sum.normal, 0.0};
-  if (!tangential.empty()) result.tangential = Uncertain{sum.tangential, 0.0};
+  if (has_tangential) result.tangential = Uncertain{sum.tangential, 0.0};
   if (const auto centre = sum.centre()) result.centre = Uncertain{*centre, 0.0};
   return result;
+}
+
+UncertainResultant certain(std::span<const double> normal, std::span<const double> tangential,
+                           const Surface& surface) {
+  return certain(resultant_of(normal, tangential, surface), !tangential.empty());
 }
 
 /// Of the contact that needs the most friction; absent: there is one.
@@ -49,13 +52,7 @@ std::optional<UncertainResultant> certain_nearest_to_slipping(std::span<const do
   const LineContact worst =
       nearest_to_slipping(normal.data(), tangential.data(), normal.size(), 0.0);
   if (worst.contacts < 2) return std::nullopt;
-  std::vector<double> p(normal.size());
-  std::vector<double> q(normal.size());
-  for (std::size_t i = worst.first; i < worst.last; ++i) {
-    p[i] = normal[i];
-    q[i] = tangential[i];
-  }
-  return certain(p, q, surface);
+  return certain(resultant_between(worst.first, worst.last, normal, tangential, surface), true);
 }
 
 /// Takes a resultant for the fingertip's force, and of several contacts the one nearest to

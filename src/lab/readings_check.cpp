@@ -108,6 +108,8 @@ ReadingsChecker::ReadingsChecker(AnyScene scene)
     : parts_(std::make_unique<Parts>(std::move(scene))) {}
 
 ReadingsChecker::~ReadingsChecker() = default;
+ReadingsChecker::ReadingsChecker(ReadingsChecker&&) noexcept = default;
+ReadingsChecker& ReadingsChecker::operator=(ReadingsChecker&&) noexcept = default;
 
 void ReadingsChecker::add(std::optional<double> time, std::span<const double> readings) {
   Parts& p = *parts_;

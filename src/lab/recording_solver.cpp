@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -21,7 +22,8 @@ RecordingSolver::RecordingSolver(SceneProblem problem, Method method,
       solver_(options.share_alpha ? make_sharing_solver(problem_, method, *options.share_alpha)
                                   : make_solver(problem_, method)),
       repeating_(problem_.scene().sensor, problem_.scene().dead_taxels),
-      doubts_(problem_) {
+      doubts_(problem_),
+      checker_(problem_.scene()) {
   const SensorEffects& effects = problem_.scene();
   const bool may_clip = effects.saturation || effects.quantization;
   if (missing_ == Missing::estimate || (may_clip && can_leave_out(problem_, method)))
@@ -29,9 +31,10 @@ RecordingSolver::RecordingSolver(SceneProblem problem, Method method,
 }
 
 std::optional<FrameResult> RecordingSolver::solve(std::span<double> readings,
-                                                  std::span<double> tractions) {
+                                                  std::span<double> tractions,
+                                                  std::optional<double> time) {
   repeating_.add(readings);
-  doubts_.read(readings);
+  checker_.add(time, readings);
   const bool misses =
       missing_ != Missing::fail &&
       std::any_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); });
@@ -81,6 +84,13 @@ std::optional<FrameResult> RecordingSolver::solve(std::span<double> readings,
   solved_.add(*result, misses);
   if (result->alpha) doubts_.add(this->problem(), readings, tractions, result->alpha->value);
   return result;
+}
+
+Findings RecordingSolver::doubts() const {
+  Findings all = doubts_.findings();
+  Findings over_time = checker_.doubts();
+  std::move(over_time.begin(), over_time.end(), std::back_inserter(all));
+  return all;
 }
 
 const SceneProblem& RecordingSolver::problem() const noexcept {

@@ -13,6 +13,7 @@
 #include "lab/large_skin.hpp"
 #include "lab/skin_constraint_bias.hpp"
 #include "numeric/robust.hpp"
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/skin/covariance.hpp"
 #include "tactile_net/skin/stabiliser.hpp"
@@ -214,6 +215,43 @@ void doubt_what_is_left_out(UncertainWrench& wrench, const SkinGrid& grid,
   }
 }
 
+/// The force that cells beside the contact may hold, by the drag that they hold [N]: readings that
+/// tell drags better than pressure, such as moves along the surface, do not tell which cells touch,
+/// and what drags presses. It is no more than what they leave of all pressure.
+///
+/// @param free  without constraints
+double pressed_where_it_drags(const UncertainWrench& wrench, const SkinGrid& grid,
+                              std::span<const double> tractions, std::span<const std::size_t> cells,
+                              const std::vector<bool>& unseen, const Covariance& free, double rms) {
+  constexpr double drag_deviations = 1.0;   // that make it likely to be no noise
+  constexpr double force_deviations = 3.0;  // that hold a force
+  constexpr double least_friction = 0.2;    // of contacts that drag; what is found may be none
+  if (!wrench.tangential_y || !wrench.tangential_z || !(wrench.normal.value > 0.0)) return 0.0;
+  std::vector<bool> beside(unseen.size());
+  for (std::size_t cell = 0; cell < beside.size(); ++cell) beside[cell] = !unseen[cell];
+  for (const std::size_t cell : cells) beside[cell] = false;
+  std::array<double, 2> drags{};
+  for (std::size_t u = 0; u < drags.size(); ++u)
+    for (std::size_t cell = 0; cell < beside.size(); ++cell)
+      if (beside[cell]) drags[u] += grid.area() * tractions[(u + 1) * grid.count() + cell];
+  const double drag = std::hypot(drags[0], drags[1]);
+  const double friction =
+      std::hypot(wrench.tangential_y->value, wrench.tangential_z->value) / wrench.normal.value;
+  const double force = drag / std::clamp(friction, least_friction, usual_friction);
+  if (!(force > wrench.normal.deviation)) return 0.0;  // which holds it
+  // What all cells hold together is better known than which of them hold it.
+  const auto deviation_of_all = [&](std::array<double, 3> along) {
+    std::vector<double> sum(tractions.size());
+    for (std::size_t u = 0; u < along.size(); ++u)
+      for (std::size_t cell = 0; cell < unseen.size(); ++cell)
+        if (!unseen[cell]) sum[u * grid.count() + cell] = grid.area() * along[u];
+    return rms * free.deviation(sum);
+  };
+  if (!(drag > drag_deviations * deviation_of_all({0.0, drags[0] / drag, drags[1] / drag})))
+    return 0.0;
+  return std::min(force, force_deviations * deviation_of_all({1.0, 0.0, 0.0}));
+}
+
 /// Where constraints leave a single row or column of cells, its place is what they have decided,
 /// not what the readings tell: the deviations are those of the cells beside it too, without
 /// constraints, and of a place anywhere in the width of a cell.
@@ -374,6 +412,9 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
     }
     doubt = std::hypot(doubt, moved);
   }
+  if (!answer.cone)
+    doubt = std::hypot(doubt, pressed_where_it_drags(answer.wrench, grid, f, answer.cells,
+                                                     problem.unseen(), own, rms));
   doubt_force(answer, doubt);
   const auto apart = separate_contacts(grid, f, answer.cells);
   answer.contacts = apart.size();

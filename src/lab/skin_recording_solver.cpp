@@ -14,7 +14,10 @@
 namespace tactile_net::lab {
 struct SkinRecordingSolver::Parts {
   Parts(SkinSceneProblem given, RecordingSolverOptions asked)
-      : problem(std::move(given)), options(asked), patterns(problem.bytes()) {
+      : problem(std::move(given)),
+        options(asked),
+        patterns(problem.bytes()),
+        checker(problem.scene()) {
     if (options.share_alpha && problem.scene().reconstruct.alpha)
       throw std::invalid_argument(
           "frames share an alpha that a rule chooses, and this scene gives one");
@@ -54,12 +57,6 @@ struct SkinRecordingSolver::Parts {
            std::any_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); });
   }
 
-  /// The next frame, as it was recorded.
-  void read(std::span<const double> readings) {
-    if (!checker) checker = std::make_unique<ReadingsChecker>(problem.scene());
-    checker->add(std::nullopt, readings);
-  }
-
   /// In the order of frames.
   void count(const std::optional<SkinAnswer>& answer, bool incomplete) {
     if (answer)
@@ -79,7 +76,7 @@ struct SkinRecordingSolver::Parts {
   std::optional<SharedAlpha> shared{};
   std::optional<SkinSceneProblem> last{};  // absent: the recording's
   SolvedFrames solved{};
-  std::unique_ptr<ReadingsChecker> checker{};  // made with the first frame
+  ReadingsChecker checker;
 };
 
 SkinRecordingSolver::SkinRecordingSolver(SkinSceneProblem problem, RecordingSolverOptions options)
@@ -88,9 +85,10 @@ SkinRecordingSolver::~SkinRecordingSolver() = default;
 SkinRecordingSolver::SkinRecordingSolver(SkinRecordingSolver&&) noexcept = default;
 SkinRecordingSolver& SkinRecordingSolver::operator=(SkinRecordingSolver&&) noexcept = default;
 
-std::optional<SkinAnswer> SkinRecordingSolver::solve(std::span<double> readings) {
+std::optional<SkinAnswer> SkinRecordingSolver::solve(std::span<double> readings,
+                                                     std::optional<double> time) {
   Parts& p = *parts_;
-  p.read(readings);
+  p.checker.add(time, readings);
   const bool incomplete = p.is_incomplete(readings);
   std::optional<SkinAnswer> answer;
   if (!incomplete) {
@@ -117,14 +115,16 @@ void SkinRecordingSolver::solve_all(const NextFrame& next, const UseAnswer& use,
   Parts& p = *parts_;
   if (p.one_by_one()) {
     std::vector<double> readings;
-    while (next(readings)) use(readings, solve(readings));
+    for (std::optional<double> time; next(readings, time); time.reset())
+      use(readings, solve(readings, time));
     return;
   }
   in_order<Frame>(
       threads == 0 ? processors() : threads,
       [&](Frame& frame) {
-        if (!next(frame.readings)) return false;
-        p.read(frame.readings);
+        std::optional<double> time;
+        if (!next(frame.readings, time)) return false;
+        p.checker.add(time, frame.readings);
         frame.incomplete = p.is_incomplete(frame.readings);
         if (!frame.incomplete)
           frame.solved_with = p.problem;
@@ -148,8 +148,10 @@ const SkinSceneProblem& SkinRecordingSolver::problem() const noexcept {
 
 const SolvedFrames& SkinRecordingSolver::solved() const noexcept { return parts_->solved; }
 
-Findings SkinRecordingSolver::doubts() const {
-  return parts_->checker ? parts_->checker->doubts() : Findings{};
+Findings SkinRecordingSolver::doubts() const { return parts_->checker.doubts(); }
+
+Findings SkinRecordingSolver::findings(Observer& observer) const {
+  return parts_->checker.result(observer).findings;
 }
 
 }  // namespace tactile_net::lab

@@ -17,9 +17,9 @@ using report::contact_cells;
 using report::failures_in_words;
 using report::hold_in_words;
 using report::load_in_words;
+using report::remarks_in_words;
 using report::sources_in_words;
 using report::torque_cells;
-using report::warnings_in_words;
 
 std::string caption(const lab::GraspResult& grasp) {
   return arrows_caption({.measured = grasp.measured.has_value(),
@@ -56,7 +56,7 @@ std::string grasp_report_html(const lab::GraspResult& grasp, const Made& made) {
   if (grasp.held)
     html +=
         tables(grasp, "What would hold the load", grasp.held->grasp.fingers, grasp.held->margins);
-  html += "</div></div>\n" + paragraphs(warnings_in_words(grasp), "note");
+  html += "</div></div>\n" + remarks_html(remarks_in_words(grasp));
   if (grasp.measured)
     html += element("h2", "How the measured forces balance") + html_list(balance_in_words(grasp));
   if (grasp.held) html += element("h2", "How it is held") + html_list(hold_in_words(grasp));

@@ -93,6 +93,13 @@ std::string paragraphs(const std::vector<std::string>& texts, std::string_view t
   return html;
 }
 
+std::string remarks_html(const report::Sentences& said, const std::string& before) {
+  std::string html;
+  for (const std::string& warning : said.warnings) html += element("p", before + warning, "note");
+  for (const std::string& note : said.notes) html += element("p", before + note);
+  return html;
+}
+
 std::string suspicions(const lab::Findings& findings, const AnyScene& scene) {
   std::string html;
   for (const lab::Finding& one : findings)

@@ -11,6 +11,7 @@
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/pages/made.hpp"
 #include "tactile_net/report/words/answers.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::pages {
@@ -32,6 +33,10 @@ namespace tactile_net::pages {
 
 /// Paragraphs, each in its class.
 [[nodiscard]] std::string paragraphs(const std::vector<std::string>& texts, std::string_view type);
+
+/// Warnings in their boxes, notes without, each behind what stands before.
+[[nodiscard]] std::string remarks_html(const report::Sentences& said,
+                                       const std::string& before = {});
 
 /// What is suspicious about readings; a click says what to do about it.
 [[nodiscard]] std::string suspicions(const lab::Findings& findings, const AnyScene& scene);

@@ -321,8 +321,7 @@ std::string methods_section(const lab::Experiment& experiment) {
     if (result.resultant)
       html += element("p", method + resultant_in_words(scene, *result.resultant) +
                                " (one standard deviation; bands in the plots are two).");
-    for (const std::string& warning : remarks_in_words(experiment, result))
-      html += element("p", method + warning, "note");
+    html += remarks_html(remarks_in_words(experiment, result), method);
   }
   return html;
 }

@@ -128,7 +128,7 @@ drawing::Page run_page(const lab::SkinExperiment& experiment, const std::string&
       heading(scene.title, scene.file,
               report::sensor_in_words(scene) + "; " + report::material_in_words(scene));
   html += answer_box(report::answers(experiment));
-  html += paragraphs(report::warnings(experiment), "note");
+  html += remarks_html(report::remarks_in_words(experiment));
   if (experiment.answer) {
     html += frame_html(experiment);
   } else {
@@ -163,7 +163,7 @@ drawing::Page recording_page(const lab::SkinRecordingAnswer& recording, const st
                   report::sensor_in_words(scene) + "; " + report::material_in_words(scene));
   html += answer_box(report::answers(recording));
   html += suspicions(recording.findings, scene);
-  html += paragraphs(report::warnings(hardest), "note") + frames_figure(recording);
+  html += remarks_html(report::remarks_in_words(hardest)) + frames_figure(recording);
   if (recording.answer && recording.frames.size() > 1)
     html += element("h2", "Frame " + std::to_string(recording.hardest) + ", which presses hardest");
   if (recording.answer) html += frame_html(hardest) + readings_figure(hardest);

@@ -39,7 +39,7 @@ std::string grasp_report_html(const lab::SpaceGraspResult& grasp, const Made& ma
                                                .cones = has_friction(hand.fingers)}) +
                                    " All three views are to one scale.",
                                "result.json", "sheet");
-  html += paragraphs(report::warnings_in_words(grasp), "note");
+  html += remarks_html(report::remarks_in_words(grasp));
   if (grasp.measured)
     html += section(grasp, "What the measured forces mean", *grasp.measured,
                     report::balance_in_words(grasp));

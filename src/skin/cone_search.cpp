@@ -86,7 +86,8 @@ ConeSearch ConeSearch::without(std::span<const std::size_t> taxels) const {
 }
 
 SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t iteration_limit,
-                                   double enough, const Hopeless& hopeless) const {
+                                   double enough, const Hopeless& hopeless,
+                                   std::span<const double> nearby) const {
   const ConeSystem& system = *system_;
   const ConeProblem& s = system.problem();
   if (std::ssize(readings) != s.weighting.size()) return {.status = FrameStatus::wrong_size};
@@ -118,6 +119,11 @@ SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t
     if (left_out_) y += left_out_->correction(y);
     return y;
   };
+  if (!nearby.empty() && size > 0.0) {
+    z = as_eigen(nearby) * (s.scales.kernel / scale);
+    if (s.components == 3) z.tail(2 * s.cells) *= s.scales.drag;
+    u = (b - image(z)) / system.rho();  // as it is at a minimum
+  }
   std::size_t next_look = first_look;
   const auto residual = [&] {
     Eigen::VectorXd moved = z - (image(z) - b) / system.largest();

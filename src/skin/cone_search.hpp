@@ -39,9 +39,12 @@ class ConeSearch {
 
   /// As `SkinCone::solve`.
   /// @param hopeless  absent: it never is; where it is the verdict is `iteration_limit`
+  /// @param nearby    tractions [Pa] that obey the constraints, from which fewer steps lead to the
+  ///                  same; none: steps begin with nothing pressed
   [[nodiscard]] SkinConeSolution solve(std::span<const double> readings,
                                        std::size_t iteration_limit, double enough,
-                                       const Hopeless& hopeless = {}) const;
+                                       const Hopeless& hopeless = {},
+                                       std::span<const double> nearby = {}) const;
 
  private:
   struct LeftOut;

@@ -291,44 +291,35 @@ double SkinDataJudge::Parts::readings_of(std::size_t taxel) const {
   return count;
 }
 
-/// With much smoothing first, which is quick and gains more by each taxel that is left out.
 std::optional<std::size_t> SkinDataJudge::Parts::single_liar(
     std::span<const double> readings, const Eigen::VectorXd& residual,
     const std::optional<double>& most_friction) const {
   if (!liars.may_be_in(residual) || !contacts().are_read()) return std::nullopt;
   Cones& of = contacts();
-  const Eigen::VectorXd all = seen(readings);
-  std::vector<std::size_t> taxels;
-  std::optional<std::size_t> liar;
-  for (const std::size_t smoothing : {std::size_t{0}, std::size_t{1}}) {
+  const auto cone = [&](std::size_t smoothing) {
     const ConeSearch& whole = of.cone(smoothing);
-    const ConeSearch cone = most_friction ? whole.with_friction(*most_friction) : whole;
-    const SkinConeSolution best = cone.solve(readings, iteration_limit, converged);
-    if (best.status != FrameStatus::ok) return std::nullopt;
-    const Eigen::VectorXd base = left(of.problem(), readings, best.tractions);
-    if (!liars.may_be_in(base)) return std::nullopt;
-    if (smoothing == 0) taxels = suspects(base, problem.sites, problem.taxels);
-    liar.reset();
-    double least = std::numeric_limits<double>::infinity();
-    std::erase_if(taxels, [&](std::size_t taxel) {
-      const double taken = readings_of(taxel);
-      if (taken == 0.0 || taken >= rows) return true;
-      const std::span<const std::size_t> only(&taxel, 1);
-      const SkinConeSolution found = cone.without(only).solve(readings, iteration_limit, converged);
-      if (found.status != FrameStatus::ok) return true;
-      const RestOfRows of_rest(
-          {of.problem().weights, of.problem().sites, of.problem().unknown_offsets}, only);
-      const Eigen::VectorXd rest = of_rest(left(of.problem(), readings, found.tractions));
-      if (!liars.is_found(base, rest, taxel_gain(taken, problem.taxels), all)) return true;
-      if (rest.norm() < least) {
-        least = rest.norm();
-        liar = taxel;
-      }
-      return false;
-    });
-    if (taxels.empty()) return std::nullopt;
-  }
-  return liar;
+    return most_friction ? whole.with_friction(*most_friction) : whole;
+  };
+  std::vector<double> nearest;  // of all readings, from which that of the rest is not far
+  const auto all_left = [&](std::size_t smoothing) -> std::optional<Eigen::VectorXd> {
+    SkinConeSolution found = cone(smoothing).solve(readings, iteration_limit, converged);
+    if (found.status != FrameStatus::ok) return std::nullopt;
+    nearest = std::move(found.tractions);
+    return left(of.problem(), readings, nearest);
+  };
+  const auto rest_left = [&](std::size_t smoothing,
+                             std::size_t taxel) -> std::optional<Eigen::VectorXd> {
+    const std::span<const std::size_t> only(&taxel, 1);
+    const SkinConeSolution found =
+        cone(smoothing).without(only).solve(readings, iteration_limit, converged, {}, nearest);
+    if (found.status != FrameStatus::ok) return std::nullopt;
+    const RestOfRows of_rest(
+        {of.problem().weights, of.problem().sites, of.problem().unknown_offsets}, only);
+    return of_rest(left(of.problem(), readings, found.tractions));
+  };
+  return sought_liar(
+      liars, seen(readings), problem.sites, problem.taxels,
+      [&](std::size_t taxel) { return readings_of(taxel); }, all_left, rest_left);
 }
 
 /// Of the taxels with the largest residuals the one without which a contact explains the rest best.
@@ -423,8 +414,8 @@ DataVerdict SkinDataJudge::judge(std::span<const double> readings,
   verdict.taxel = p.bad_taxel(readings, residual);
   if (verdict.taxel)
     verdict.doubts.push_back(DataDoubt::bad_taxel);
-  else if (p.least_left(turned, most, {}) <= most ||
-           p.left(p.problem, readings, tractions).norm() <= most)
+  else if (p.left(p.problem, readings, tractions).norm() <= most ||
+           p.least_left(turned, most, {}) <= most)
     verdict.doubts.push_back(DataDoubt::pulls);
   else
     verdict.doubts.push_back(DataDoubt::misfit);

@@ -284,17 +284,17 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
     const double twist = most > 0.0 ? contact.torsion() / most : 0.0;
     const double used = std::hypot(slide, twist);
     // The lever's own error is of second order beside the torsion's.
-    const Gradient of_margin =
+    const Gradient of_slip_margin =
         used > 0.0 ? sum(-slide / used / *limit, of_ratio, most > 0.0 ? -twist / used / most : 0.0,
                          contact.of_torsion())
                    : Gradient(tractions.size());
-    results.push_back({1.0 - used, of_margin});
+    results.push_back({1.0 - used, of_slip_margin});
   }
   const std::vector<Uncertain> told = uncertain(results, covariance, noise_rms);
   friction.ratio = told[0];
   friction.least_limit = told[1];
   if (!limit) return friction;
-  friction.margin = told[2];
+  friction.slip_margin = told[2];
   // Some at a time: of a large skin a weight for every traction and cell would be gigabytes.
   constexpr std::size_t most_weights = std::size_t{1} << 20;
   const std::size_t batch = std::max<std::size_t>(most_weights / tractions.size(), 1);

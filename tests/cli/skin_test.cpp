@@ -195,8 +195,9 @@ TEST_CASE("solve of a skin: what --missing says becomes of frames", "[cli][skin]
   CHECK_THAT(read_text(folder / "skip/report.html"),
              ContainsSubstring("d=\"M0.2 ") && ContainsSubstring("h0.6M2.2 "));
   const std::string forces = read_text(folder / "u.csv");
-  CHECK_THAT(forces, ContainsSubstring(",verdict\n") && ContainsSubstring(",missing\n") &&
-                         ContainsSubstring("angle_deviation,margin,margin_deviation,data,alpha"));
+  CHECK_THAT(forces,
+             ContainsSubstring(",verdict\n") && ContainsSubstring(",missing\n") &&
+                 ContainsSubstring("angle_deviation,slip_margin,slip_margin_deviation,data,alpha"));
   CHECK(json["frames"][2]["resultant"] == json["frames"][0]["resultant"]);
   CHECK_THAT(read_text(folder / "skip/report.html"), !ContainsSubstring(" -L"));
   const std::string rows = read_text(folder / "t.csv");
@@ -234,7 +235,14 @@ TEST_CASE("solve of a skin: neighbours share an alpha, and offsets are found", "
                                          folder / "t.csv", "--share-alpha", "3"});
   CAPTURE(solved.errors);
   CHECK(solved.code == 0);
-  CHECK_THAT(run_tool({"run", path}).output, ContainsSubstring("an offset that is not known"));
+  const ProcessResult ran = run_tool({"run", path, "--json", folder / "run.json"});
+  const auto json = nlohmann::json::parse(read_text(folder / "run.json"));
+  REQUIRE(json["notes"].size() == 1);
+  const auto note = json["notes"][0].get<std::string>();
+  CHECK_THAT(note, ContainsSubstring("an offset that is not known"));
+  CHECK(json["warnings"].dump().find(note) == std::string::npos);
+  CHECK_THAT(ran.output,
+             ContainsSubstring("\nnote: " + note + '\n') && !ContainsSubstring("warning: " + note));
   CHECK_THAT(run_tool({"solve", path, "--readings", folder / "g.csv", "--share-alpha", "0"}).errors,
              ContainsSubstring("at least 1 frame"));
   const std::string given = folder.write("given.toml", skin);

@@ -1,6 +1,7 @@
 // Recordings whose channels have a constant that nobody knows: `solve` says which it found.
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -84,4 +85,18 @@ TEST_CASE("the offsets that were found move with the readings, and nothing else 
     for (const char* name : {"offset_stress_x", "normal_force", "normal_force_deviation", "alpha"})
       CHECK_THAT(after.at(k, name), WithinRel(before.at(k, name), 1e-6));
   }
+}
+
+TEST_CASE("offsets that a scene asks for are noted, and are no warning", "[cli][offset]") {
+  const Folder folder;
+  const std::string pad = folder.write("pad.toml", offset_pad);
+  const ProcessResult ran = run_tool({"run", pad, "--json", folder / "run.json"});
+  CAPTURE(ran.errors);
+  const auto json = nlohmann::json::parse(read_text(folder / "run.json"))["reconstructions"][0];
+  REQUIRE(json["notes"].size() == 1);
+  const auto note = json["notes"][0].get<std::string>();
+  CHECK_THAT(note, ContainsSubstring("an offset that is not known"));
+  CHECK(json["warnings"].dump().find(note) == std::string::npos);
+  CHECK_THAT(ran.output,
+             ContainsSubstring(": note: " + note) && !ContainsSubstring("warning: " + note));
 }

@@ -4,9 +4,12 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "src/inverse/single_liar.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
@@ -143,6 +146,33 @@ TEST_CASE("a lie that a narrow contact takes up is told, and by no honest frame"
     REQUIRE(data.doubts == only(DataDoubt::bad_taxel));
     CHECK(std::abs(static_cast<double>(*data.taxel) - static_cast<double>(taxel)) <= 1.0);
   }
+}
+
+TEST_CASE("a taxel that is found to lie is one that a bound on its gain let be sought",
+          "[data_verdict]") {
+  constexpr std::size_t rows = 40;
+  const SingleLiar liars(static_cast<double>(rows));
+  const double chance = taxel_gain(1.0, rows);
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise;
+  int found = 0;
+  int excluded = 0;
+  for (const double largest : {10.0, 100.0, 1000.0})
+    for (int i = 0; i < 50; ++i) {
+      const std::vector<double> seen{largest, -0.5 * largest};
+      std::vector<double> before(rows);
+      for (double& left : before) left = noise(random);
+      std::vector<double> without = before;
+      without[3] = 0.0;
+      before[3] = 4.0 + std::abs(4.0 * noise(random));
+      const bool sought = liars.may_be_found(before, chance, seen);
+      const bool is_found = liars.is_found(before, without, chance, seen);
+      CHECK((sought || !is_found));
+      found += is_found;
+      excluded += !sought;
+    }
+  CHECK(found > 0);
+  CHECK(excluded >= 50);  // of the readings that are largest all: their model's error is more
 }
 
 TEST_CASE("where more friction than the limit explains a frame the limit is doubted, and no taxel",

@@ -5,9 +5,13 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/lab/readings_check.hpp"
+#include "tactile_net/report/words/check_words.hpp"
+#include "tactile_net/scene/any_scene.hpp"
+#include "tests/catch.hpp"
 
 namespace tactile_net {
 
@@ -52,6 +56,22 @@ inline Names kinds(const lab::ReadingsCheck& check) {
   Names names;
   for (const lab::Finding& one : check.findings) names.emplace(lab::name(one));
   return names;
+}
+
+/// What is said of each, number by number.
+inline std::vector<std::string> in_sentences(const lab::Findings& findings, const AnyScene& scene) {
+  std::vector<std::string> all;
+  for (const lab::Finding& one : findings) all.push_back(report::in_words(one, scene));
+  return all;
+}
+
+/// A check's first finding of a kind.
+template <class Kind>
+Kind finding_of(const lab::ReadingsCheck& check) {
+  for (const lab::Finding& one : check.findings)
+    if (const Kind* kind = std::get_if<Kind>(&one)) return *kind;
+  FAIL("not found");
+  throw 0;
 }
 
 }  // namespace tactile_net

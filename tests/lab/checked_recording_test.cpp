@@ -520,6 +520,44 @@ TEST_CASE("whole numbers that lost their sign are told, and with it are sound", 
   }));
 }
 
+TEST_CASE("signs that are lost are told where one end holds a single number, unless it is a code",
+          "[lab][check]") {
+  // What presses is of one sign, and noise goes to the nearest number at the other end.
+  const double sign = GENERATE(1.0, -1.0);
+  const std::uint64_t seed = GENERATE(140U, 141U, 142U);
+  RecordedLine line = honest_line(seed, {.course = Course::presses,
+                                         .chain = Chain::noise,
+                                         .pitch_in_depths = 0.5,
+                                         .reads = "\"stress_x\"",
+                                         .least_peak = 100.0});
+  const std::vector<std::vector<double>> once = line.frames;
+  for (int again = 0; again < 3; ++again)
+    line.frames.insert(line.frames.end(), once.begin(), once.end());
+  const double step = pad_noise;
+  const std::size_t count = line.scene.sensor.count;
+  line.scene.calibration = Calibration{.gain = std::vector<double>(count, step),
+                                       .baseline = std::vector<double>(count, 0.0),
+                                       .offset = std::vector<double>(count, 0.0)};
+  std::mt19937 random(static_cast<unsigned>(seed));
+  RecordedLine lost = line;
+  RecordedLine missing = line;  // the number at the other end is a code, which comes at any time
+  const double code = sign > 0.0 ? 255.0 : 0.0;
+  for (std::size_t k = 0; k < line.frames.size(); ++k)
+    for (std::size_t i = 0; i < count; ++i) {
+      const double size = std::clamp(std::round(line.frames[k][i] / step), -1.0, 60.0);
+      const double number = sign > 0.0 ? size : std::min(-size, 0.0);
+      const double byte = number < 0.0 ? number + 256.0 : number;
+      lost.frames[k][i] = step * byte;
+      const double whole = sign > 0.0 ? std::max(size, 0.0) : 255.0 - std::max(size, 0.0);
+      missing.frames[k][i] = step * (random() % 4 == 0 ? code : whole);
+      line.frames[k][i] = step * number;
+    }
+  CAPTURE(sign, seed);
+  CHECK_FALSE(kinds(check(line)).contains("signs_lost"));
+  CHECK(kinds(check(lost)) == Names{"signs_lost"});
+  CHECK_FALSE(kinds(check(missing)).contains("signs_lost"));
+}
+
 TEST_CASE("a converter's steps are no noise of a taxel, whatever its mean", "[lab][check]") {
   // Between two steps the one, or the other; in the middle of one always the same.
   RecordedLine line = honest_line(120, {.course = Course::idles,

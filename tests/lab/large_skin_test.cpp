@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <random>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -215,6 +217,31 @@ TEST_CASE("a large skin doubts readings that no contact can cause", "[lab][skin]
   std::vector<double> beyond = honest;
   for (double& reading : beyond) reading *= 1e3;
   CHECK(lab::solve(problem, beyond).data.has(DataDoubt::implausible));
+}
+
+TEST_CASE(
+    "one taxel that lies under a friction limit is told of a large skin, and none of an honest",
+    "[lab][skin][large][long]") {
+  const SkinScene scene = millimetre_skin("", "rows = 8\ncolumns = 7");
+  constexpr double rms = 300.0;  // a hundredth of the largest reading; the scene's own is a third
+  std::vector<double> readings = lab::simulate(scene).readings;
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> more(0.0, std::sqrt(rms * rms - 100.0 * 100.0));
+  for (double& reading : readings) reading += more(random);
+  lab::LargeSkin skin(scene.sensor, scene.material, {}, {.noise_rms = rms, .friction_limit = 0.5},
+                      1e9);
+  const std::vector<double> nothing(skin.problem().components * skin.problem().grid.count());
+  CHECK(skin.judge(readings, nothing).consistent());
+  // Under the contact so little that one beneath the taxel takes up most of it, and beside it much.
+  for (const auto& [taxel, deviations] :
+       {std::pair(std::size_t{30}, 12.0), std::pair(std::size_t{33}, 40.0)}) {
+    readings[taxel] += deviations * rms;
+    CAPTURE(taxel);
+    const DataVerdict data = skin.judge(readings, nothing);
+    CHECK(data.doubts == std::vector{DataDoubt::bad_taxel});
+    CHECK(data.taxel == taxel);
+    readings[taxel] -= deviations * rms;
+  }
 }
 
 TEST_CASE("a recording of a large skin is solved frame by frame, gaps included",

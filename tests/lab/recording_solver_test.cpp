@@ -1,6 +1,7 @@
 #include "tactile_net/lab/recording_solver.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/checked_line.hpp"
 #include "tests/lab/scene_parts.hpp"
 
 namespace tactile_net::lab {
@@ -138,6 +140,89 @@ TEST_CASE("taxels at the end of a line's range are left out, as if dead",
   std::vector<double> expected(without->tractions());
   REQUIRE(without->solve(readings, expected).status == FrameStatus::ok);
   CHECK(found == expected);
+}
+
+TEST_CASE("what solve notices comes from the same functions", "[lab][check]") {
+  const double factor = GENERATE(1.0, -1.0, 1e-3);
+  RecordedLine recording = recorded_line(line_pad(11, "\"stress_x\"", presses, 1));
+  for (auto& frame : recording.frames)
+    for (double& value : frame) value *= factor;
+  const SceneProblem problem(recording.scene);
+  const auto solver = make_solver(problem, Method::tikhonov);
+  SolvingDoubts doubts(problem);
+  std::vector<double> tractions(11);
+  for (const auto& frame : recording.frames) {
+    const auto result = solver->solve(frame, tractions);
+    doubts.add(problem, frame, tractions, result.alpha->value);
+  }
+  Names names;
+  for (const Finding& one : doubts.findings()) names.emplace(name(one));
+  CHECK(names == (factor == 1.0    ? Names{}
+                  : factor == -1.0 ? Names{"whole_pad_pulled"}
+                                   : Names{"scale_by_1000"}));
+}
+
+namespace {
+
+/// A recording whose frames are all solved.
+RecordingSolver solver_through(const RecordedLine& recording) {
+  RecordingSolver solver(SceneProblem(recording.scene), Method::tikhonov);
+  std::vector<double> tractions(solver.tractions());
+  for (std::vector<double> frame : recording.frames) REQUIRE(solver.solve(frame, tractions));
+  return solver;
+}
+
+/// From frame to frame by a tenth of the noise.
+void let_drift(RecordedLine& recording) {
+  for (std::size_t k = 0; k < recording.frames.size(); ++k)
+    for (double& value : recording.frames[k]) value += 0.1 * pad_noise * static_cast<double>(k);
+}
+
+}  // namespace
+
+TEST_CASE("solve is told what no single frame shows", "[lab][check]") {
+  const RecordedLine clean = recorded_line(line_pad(21, "\"stress_x\"", presses, 1));
+  const auto doubts_of = [](const RecordedLine& recording) {
+    Names names;
+    for (const Finding& one : solver_through(recording).doubts()) names.emplace(name(one));
+    return names;
+  };
+  CHECK(doubts_of(clean) == Names{});
+  RecordedLine twins = clean;
+  for (auto& frame : twins.frames) frame[12] = frame[11];
+  CHECK(doubts_of(twins) == Names{"equal_readings"});
+  RecordedLine drifting = clean;
+  let_drift(drifting);
+  const Findings doubts = solver_through(drifting).doubts();
+  REQUIRE(doubts.size() == 1);
+  REQUIRE(std::holds_alternative<finding::Drift>(doubts.front()));
+  // What the check of the whole recording says of these.
+  CHECK(std::get<finding::Drift>(doubts.front()).largest ==
+        finding_of<finding::Drift>(check(drifting)).largest);
+}
+
+TEST_CASE("a solver finds in frames and their times what a check of them finds",
+          "[lab][recording][check]") {
+  const Missing missing = GENERATE(Missing::skip, Missing::estimate);
+  RecordedLine recording = recorded_line(line_pad(11, "\"stress_x\"", presses, 1));
+  let_drift(recording);
+  recording.frames[30][4] = missing_reading;
+  ReadingsChecker checker(recording.scene);
+  RecordingSolver solver(SceneProblem(recording.scene), Method::tikhonov, {.missing = missing});
+  std::vector<double> tractions(solver.tractions());
+  for (std::size_t k = 0; k < recording.frames.size(); ++k) {
+    std::optional<double> time;  // runs backwards once, stands still once, and is missing once
+    if (k != 50) time = 0.01 * static_cast<double>(k < 200 ? k : k < 300 ? k - 100 : k - 101);
+    checker.add(time, recording.frames[k]);
+    std::vector<double> readings = recording.frames[k];
+    (void)solver.solve(readings, tractions, time);
+  }
+  const ReadingsCheck expected = checker.result();
+  const Names names = kinds(expected);
+  for (const char* one : {"time_backwards", "time_repeats", "values_missing", "drift"})
+    CHECK(names.contains(one));
+  CHECK(in_sentences(solver.findings(), recording.scene) ==
+        in_sentences(expected.findings, recording.scene));
 }
 
 }  // namespace tactile_net::lab

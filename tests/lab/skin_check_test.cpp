@@ -265,19 +265,34 @@ TEST_CASE("a skin's drift is told whoever solves it, frame by frame or all at on
   constexpr double slope = 0.3 * pad_noise;  // a frame
   for (std::size_t k = 0; k < recording.frames.size(); ++k)
     for (double& value : recording.frames[k]) value += slope * static_cast<double>(k);
+  const auto time_of = [](std::size_t k) -> std::optional<double> {  // runs backwards once
+    if (k == 10) return std::nullopt;
+    return 0.03 * static_cast<double>(k < 50 ? k : k - 25);
+  };
+  lab::ReadingsChecker checker(recording.scene);
+  for (std::size_t k = 0; k < recording.frames.size(); ++k)
+    checker.add(time_of(k), recording.frames[k]);
+  const lab::ReadingsCheck checked = checker.result();
+  CHECK(kinds(checked).contains("time_backwards"));
   const auto doubts_of = [&](auto solve) {
     lab::SkinRecordingSolver solver{lab::SkinSceneProblem(recording.scene)};
     solve(solver);
+    CHECK(in_sentences(solver.findings(), recording.scene) ==
+          in_sentences(checked.findings, recording.scene));
     return solver.doubts();
   };
   const lab::Findings one_by_one = doubts_of([&](lab::SkinRecordingSolver& solver) {
-    for (std::vector<double> frame : recording.frames) (void)solver.solve(frame);
+    for (std::size_t k = 0; k < recording.frames.size(); ++k) {
+      std::vector<double> frame = recording.frames[k];
+      (void)solver.solve(frame, time_of(k));
+    }
   });
   const lab::Findings at_once = doubts_of([&](lab::SkinRecordingSolver& solver) {
     std::size_t next = 0;
     solver.solve_all(
-        [&](std::vector<double>& readings) {
+        [&](std::vector<double>& readings, std::optional<double>& time) {
           if (next == recording.frames.size()) return false;
+          time = time_of(next);
           readings = recording.frames[next++];
           return true;
         },

@@ -226,10 +226,10 @@ TEST_CASE("a baseline that is no reading of a contact makes no frame doubtful",
   units.units.emplace();
   lab::SkinExperiment experiment{.scene = units};
   experiment.answer = lab::solve(lab::SkinSceneProblem(units), readings);
-  const std::vector<std::string> said = report::warnings(experiment);
-  CHECK(std::any_of(said.begin(), said.end(), [](const std::string& warning) {
-    return warning.find("offset that is not known") != std::string::npos &&
-           warning.find("Pa") != std::string::npos;
+  const std::vector<std::string> said = report::remarks_in_words(experiment).notes;
+  CHECK(std::any_of(said.begin(), said.end(), [](const std::string& note) {
+    return note.find("offset that is not known") != std::string::npos &&
+           note.find("Pa") != std::string::npos;
   }));
 }
 
@@ -341,9 +341,9 @@ TEST_CASE("a row of --uncertainty has the names that its header has", "[lab][ski
       continue;
     }
     CHECK_THAT(value("angle"), WithinAbs(std::atan(answer.friction->ratio.value), 1e-15));
-    CHECK(value("margin") == answer.friction->margin->value);
+    CHECK(value("slip_margin") == answer.friction->slip_margin->value);
     CHECK(value("offset_stress_x") == answer.offsets.front());
     // What is left of the limit, and the angle, are of one force.
-    CHECK(value("margin") <= 1.0 - std::tan(value("angle")) / 0.8 + 1e-12);
+    CHECK(value("slip_margin") <= 1.0 - std::tan(value("angle")) / 0.8 + 1e-12);
   }
 }

@@ -62,7 +62,7 @@ TEST_CASE("deviations hold what presses over the edge of a skin", "[lab][skin][e
     CHECK(off(found) < 4.0);
     // The outermost taxels are pressed as hard as any, and the answer says so.
     CHECK(found.answer->verdict == lab::Verdict::cut_off);
-    const std::vector<std::string> warnings = report::warnings(found);
+    const std::vector<std::string> warnings = report::remarks_in_words(found).warnings;
     CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
       return warning.find("lies beyond the taxels") != std::string::npos;
     }));

@@ -143,9 +143,9 @@ TEST_CASE("contacts that are dragged apart slip as one of them alone", "[lab][sk
   const SkinFriction both = friction(true, true, -used * limit);
   CHECK(alone.contacts == 1);
   CHECK(both.contacts == 2);
-  const double deviation = std::hypot(alone.margin->deviation, both.margin->deviation);
-  CHECK_THAT(both.margin->value, WithinAbs(alone.margin->value, 3.0 * deviation));
-  CHECK(both.margin->value < 0.3);
+  const double deviation = std::hypot(alone.slip_margin->deviation, both.slip_margin->deviation);
+  CHECK_THAT(both.slip_margin->value, WithinAbs(alone.slip_margin->value, 3.0 * deviation));
+  CHECK(both.slip_margin->value < 0.3);
   CHECK_THAT(
       both.ratio.value,
       WithinAbs(alone.ratio.value, 3.0 * std::hypot(alone.ratio.deviation, both.ratio.deviation)));
@@ -153,7 +153,7 @@ TEST_CASE("contacts that are dragged apart slip as one of them alone", "[lab][sk
   const SkinFriction one = friction(true, true, -0.1 * limit);
   REQUIRE(one.wrench);
   CHECK_THAT(one.wrench->centre_y->value, WithinAbs(-4.0, 0.5));
-  CHECK_THAT(one.margin->value, WithinAbs(alone.margin->value, 3.0 * deviation));
+  CHECK_THAT(one.slip_margin->value, WithinAbs(alone.slip_margin->value, 3.0 * deviation));
 }
 
 TEST_CASE("deviations hold the forces of one, two and three contacts", "[lab][skin][contacts]") {

@@ -60,7 +60,7 @@ Solved solved_recording(const SkinScene& scene, const std::vector<std::vector<do
   Solved result;
   std::size_t at = 0;
   solver.solve_all(
-      [&](std::vector<double>& readings) {
+      [&](std::vector<double>& readings, std::optional<double>&) {
         if (at == frames.size()) return false;
         readings = frames[at++];
         return true;
@@ -161,7 +161,7 @@ TEST_CASE("a frame that fails does so after all before it were used",
   std::size_t used = 0;
   std::size_t at = 0;
   lab::SkinRecordingSolver solver{lab::SkinSceneProblem(scene)};
-  const auto next = [&](std::vector<double>& readings) {
+  const auto next = [&](std::vector<double>& readings, std::optional<double>&) {
     if (at == frames.size()) return false;
     readings = frames[at++];
     return true;

@@ -66,7 +66,9 @@ TEST_CASE("warnings are those of the fingertips, then those of the answers", "[g
   grasp.tips[1].remarks = {lab::remark::ForceBeyondEnds{0.025}, CutOffNote{"saturation", 3, 82},
                            lab::remark::Doubtful{lab::Verdict::unstable},
                            lab::remark::ModelError{2.0}, lab::remark::TangentialUnseen{}};
-  CHECK(warnings_in_words(grasp) ==
+  const Sentences said = remarks_in_words(grasp);
+  CHECK(said.notes.empty());
+  CHECK(said.warnings ==
         std::vector<std::string>{
             "finger 'index': 2.5 % of the normal force lies beyond the ends of the array",
             "finger 'index': saturation: 3 of 82 readings are cut off at the range's ends",
@@ -76,6 +78,15 @@ TEST_CASE("warnings are those of the fingertips, then those of the answers", "[g
             "finger 'index': the tangential force is not measured: it is taken for zero",
             "to hold: finger 'index' is not needed: it carries nothing",
             "as measured: finger 'thumb' is less than two standard deviations from slipping"});
+
+  // What was found in the normal course is noted, and changes no warning.
+  const lab::Remark weight = lab::remark::EstimatedWeight{8.0};
+  const lab::Remark offset = lab::remark::OffsetsFound{{{"stress_x", 0.5, Dimension::none}}, {}};
+  grasp.tips[0].remarks = {weight, offset};
+  const Sentences more = remarks_in_words(grasp);
+  CHECK(more.warnings == said.warnings);
+  CHECK(more.notes == std::vector<std::string>{"finger 'thumb': " + in_words(weight),
+                                               "finger 'thumb': " + in_words(offset)});
 }
 
 TEST_CASE("a contact's source is named with its file and frame", "[grasp]") {

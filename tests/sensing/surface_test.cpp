@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/sensing/resultant.hpp"
@@ -54,6 +55,22 @@ TEST_CASE("every taxel lies on a value's place, and the margin reaches as far as
         CHECK(reach < std::max(wanted, surface.spacing * 1e-9) + surface.spacing);
         CHECK_THAT(surface.area, WithinRel(surface.spacing / pitch, 1e-14));
       }
+}
+
+TEST_CASE("what two parts of a surface amount to is what all of it does", "[surface]") {
+  const Surface surface{.count = 9, .spacing = 0.5};
+  const std::vector<double> normal{1.0, 3.0, 2.0, 0.0, 0.5, 4.0, 2.5, 1.5, 0.25};
+  const std::vector<double> drag{0.5, -1.0, 0.25, 2.0, 0.0, -3.0, 1.0, 0.75, 4.0};
+  for (const std::vector<double>& tangential : {drag, std::vector<double>{}})
+    for (std::size_t cut = 0; cut <= surface.count; ++cut) {
+      const Resultant whole = resultant_of(normal, tangential, surface);
+      const Resultant one = resultant_between(0, cut, normal, tangential, surface);
+      const Resultant other = resultant_between(cut, surface.count, normal, tangential, surface);
+      CAPTURE(cut);
+      CHECK_THAT(one.normal + other.normal, WithinRel(whole.normal, 1e-14));
+      CHECK_THAT(one.tangential + other.tangential, WithinAbs(whole.tangential, 1e-14));
+      CHECK_THAT(one.moment + other.moment, WithinAbs(whole.moment, 1e-14));
+    }
 }
 
 TEST_CASE("the spacing follows the depth where taxels are far apart", "[surface]") {

@@ -44,6 +44,25 @@ TEST_CASE("a search without taxels is that of the problem which never had them",
   }
 }
 
+TEST_CASE("a search from what is near leads to the same in fewer steps", "[skin][cone]") {
+  const SkinFrame frame = dragged_frame(5, 23, {});
+  double largest = 0.0;
+  for (const double entry : frame.problem.kernel.values)
+    largest = std::max(largest, std::abs(entry));
+  const ConeSearch whole(frame.problem, 1e-3 * largest * largest, held);
+  const std::vector<double> near = whole.solve(frame.readings, 50000, 1e-11).tractions;
+  for (const std::size_t taxel : {3u, 12u}) {
+    const ConeSearch rest = whole.without(std::span(&taxel, 1));
+    const SkinConeSolution expected = rest.solve(frame.readings, 50000, 1e-11);
+    const SkinConeSolution found = rest.solve(frame.readings, 50000, 1e-11, {}, near);
+    CAPTURE(taxel, found.iterations, expected.iterations);
+    REQUIRE(found.verdict == ConstrainedVerdict::ok);
+    CHECK(distance(found.tractions, expected.tractions) <= 1e-6 * norm(expected.tractions));
+    CHECK(found.iterations <= expected.iterations);
+  }
+  CHECK(whole.solve(frame.readings, 50000, 1e-7, {}, near).iterations == 5);  // the first check
+}
+
 TEST_CASE("a search that looks on ends where it is told to", "[skin][cone]") {
   const SkinFrame frame = dragged_frame(5, 23, {});
   const ConeSearch search(frame.problem, 1e-9, held);

@@ -266,13 +266,13 @@ TEST_CASE("friction: what slides is at its limit, what is twisted is too", "[ski
       friction({.radius = 4e-3, .force = 0.5, .friction = 0.4, .direction = 0.7}, 0.4);
   CHECK_THAT(slides.ratio.value, WithinRel(0.4, 1e-12));
   CHECK_THAT(slides.least_limit.value, WithinRel(0.4, 1e-9));
-  CHECK_THAT(slides.margin->value, WithinAbs(0.0, 1e-3));
+  CHECK_THAT(slides.slip_margin->value, WithinAbs(0.0, 1e-3));
   for (const Uncertain& margin : slides.cell_margins) CHECK(margin.value >= -1e-9);
   // Full spin of a Hertz circle: mu F 3 pi a / 16.
   CHECK_THAT(slides.lever, WithinRel(0.5 * 3.0 * std::numbers::pi * 4e-3 / 16.0, 0.02));
   const SkinFriction rests = friction({.radius = 4e-3, .force = 0.5}, 0.4);
-  CHECK_THAT(rests.margin->value, WithinAbs(1.0, 1e-3));
-  CHECK_FALSE(friction({.radius = 4e-3, .force = 0.5}, {}).margin.has_value());
+  CHECK_THAT(rests.slip_margin->value, WithinAbs(1.0, 1e-3));
+  CHECK_FALSE(friction({.radius = 4e-3, .force = 0.5}, {}).slip_margin.has_value());
   CHECK_FALSE(
       friction_of(grid, std::vector<double>(3 * grid.count()), cells, white, 1.0).has_value());
   CHECK_THROWS_WITH(friction({}, 0.0), ContainsSubstring("limit"));
@@ -296,16 +296,16 @@ TEST_CASE("of contacts that lie apart friction is that of the one nearest to sli
     CHECK_THAT(found.ratio.deviation, WithinRel(alone.ratio.deviation, 1e-9));
     CHECK_THAT(found.least_limit.value, WithinRel(alone.least_limit.value, 1e-9));
     CHECK_THAT(found.lever, WithinRel(alone.lever, 1e-9));
-    REQUIRE(found.margin.has_value() == alone.margin.has_value());
-    if (!alone.margin) return;
-    CHECK_THAT(found.margin->value, WithinRel(alone.margin->value, 1e-9));
-    CHECK_THAT(found.margin->deviation, WithinRel(alone.margin->deviation, 1e-9));
+    REQUIRE(found.slip_margin.has_value() == alone.slip_margin.has_value());
+    if (!alone.slip_margin) return;
+    CHECK_THAT(found.slip_margin->value, WithinRel(alone.slip_margin->value, 1e-9));
+    CHECK_THAT(found.slip_margin->deviation, WithinRel(alone.slip_margin->deviation, 1e-9));
   };
   const SkinFriction alone = friction({left}, limit);
   CHECK(alone.contacts == 1);
   CHECK_FALSE(alone.wrench);
   CHECK(alone.lever == alone.lever_of_all);
-  CHECK_THAT(alone.margin->value, WithinAbs(0.1, 1e-3));
+  CHECK_THAT(alone.slip_margin->value, WithinAbs(0.1, 1e-3));
   // Dragged apart: their sum is dragged nowhere.
   SkinContact right = left;
   right.y = -left.y;

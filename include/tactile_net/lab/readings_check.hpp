@@ -94,8 +94,8 @@ class ReadingsChecker {
 
   explicit ReadingsChecker(AnyScene scene);
   ~ReadingsChecker();
-  ReadingsChecker(const ReadingsChecker&) = delete;
-  ReadingsChecker& operator=(const ReadingsChecker&) = delete;
+  ReadingsChecker(ReadingsChecker&&) noexcept;
+  ReadingsChecker& operator=(ReadingsChecker&&) noexcept;
 
   /// @param time      [s], where the frame has one
   /// @param readings  channels x count, in the unit of the scene; NaN: missing
@@ -126,15 +126,13 @@ class ReadingsChecker {
 [[nodiscard]] Findings scene_findings(const Scene& scene);
 [[nodiscard]] Findings scene_findings(const SkinScene& scene);
 
-/// What `solve` notices of frames as it goes: the whole pad pulled in every frame, a residual that
-/// cannot be with the noise stated, and what `ReadingsChecker::doubts` tells. A few operations a
-/// frame; a residual for the first frames, then ever rarer ones.
+/// What a line's answers tell as they come: the whole pad pulled in every frame, and a residual
+/// that cannot be with the noise stated. A few operations a frame; a residual for the first frames,
+/// then ever rarer ones.
 class SolvingDoubts {
  public:
   explicit SolvingDoubts(SceneProblem problem);
 
-  /// The readings of the next frame, as they were recorded.
-  void read(std::span<const double> readings);
   /// @param problem  that the frame was solved with
   void add(const SceneProblem& problem, std::span<const double> readings,
            std::span<const double> tractions, double alpha);
@@ -149,9 +147,8 @@ class SolvingDoubts {
     std::size_t pulled = 0;
   };
   std::size_t frames_ = 0;
-  std::map<int, Count> by_load_;                // by the power of two of sum |f_v|
-  std::vector<double> residuals_;               // over the noise stated
-  std::unique_ptr<ReadingsChecker> checker_{};  // made with the first frame
+  std::map<int, Count> by_load_;   // by the power of two of sum |f_v|
+  std::vector<double> residuals_;  // over the noise stated
 };
 
 }  // namespace tactile_net::lab

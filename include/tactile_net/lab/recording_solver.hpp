@@ -5,7 +5,9 @@
 ///     lab::RecordingSolver solver(problem, Method::tikhonov);
 ///     std::vector<double> f(solver.tractions());
 ///     while (source.next(readings))
-///       if (const auto result = solver.solve(readings, f)) use(f, *result);
+///       if (const auto result = solver.solve(readings, f, source.seconds())) use(f, *result);
+///     for (const lab::Finding& one : solver.findings())
+///     puts(report::in_words(one, scene).c_str());
 #pragma once
 
 #include <cstddef>
@@ -49,18 +51,26 @@ class RecordingSolver {
   /// @param readings   channels x count; where values may be missing NaN is one; 0 afterwards of
   ///                   taxels that are left out
   /// @param tractions  `tractions()` values [Pa]; untouched unless there is an answer
+  /// @param time       [s], where the frame has one: what is found suspicious, not what is answered
   /// @return  absent: values are missing, and the frame has no answer. A status that is not ok: the
   ///          frame is bad, and does not count
   [[nodiscard]] std::optional<FrameResult> solve(std::span<double> readings,
-                                                 std::span<double> tractions);
+                                                 std::span<double> tractions,
+                                                 std::optional<double> time = std::nullopt);
 
   /// That the last frame with an answer was solved with: the recording's, or one with taxels left
   /// out.
   [[nodiscard]] const SceneProblem& problem() const noexcept;
 
   [[nodiscard]] const SolvedFrames& solved() const noexcept { return solved_; }
-  /// What is suspicious about the readings so far.
-  [[nodiscard]] Findings doubts() const { return doubts_.findings(); }
+  /// What is suspicious about the readings so far, as far as answers and frames tell it without
+  /// solving any other: `SolvingDoubts` and `ReadingsChecker::doubts`.
+  [[nodiscard]] Findings doubts() const;
+  /// All that is suspicious about the frames so far, as they were recorded:
+  /// `ReadingsChecker::result`, which solves some of them.
+  [[nodiscard]] Findings findings(Observer& observer = silent) const {
+    return checker_.result(observer).findings;
+  }
 
  private:
   SceneProblem problem_;
@@ -73,6 +83,7 @@ class RecordingSolver {
   DataMemory memory_{};  // of `problem_`
   SolvedFrames solved_{};
   SolvingDoubts doubts_;
+  ReadingsChecker checker_;
   bool was_incomplete_ = false;
 };
 

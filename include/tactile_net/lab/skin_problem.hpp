@@ -85,7 +85,8 @@ class SkinSceneProblem {
   [[nodiscard]] const SkinDataJudge& data_judge() const;
   /// `unseen_cells` (skin_sight.hpp).
   [[nodiscard]] const std::vector<bool>& unseen() const;
-  /// The cells above the outermost live taxels: `border_cells` (border.hpp).
+  /// The cells above the outermost live taxels, and where dead ones leave a hole: `border_cells`
+  /// (border.hpp).
   [[nodiscard]] const std::vector<std::size_t>& border() const;
   /// The same with cells to two depths beyond the outermost taxels, for what presses over the edge.
   /// @pre  the scene states no margin

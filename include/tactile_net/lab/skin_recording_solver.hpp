@@ -3,7 +3,7 @@
 ///
 ///     lab::SkinRecordingSolver solver(problem, {.missing = lab::Missing::estimate});
 ///     while (source.next(readings))
-///       if (const auto answer = solver.solve(readings)) use(*answer);
+///       if (const auto answer = solver.solve(readings, source.seconds())) use(*answer);
 ///     // or, on every processor
 ///     solver.solve_all(next, use);
 #pragma once
@@ -35,20 +35,22 @@ class SkinRecordingSolver {
   /// in it, or has no answer: as the options say.
   ///
   /// @param readings  where values may be missing NaN is one, and 0 afterwards
+  /// @param time      [s], where the frame has one: what is found suspicious, not what is answered
   /// @return          absent: values are missing, and the frame has no answer
   /// @throw           as `solve` of a frame
-  [[nodiscard]] std::optional<SkinAnswer> solve(std::span<double> readings);
+  [[nodiscard]] std::optional<SkinAnswer> solve(std::span<double> readings,
+                                                std::optional<double> time = std::nullopt);
 
-  /// The next frame's readings; false: there is none.
-  using NextFrame = std::function<bool(std::vector<double>& readings)>;
+  /// The next frame's readings, and its time where it has one; false: there is none.
+  using NextFrame = std::function<bool(std::vector<double>& readings, std::optional<double>& time)>;
   /// As `solve` leaves the readings, and what it returns.
   using UseAnswer = std::function<void(std::span<const double> readings,
                                        const std::optional<SkinAnswer>& answer)>;
 
-  /// All frames that follow: `while (next(readings)) use(readings, solve(readings))`, several of
-  /// them at a time on a thread each, and the same bits and order however many there are. A few
-  /// frames are read ahead. Frames that share an alpha, and those of a large skin, are solved one
-  /// by one.
+  /// All frames that follow: `while (next(readings, time)) use(readings, solve(readings, time))`,
+  /// several of them at a time on a thread each, and the same bits and order however many there
+  /// are. A few frames are read ahead. Frames that share an alpha, and those of a large skin, are
+  /// solved one by one.
   ///
   /// @param next, use  are called by this thread alone
   /// @param threads    at most so many; 1: none but this one, which reads nothing ahead; 0: one a
@@ -64,6 +66,9 @@ class SkinRecordingSolver {
   [[nodiscard]] const SolvedFrames& solved() const noexcept;
   /// What is suspicious about the readings so far, as `ReadingsChecker::doubts` tells it.
   [[nodiscard]] Findings doubts() const;
+  /// All that is suspicious about the frames so far, as they were recorded:
+  /// `ReadingsChecker::result`, which solves some of them.
+  [[nodiscard]] Findings findings(Observer& observer = silent) const;
 
  private:
   struct Parts;

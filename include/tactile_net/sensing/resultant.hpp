@@ -29,20 +29,29 @@ struct Resultant {
   }
 };
 
-/// Exact for hats and for line loads. O(values).
+/// Of the values from `first` to before `last`, with nothing elsewhere. Exact for hats and for line
+/// loads. O(values).
 ///
 /// @param normal      `surface.count` values
 /// @param tangential  as many, or none: frictionless
+[[nodiscard]] inline Resultant resultant_between(std::size_t first, std::size_t last,
+                                                 std::span<const double> normal,
+                                                 std::span<const double> tangential,
+                                                 const Surface& surface) noexcept {
+  Resultant sum;
+  for (std::size_t i = first; i < last; ++i) {
+    sum.normal += surface.spacing * normal[i];
+    sum.moment += surface.spacing * surface.position(i) * normal[i];
+    if (!tangential.empty()) sum.tangential += surface.spacing * tangential[i];
+  }
+  return sum;
+}
+
+/// Of all of them.
 [[nodiscard]] inline Resultant resultant_of(std::span<const double> normal,
                                             std::span<const double> tangential,
                                             const Surface& surface) noexcept {
-  Resultant sum;
-  for (std::size_t i = 0; i < normal.size(); ++i) {
-    sum.normal += surface.spacing * normal[i];
-    sum.moment += surface.spacing * surface.position(i) * normal[i];
-  }
-  for (const double traction : tangential) sum.tangential += surface.spacing * traction;
-  return sum;
+  return resultant_between(0, normal.size(), normal, tangential, surface);
 }
 
 /// Of values about y = 0. @param pitch  their distance [m]

@@ -104,7 +104,7 @@ struct SkinFriction {
   double lever_of_all = 0.0;  ///< the same of all cells, about their common centre
   /// 1 - sqrt((F_t / (mu F_x))^2 + (T / (mu lever))^2): < 0 beyond the ellipsoid (Howe and Cutkosky
   /// 1996). Absent without a limit.
-  std::optional<Uncertain> margin{};
+  std::optional<Uncertain> slip_margin{};
   std::vector<Uncertain> cell_margins{};  ///< mu p - |q| of all cells [Pa]; none without a limit
 };
 

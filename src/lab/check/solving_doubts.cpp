@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <optional>
 #include <utility>
 
 #include "lab/check/judgement.hpp"
@@ -17,11 +15,6 @@ bool is_taken(std::size_t frame) { return frame < 16 || (frame & (frame - 1)) ==
 }  // namespace
 
 SolvingDoubts::SolvingDoubts(SceneProblem problem) : problem_(std::move(problem)) {}
-
-void SolvingDoubts::read(std::span<const double> readings) {
-  if (!checker_) checker_ = std::make_unique<ReadingsChecker>(problem_.scene());
-  checker_->add(std::nullopt, readings);
-}
 
 void SolvingDoubts::add(const SceneProblem& problem, std::span<const double> readings,
                         std::span<const double> tractions, double alpha) {
@@ -53,9 +46,6 @@ Findings SolvingDoubts::findings() const {
   if (!residuals_.empty())
     if (const double times = median(residuals_); is_thousandfold(times))
       findings.emplace_back(finding::ScaleBy1000{times});
-  if (!checker_) return findings;
-  Findings over_time = checker_->doubts();
-  std::move(over_time.begin(), over_time.end(), std::back_inserter(findings));
   return findings;
 }
 

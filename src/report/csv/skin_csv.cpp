@@ -104,7 +104,8 @@ std::vector<double> wrench_values(const lab::SkinAnswer& answer) {
 
 std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
   std::vector<std::string> names = wrench_columns();
-  std::vector<std::string> more = {"angle", "angle_deviation", "margin", "margin_deviation"};
+  std::vector<std::string> more = {"angle", "angle_deviation", "slip_margin",
+                                   "slip_margin_deviation"};
   if (scene.reconstruct.offset)
     for (const SkinChannel& channel : channels(scene.sensor))
       more.push_back("offset_" + channel.name);
@@ -120,9 +121,9 @@ std::vector<double> uncertainty_values(const lab::SkinAnswer& answer, const Skin
     const double ratio = friction->ratio.value;
     more[0] = std::atan(ratio);
     more[1] = friction->ratio.deviation / (1.0 + ratio * ratio);
-    if (friction->margin) {
-      more[2] = friction->margin->value;
-      more[3] = friction->margin->deviation;
+    if (friction->slip_margin) {
+      more[2] = friction->slip_margin->value;
+      more[3] = friction->slip_margin->deviation;
     }
   }
   if (scene.reconstruct.offset)

@@ -90,7 +90,7 @@ std::string grasp_json(const lab::GraspResult& grasp) {
         {"force", point(load->force)}, {"torque", load->torque}, {"point", point(load->point)}};
   json["measured"] = grasp.measured ? measured_json(*grasp.measured) : Json(nullptr);
   json["held"] = grasp.held ? held_json(*grasp.held) : Json(nullptr);
-  json["warnings"] = warnings_in_words(grasp);
+  add_remarks(json, remarks_in_words(grasp));
   json["failures"] = failures_in_words(grasp);
   if (grasp.hand.si) json["units"] = {{"length", "m"}, {"force", "N"}, {"torque", "N m"}};
   return text_of(json);

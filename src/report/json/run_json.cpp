@@ -70,7 +70,7 @@ Json reconstruction(const lab::Experiment& experiment, const lab::MethodResult& 
     json["condition_of"] = result.condition ? Json(name(result.condition->matrix)) : Json(nullptr);
     add_uncertainty(json, result);
   }
-  json["warnings"] = remarks_in_words(experiment, result);
+  add_remarks(json, remarks_in_words(experiment, result));
   if (const std::string failure = failure_in_words(experiment, result); !failure.empty())
     json["failure"] = failure;
   return json;

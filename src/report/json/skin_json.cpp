@@ -73,7 +73,7 @@ Json skin_friction_json(const std::optional<SkinFriction>& friction) {
           {"centre", friction->wrench
                          ? pair_json(friction->wrench->centre_y, friction->wrench->centre_z)
                          : Json(nullptr)},
-          {"margin", uncertain_or_null(friction->margin)}};
+          {"slip_margin", uncertain_or_null(friction->slip_margin)}};
 }
 
 Json ellipse_json(const std::optional<ContactEllipse>& ellipse) {
@@ -164,7 +164,7 @@ std::string experiment_json(const lab::SkinExperiment& experiment) {
   for (const SkinChannel& channel : channels(experiment.scene.sensor))
     json["readings"][channel.name] = list(readings.subspan(channel.first, channel.count));
   json["answer"] = experiment.answer ? answer_json(experiment) : Json(nullptr);
-  json["warnings"] = warnings(experiment);
+  add_remarks(json, remarks_in_words(experiment));
   if (!experiment.refusal.empty()) json["failure"] = experiment.refusal;
   if (experiment.network) json["circuit"] = circuit_json(*experiment.network);
   return text_of(json);

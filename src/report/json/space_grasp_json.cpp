@@ -119,7 +119,7 @@ std::string grasp_json(const lab::SpaceGraspResult& grasp) {
   if (const auto& refusal = grasp.refusal)
     json["refusal"] = {{"motion", refusal->motion ? motion_json(*refusal->motion) : Json(nullptr)},
                        {"least_squeeze", number_or_null(refusal->least_squeeze)}};
-  json["warnings"] = warnings_in_words(grasp);
+  add_remarks(json, remarks_in_words(grasp));
   json["failures"] = failures_in_words(grasp);
   if (grasp.hand.si) json["units"] = {{"length", "m"}, {"force", "N"}, {"torque", "N m"}};
   return text_of(json);

@@ -11,6 +11,7 @@
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/frame_runs.hpp"
 #include "tactile_net/numeric/matrix.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::report {
@@ -55,6 +56,11 @@ inline Json uncertain_json(const Uncertain& number) {
 
 inline Json uncertain_or_null(const std::optional<Uncertain>& number) {
   return number ? uncertain_json(*number) : Json(nullptr);
+}
+
+inline void add_remarks(Json& json, const Sentences& said) {
+  json["warnings"] = said.warnings;
+  json["notes"] = said.notes;
 }
 
 }  // namespace tactile_net::report

@@ -63,15 +63,19 @@ struct GraspNames {
 [[nodiscard]] std::string in_words(const GraspNames& names, const lab::GraspRemark& remark);
 [[nodiscard]] std::string in_words(const GraspNames& names, const lab::GraspFailure& failure);
 
-/// Everything that a user should know first: of the fingertips, then of the answers.
-[[nodiscard]] std::vector<std::string> remarks_in_words(const auto& grasp) {
-  std::vector<std::string> lines;
+/// Everything that is to be said: of the fingertips, then of the answers.
+[[nodiscard]] Sentences remarks_of_any(const auto& grasp) {
+  Sentences said;
   for (const auto& tip : grasp.tips)
-    for (const lab::FingertipRemark& remark : tip.remarks)
-      lines.push_back("finger '" + tip.finger.name + "': " + in_words(remark));
+    for (const lab::FingertipRemark& remark : tip.remarks) {
+      const auto* found = std::get_if<lab::Remark>(&remark);
+      (found != nullptr && is_note(*found) ? said.notes : said.warnings)
+          .push_back("finger '" + tip.finger.name + "': " + in_words(remark));
+    }
   const GraspNames names = names_of(grasp);
-  for (const lab::GraspRemark& remark : grasp.remarks) lines.push_back(in_words(names, remark));
-  return lines;
+  for (const lab::GraspRemark& remark : grasp.remarks)
+    said.warnings.push_back(in_words(names, remark));
+  return said;
 }
 
 /// The last columns of a contact's row: to the cone's edge, angle left, verdict.

@@ -126,9 +126,7 @@ std::string in_words(const lab::FingertipRemark& remark) {
   return std::visit([](const auto& one) { return fingertip_remark_in_words(one); }, remark);
 }
 
-std::vector<std::string> warnings_in_words(const lab::GraspResult& grasp) {
-  return remarks_in_words(grasp);
-}
+Sentences remarks_in_words(const lab::GraspResult& grasp) { return remarks_of_any(grasp); }
 
 std::vector<std::string> failures_in_words(const lab::GraspResult& grasp) {
   std::vector<std::string> lines;
@@ -157,7 +155,7 @@ void print_grasp(std::ostream& out, const lab::GraspResult& grasp) {
   if (grasp.held)
     section("what would hold the load:", grasp.held->grasp.fingers, grasp.held->margins,
             hold_in_words(grasp));
-  for (const std::string& warning : warnings_in_words(grasp)) out << "warning: " << warning << '\n';
+  print_remarks(out, "", remarks_in_words(grasp));
   for (const std::string& failure : failures_in_words(grasp)) out << "FAILS: " << failure << '\n';
 }
 

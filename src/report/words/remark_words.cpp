@@ -1,6 +1,8 @@
 #include "tactile_net/report/words/remark_words.hpp"
 
 #include <algorithm>
+#include <ostream>
+#include <variant>
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -29,8 +31,10 @@ std::string say(const remark::CutOff&) {
          "what is cut off comes back amplified";
 }
 std::string say(const remark::LowerBound&) {
-  return "the outermost taxels are pressed as hard as any: the contact may reach beyond them, and "
-         "the force found is a lower bound; move the contact under the taxels";
+  return "the outermost taxels, or places beside dead ones, are pressed as hard as any: the "
+         "contact "
+         "may reach where no taxel sees, and the force found is a lower bound; move the contact "
+         "under live taxels";
 }
 std::string say(const remark::NotOneContact&) {
   return "these are not the readings of one contact in the array's middle, which contact_friction "
@@ -152,10 +156,33 @@ std::string in_words(const lab::Remark& remark) {
   return std::visit([](const auto& one) { return say(one); }, remark);
 }
 
+bool is_note(const lab::Remark& remark) {
+  return std::holds_alternative<lab::remark::EstimatedWeight>(remark) ||
+         std::holds_alternative<lab::remark::OffsetsFound>(remark);
+}
+
 std::vector<std::string> in_words(const lab::Remarks& remarks) {
   std::vector<std::string> sentences;
   for (const lab::Remark& one : remarks) sentences.push_back(in_words(one));
   return sentences;
+}
+
+Sentences warnings_and_notes(const lab::Remarks& remarks) {
+  Sentences said;
+  for (const lab::Remark& one : remarks)
+    (is_note(one) ? said.notes : said.warnings).push_back(in_words(one));
+  return said;
+}
+
+std::vector<std::string> Sentences::all() const {
+  std::vector<std::string> sentences = warnings;
+  sentences.insert(sentences.end(), notes.begin(), notes.end());
+  return sentences;
+}
+
+void print_remarks(std::ostream& out, std::string_view before, const Sentences& said) {
+  for (const std::string& warning : said.warnings) out << before << "warning: " << warning << '\n';
+  for (const std::string& note : said.notes) out << before << "note: " << note << '\n';
 }
 
 }  // namespace tactile_net::report

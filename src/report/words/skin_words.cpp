@@ -247,17 +247,19 @@ std::string grid_in_words(const SkinScene& scene, const SkinGrid& grid) {
          narrowed(scene, grid);
 }
 
-std::vector<std::string> warnings(const lab::SkinExperiment& experiment) {
-  std::vector<std::string> all = in_words(experiment.frame);
-  if (experiment.answer)
-    for (const lab::Remark& remark : experiment.answer->remarks) all.push_back(in_words(remark));
+Sentences remarks_in_words(const lab::SkinExperiment& experiment) {
+  Sentences said;
+  if (experiment.answer) said = warnings_and_notes(experiment.answer->remarks);
+  const std::vector<std::string> of_frame = in_words(experiment.frame);
+  said.warnings.insert(said.warnings.begin(), of_frame.begin(), of_frame.end());
   if (experiment.answer && experiment.answer->iteration)
-    all.push_back(without_matrix(*experiment.answer));
+    said.warnings.push_back(without_matrix(*experiment.answer));
   if (experiment.answer && experiment.answer->unseen > lab::most_unseen)
-    all.push_back(percent(experiment.answer->unseen) +
-                  " of the force found lies beyond the taxels, or where they are dead: how much "
-                  "presses there is guessed from what is seen beside it; the deviations hold that");
-  return all;
+    said.warnings.push_back(
+        percent(experiment.answer->unseen) +
+        " of the force found lies beyond the taxels, or where they are dead: how much presses "
+        "there is guessed from what is seen beside it; the deviations hold that");
+  return said;
 }
 
 std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
@@ -397,7 +399,7 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
     out << "cells that slide " << answer.cone->sliding << ", stick " << answer.cone->sticking
         << ", touch nothing " << answer.cone->apart << " (" << answer.cone->iterations
         << " iterations, residual " << brief(answer.cone->residual, 2) << ")\n";
-  for (const std::string& warning : warnings(experiment)) out << "warning: " << warning << '\n';
+  print_remarks(out, "", remarks_in_words(experiment));
   print_network(out, experiment);
 }
 

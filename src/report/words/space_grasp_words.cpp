@@ -172,15 +172,15 @@ std::string proof_in_words(const lab::SpaceGraspResult& grasp) {
          ": the load drives it, and no force that the contacts can give works against it";
 }
 
-std::vector<std::string> warnings_in_words(const lab::SpaceGraspResult& grasp) {
-  std::vector<std::string> lines = remarks_in_words(grasp);
+Sentences remarks_in_words(const lab::SpaceGraspResult& grasp) {
+  Sentences said = remarks_of_any(grasp);
   const GraspNames names = names_of(grasp);
   for (const lab::SpaceFingertip& tip : grasp.tips)
     if (tip.torsion_left_out)
-      lines.push_back("finger '" + tip.finger.name + "': its skin feels the torsion " +
-                      names.torques()(tip.torsion_left_out->torsion) +
-                      ", which a hard finger has not: soft = true takes it into account");
-  return lines;
+      said.warnings.push_back("finger '" + tip.finger.name + "': its skin feels the torsion " +
+                              names.torques()(tip.torsion_left_out->torsion) +
+                              ", which a hard finger has not: soft = true takes it into account");
+  return said;
 }
 
 std::vector<std::string> failures_in_words(const lab::SpaceGraspResult& grasp) {
@@ -217,7 +217,7 @@ void print_grasp(std::ostream& out, const lab::SpaceGraspResult& grasp) {
   if (grasp.measured)
     section("what the measured forces mean:", *grasp.measured, balance_in_words(grasp));
   if (grasp.held) section("what would hold the load:", *grasp.held, hold_in_words(grasp));
-  for (const std::string& warning : warnings_in_words(grasp)) out << "warning: " << warning << '\n';
+  print_remarks(out, "", remarks_in_words(grasp));
   for (const std::string& failure : failures_in_words(grasp)) out << "FAILS: " << failure << '\n';
 }
 

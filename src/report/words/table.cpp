@@ -88,13 +88,13 @@ std::vector<std::vector<std::string>> comparison_cells(const lab::Experiment& ex
   return rows;
 }
 
-std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
-                                          const lab::MethodResult& result) {
-  std::vector<std::string> sentences;
-  if (result.method == Method::network && experiment.relaxation)
-    sentences = warnings_of(*experiment.relaxation);
-  for (const lab::Remark& one : result.remarks) sentences.push_back(in_words(one));
-  return sentences;
+Sentences remarks_in_words(const lab::Experiment& experiment, const lab::MethodResult& result) {
+  Sentences said = warnings_and_notes(result.remarks);
+  if (result.method == Method::network && experiment.relaxation) {
+    const std::vector<std::string> circuit = warnings_of(*experiment.relaxation);
+    said.warnings.insert(said.warnings.begin(), circuit.begin(), circuit.end());
+  }
+  return said;
 }
 
 std::string failure_in_words(const lab::Experiment& experiment, const lab::MethodResult& result) {
@@ -211,8 +211,8 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
   for (const lab::MethodResult& result : experiment.results) {
     if (result.resultant)
       out << name(result.method) << ": " << resultant_in_words(scene, *result.resultant) << '\n';
-    for (const std::string& warning : remarks_in_words(experiment, result))
-      out << name(result.method) << ": warning: " << warning << '\n';
+    print_remarks(out, std::string(name(result.method)) + ": ",
+                  remarks_in_words(experiment, result));
     if (const std::string failure = failure_in_words(experiment, result); !failure.empty())
       out << name(result.method) << ": FAILED: " << failure << '\n';
   }

@@ -10,24 +10,12 @@ namespace tactile_net::tool {
 
 RecordingResults::RecordingResults(const ResultOptions& options, const lab::SceneProblem& problem,
                                    Method method, const Streams& streams)
-    : streams_(streams),
-      results_(options, streams),
-      recording_(problem, method),
-      checker_(problem.scene()) {}
-
-void RecordingResults::read(std::optional<double> seconds, std::span<const double> readings) {
-  checker_.add(seconds, readings);
-}
+    : streams_(streams), results_(options, streams), recording_(problem, method) {}
 
 void RecordingResults::add(std::optional<double> seconds, const lab::SceneProblem& problem,
                            std::span<const double> readings, std::span<const double> tractions,
                            const lab::FrameResult& result) {
   recording_.add(seconds, problem, readings, tractions, result);
-}
-
-void RecordingResults::times_without_unit() {
-  checker_.times_without_unit();
-  recording_.times_without_unit();
 }
 
 void RecordingResults::write(const lab::SolvedFrames& solved, const report::SolveReport& report,

@@ -8,7 +8,6 @@
 
 #include "commands/results.hpp"
 #include "streams.hpp"
-#include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/recording.hpp"
 #include "tactile_net/report/json/solve_json.hpp"
 
@@ -23,19 +22,14 @@ class RecordingResults {
   /// Where the tractions of every frame go, if they are not wanted elsewhere; empty: no folder.
   [[nodiscard]] std::string tractions() const { return results_.place("tractions.csv"); }
 
-  /// The readings of the next frame as they were recorded, before it is solved or skipped.
-  void read(std::optional<double> seconds, std::span<const double> readings);
-  /// Its answer.
+  /// The answer of the next frame.
   void add(std::optional<double> seconds, const lab::SceneProblem& problem,
            std::span<const double> readings, std::span<const double> tractions,
            const lab::FrameResult& result);
   /// It has none.
   void skip() { recording_.skip(); }
   /// Of no frame the times were seconds.
-  void times_without_unit();
-
-  /// What is suspicious about the readings. Solves some frames for it.
-  [[nodiscard]] lab::Findings findings() const { return checker_.result().findings; }
+  void times_without_unit() { recording_.times_without_unit(); }
 
   /// Draws the page and moves all files into place. Takes the bands of the frames that are shown.
   void write(const lab::SolvedFrames& solved, const report::SolveReport& report,
@@ -45,7 +39,6 @@ class RecordingResults {
   Streams streams_;
   Results results_;
   lab::Recording recording_;
-  lab::ReadingsChecker checker_;
 };
 
 }  // namespace tactile_net::tool

@@ -78,10 +78,6 @@ class Outputs {
       uncertainty_.emplace(options.uncertainty, problem, with_time, streams);
   }
 
-  /// The readings of the next frame, before it is solved.
-  void read(const frames::FrameSource& source, std::span<const double> readings) {
-    if (results_ != nullptr) results_->read(source.seconds(), readings);
-  }
   /// @param source   that the frame was read of
   /// @param problem  that the frame was solved with
   void add(const frames::FrameSource& source, const lab::SceneProblem& problem,
@@ -136,8 +132,7 @@ void solve(lab::RecordingSolver& solver, frames::ReadingsFile& file, Outputs& ou
   std::vector<double> readings(source.columns().size());
   std::vector<double> tractions(solver.tractions());
   while (source.next(readings)) {
-    outputs.read(source, readings);
-    if (const auto result = solver.solve(readings, tractions)) {
+    if (const auto result = solver.solve(readings, tractions, source.seconds())) {
       if (result->status != FrameStatus::ok)
         source.refuse("the frame's tractions overflow a double", "scale the readings");
       outputs.add(source, solver.problem(), readings, tractions, *result);
@@ -230,7 +225,7 @@ void solve_line(Scene scene, const SolveOptions& options, const Streams& streams
     say_times_without_unit(streams.err, file.name());
     results->times_without_unit();
   }
-  lab::Findings findings = results ? results->findings() : solver.doubts();
+  lab::Findings findings = results ? solver.findings() : solver.doubts();
   if (const auto taken = lab::noise_taken(stated, problem))
     findings.insert(findings.begin(), *taken);
   say_findings(streams.err, options.method, findings, problem.scene());

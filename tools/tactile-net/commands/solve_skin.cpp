@@ -16,7 +16,6 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
-#include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_recording_solver.hpp"
 #include "tactile_net/pages/skin_page.hpp"
@@ -124,23 +123,21 @@ struct FrameRead {
   InputError overflow;  // what is said where its tractions overflow
 };
 
-/// @param checker  null: nobody asks for all that is suspicious
 lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::ReadingsFile& file,
-                                   SkinOutputs& outputs, lab::ReadingsChecker* checker,
-                                   const Streams& streams) {
+                                   SkinOutputs& outputs, const Streams& streams) {
   const lab::SkinSceneProblem& whole = solver.problem();
   lab::SkinRecordingAnswer recording{.scene = whole.scene(), .grid = whole.grid()};
   Progress progress(streams);
   frames::FrameSource& source = file.source();
   std::deque<FrameRead> read;
-  const auto next = [&](std::vector<double>& readings) {
+  const auto next = [&](std::vector<double>& readings, std::optional<double>& time) {
     readings.resize(source.columns().size());
     if (!source.next(readings)) return false;
-    if (checker != nullptr) checker->add(source.seconds(), readings);
+    time = source.seconds();
     const bool incomplete = std::any_of(readings.begin(), readings.end(),
                                         [](double reading) { return std::isnan(reading); });
     read.push_back(
-        {std::string(source.time()), source.seconds(), incomplete,
+        {std::string(source.time()), time, incomplete,
          source.refusal("the frame's tractions overflow a double", "scale the readings")});
     return true;
   };
@@ -180,16 +177,13 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
   say_opening(streams.err, file.name(), source);
 
   std::optional<Results> results;
-  std::optional<lab::ReadingsChecker> checker;
-  if (!options.results.folder.empty() || !options.results.json.empty()) {
+  if (!options.results.folder.empty() || !options.results.json.empty())
     results.emplace(options.results, streams);
-    checker.emplace(scene);
-  }
   SkinOutputs outputs(options, solver.problem(), source.has_time(), results ? &*results : nullptr,
                       streams);
   lab::SkinRecordingAnswer recording;
   try {
-    recording = solve_all(solver, file, outputs, checker ? &*checker : nullptr, streams);
+    recording = solve_all(solver, file, outputs, streams);
   } catch (const InputError& error) {
     if (outputs.in_folder()) throw;  // which goes as a whole
     throw with_frames_before(error, solver.solved().frames, outputs.commit_partial());
@@ -200,11 +194,10 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
     streams.err << name(options.method) << ": note: " << sentence << '\n';
   if (results && !source.time_unit_known()) {
     say_times_without_unit(streams.err, file.name());
-    checker->times_without_unit();
     recording.times_without_unit();
   }
   Progress progress(streams);
-  recording.findings = checker ? checker->result(progress).findings : solver.doubts();
+  recording.findings = results ? solver.findings(progress) : solver.doubts();
   progress.clear();
   say_findings(streams.err, options.method, recording.findings, scene);
   if (!results) return;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactile_net/lab/grasp.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
 
@@ -45,8 +46,8 @@ using Cells = std::vector<std::vector<std::string>>;
 /// "the tangential force is not measured: it is taken for zero"
 [[nodiscard]] std::string in_words(const lab::FingertipRemark& remark);
 
-/// What a user should know before trusting the grasp: of each finger, then of the answers.
-[[nodiscard]] std::vector<std::string> warnings_in_words(const lab::GraspResult& grasp);
+/// What is to be said of the grasp: of each finger, then of the answers.
+[[nodiscard]] Sentences remarks_in_words(const lab::GraspResult& grasp);
 
 /// What cannot hold, one sentence each.
 [[nodiscard]] std::vector<std::string> failures_in_words(const lab::GraspResult& grasp);

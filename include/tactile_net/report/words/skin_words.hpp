@@ -9,6 +9,7 @@
 #include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/report/words/answers.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
 
@@ -21,8 +22,8 @@ namespace tactile_net::report {
 /// "tractions of 12 x 12 cells of 1 mm x 1 mm, normal and tangential"
 [[nodiscard]] std::string grid_in_words(const SkinScene& scene, const SkinGrid& grid);
 
-/// What a user should know before trusting the answer, and why there is none.
-[[nodiscard]] std::vector<std::string> warnings(const lab::SkinExperiment& experiment);
+/// What is to be said of the readings and their answer.
+[[nodiscard]] Sentences remarks_in_words(const lab::SkinExperiment& experiment);
 
 /// How hard, how it is dragged, where, how near to slipping, and how far from the truth.
 [[nodiscard]] std::vector<Answer> answers(const lab::SkinExperiment& experiment);

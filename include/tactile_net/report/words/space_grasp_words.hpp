@@ -9,6 +9,7 @@
 #include "tactile_net/lab/space_grasp.hpp"
 #include "tactile_net/report/words/answers.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
 
@@ -42,7 +43,7 @@ namespace tactile_net::report {
 /// Why nothing holds the load, so that one can check it; empty where something does.
 [[nodiscard]] std::string proof_in_words(const lab::SpaceGraspResult& grasp);
 
-[[nodiscard]] std::vector<std::string> warnings_in_words(const lab::SpaceGraspResult& grasp);
+[[nodiscard]] Sentences remarks_in_words(const lab::SpaceGraspResult& grasp);
 [[nodiscard]] std::vector<std::string> failures_in_words(const lab::SpaceGraspResult& grasp);
 
 /// The boxes of its page.

@@ -9,6 +9,7 @@
 #include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/run.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
 
@@ -23,9 +24,9 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 /// Condition numbers that are of other matrices, by method, each with its matrix; may be empty.
 [[nodiscard]] std::string other_conditions_in_words(const lab::Experiment& experiment);
 
-/// What a user should know of one method's answer, the circuit's own remarks first.
-[[nodiscard]] std::vector<std::string> remarks_in_words(const lab::Experiment& experiment,
-                                                        const lab::MethodResult& result);
+/// What is to be said of one method's answer, the circuit's own warnings first.
+[[nodiscard]] Sentences remarks_in_words(const lab::Experiment& experiment,
+                                         const lab::MethodResult& result);
 
 /// Why a method has no answer that holds; empty if it has.
 [[nodiscard]] std::string failure_in_words(const lab::Experiment& experiment,

@@ -1,0 +1,376 @@
+// What must hold of the answers of lines and of skins alike: one law, two sensors.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <span>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "tactile_net/control/batch.hpp"
+#include "tactile_net/frames/csv.hpp"
+#include "tactile_net/lab/planned_controller.hpp"
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
+#include "tests/catch.hpp"
+#include "tests/lab/laws.hpp"
+#include "tests/replaced.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::laws;
+
+TEMPLATE_TEST_CASE("readings a thousandth as large under such noise are the same contact",
+                   "[lab][laws]", Lines, Skins) {
+  const TestType large(scene<TestType>());
+  const TestType small(replaced(scene<TestType>(), "rms = 1e-3", "rms = 1e-6"));
+  const FrameNumbers one = large.solve(large.readings());
+  const FrameNumbers other = small.solve(scaled(large.readings(), 1e-3));
+  CHECK(apart(other.tractions, one.tractions, 1e-3) < 1e-8);
+  CHECK(apart(other.deviations, one.deviations, 1e-3) < 1e-6);
+  CHECK_THAT(other.alpha.value / 1e-6, WithinRel(one.alpha.value / 1e-6, 1e-6));
+  CHECK(other.verdict == one.verdict);
+  CHECK(other.alpha.verdict == one.alpha.verdict);
+}
+
+TEMPLATE_TEST_CASE("units do not matter", "[lab][laws]", Lines, Skins) {
+  const TestType plain(scene<TestType>());
+  // A length of 1 mm and stresses of 1 kPa: forces are in their product.
+  const TestType named("[units]\nlength = \"mm\"\nmodulus = \"kPa\"\nstress = \"kPa\"\nforce = " +
+                       std::string(std::is_same_v<TestType, Lines> ? "\"N/m\"" : "\"mN\"") + "\n" +
+                       scene<TestType>());
+  const std::vector<double> g = plain.readings();
+  CHECK(apart(named.readings(), g, 1e3) < 1e-12);
+  const FrameNumbers one = plain.solve(g);
+  const FrameNumbers other = named.solve(scaled(g, 1e3));
+  CHECK(apart(other.tractions, one.tractions, 1e3) < 1e-8);
+  CHECK(apart(other.deviations, one.deviations, 1e3) < 1e-6);
+  CHECK(other.verdict == one.verdict);
+  CHECK(other.data.doubts == one.data.doubts);
+}
+
+TEMPLATE_TEST_CASE("what is mirrored is answered by the mirror image", "[lab][laws]", Lines,
+                   Skins) {
+  const TestType sensor(scene<TestType>());
+  const std::vector<double> g = sensor.readings();
+  const FrameNumbers one = sensor.solve(g);
+  const FrameNumbers other = sensor.solve(TestType::mirrored_readings(g));
+  CHECK(apart(other.tractions, sensor.mirrored_tractions(one.tractions)) < 1e-8);
+  CHECK_THAT(other.force.value, WithinRel(one.force.value, 1e-8));
+  CHECK_THAT(other.force.deviation, WithinRel(one.force.deviation, 1e-6));
+  CHECK(other.verdict == one.verdict);
+}
+
+TEMPLATE_TEST_CASE("an unknown offset of any size changes nothing but what is said of it",
+                   "[lab][laws]", Lines, Skins) {
+  const TestType sensor(scene<TestType>("[reconstruct]\ntangential_weight = 1.0\noffset = true\n"));
+  const std::vector<double> g = sensor.readings();
+  const FrameNumbers one = sensor.solve(g);
+  for (const double size : {0.2, 30.0}) {
+    std::vector<double> shifted = g;
+    for (std::size_t i = 0; i < g.size(); ++i)
+      shifted[i] += size * static_cast<double>(1 + i / TestType::taxels);
+    const FrameNumbers other = sensor.solve(shifted);
+    CAPTURE(size);
+    CHECK(apart(other.tractions, one.tractions) < 1e-7 * (1.0 + size));
+    CHECK_THAT(other.force.deviation, WithinRel(one.force.deviation, 1e-6 * (1.0 + size)));
+    CHECK(other.verdict == one.verdict);
+    CHECK(other.data.doubts == one.data.doubts);
+    REQUIRE(other.offsets.size() == TestType::channels);
+    for (std::size_t c = 0; c < TestType::channels; ++c)
+      CHECK_THAT(other.offsets[c] - one.offsets[c],
+                 WithinAbs(size * static_cast<double>(1 + c), 1e-6 * (1.0 + size)));
+  }
+}
+
+TEMPLATE_TEST_CASE("what a dead taxel reads, and whether it is missing or stated, is all the same",
+                   "[lab][laws]", Lines, Skins) {
+  constexpr std::size_t dead = TestType::taxels / 2;
+  const TestType whole(scene<TestType>());
+  const TestType stated(scene<TestType>() + "[dead_taxels]\nindices = [" + std::to_string(dead) +
+                        "]\n");
+  std::vector<double> g = whole.readings();
+  const auto set = [&](double value) {
+    for (std::size_t c = 0; c < TestType::channels; ++c) g[c * TestType::taxels + dead] = value;
+    return g;
+  };
+  const FrameNumbers one = stated.solve(set(0.0));
+  CHECK(stated.solve(set(1e6)).tractions == one.tractions);
+  auto solver = whole.solver({.missing = lab::Missing::estimate});
+  const FrameNumbers estimated = TestType::answer(solver, set(std::nan("")));
+  CHECK(apart(estimated.tractions, one.tractions) < 1e-9);
+  CHECK(apart(estimated.deviations, one.deviations) < 1e-9);
+  CHECK(estimated.verdict == one.verdict);
+}
+
+TEMPLATE_TEST_CASE("a controller finds what solve finds, with offsets, dead taxels, both or none",
+                   "[lab][laws]", Lines, Skins) {
+  const bool offset = GENERATE(false, true);
+  const bool dead = GENERATE(false, true);
+  CAPTURE(offset, dead);
+  const TestType sensor(scene<TestType>("[reconstruct]\ntangential_weight = 1.0\nalpha = 1e-4\n" +
+                                        std::string(offset ? "offset = true\n" : "")) +
+                        (dead ? "[dead_taxels]\nindices = [7]\n" : ""));
+  const lab::PlannedController planned =
+      lab::plan_controller(sensor.problem, *lab::plan_alpha(sensor.problem));
+  ContactEstimator estimator(planned.estimator.plan);
+  std::vector<double> f(estimator.tractions());
+  ContactEstimate estimate{.tractions = f};
+  std::vector<double> g = sensor.readings();
+  for (const double size : {0.0, 3.0}) {
+    if (!offset && size > 0.0) continue;
+    std::vector<double> shifted = g;
+    for (double& reading : shifted) reading += size;
+    REQUIRE(estimator.update(shifted, estimate) == FrameStatus::ok);
+    CAPTURE(size, estimate.residual_rms);
+    CHECK(apart(f, sensor.solve(shifted).tractions) < 1e-5);
+    CHECK_FALSE(estimate.misfit);
+    CHECK(estimate.outlier == -1);
+  }
+}
+
+TEMPLATE_TEST_CASE("one rule chooses alpha where the scene names none", "[lab][laws]", Lines,
+                   Skins) {
+  for (const bool known : {true, false})
+    for (const bool coarse : {true, false}) {
+      std::string toml = scene<TestType>("", known ? stated_noise : "");
+      if (coarse) toml = replaced(toml, toml.substr(toml.find("pitch"), 11), TestType::coarse);
+      const TestType sensor(toml);
+      const FilterFrame frame = sensor.analysed(sensor.readings());
+      const AlphaTables tables(frame.gamma, frame.rows, frame.shares);
+      CAPTURE(known, coarse, tables.few_rows());
+      CHECK(sensor.problem.alpha_rule(frame) == default_rule(tables, known));
+      CHECK((default_rule(tables, known) == AlphaRule::aicc) == !tables.few_rows());
+    }
+}
+
+TEMPLATE_TEST_CASE("a stream is hardly more wrong in any frame than with a fixed alpha",
+                   "[lab][laws]", Lines, Skins) {
+  constexpr std::size_t frames = 150;
+  const TestType sensor(scene<TestType>());
+  const std::vector<double> clean = sensor.readings();
+  std::mt19937_64 random(7);
+  std::vector<std::vector<double>> recorded;
+  std::vector<double> alphas;
+  for (std::size_t k = 0; k < frames; ++k) {
+    std::vector<double> g = noisy(clean, 1e-3, random);
+    const FilterFrame frame = sensor.analysed(g);
+    alphas.push_back(choose_alone(frame, sensor.problem.alpha_tables(frame),
+                                  sensor.problem.alpha_rule(frame), sensor.problem.stated_noise())
+                         .alpha);
+    recorded.push_back(std::move(g));
+  }
+  std::vector<double> sorted = alphas;
+  std::sort(sorted.begin(), sorted.end());
+  // Its spread in tractions about their mean: what a fixed alpha shows, and what the rule adds.
+  const auto flicker = [&](auto&& alpha_of) {
+    std::vector<std::vector<double>> all;
+    std::vector<double> mean;
+    for (std::size_t k = 0; k < frames; ++k) {
+      const FilterFrame frame = sensor.analysed(recorded[k]);
+      all.push_back(sensor.problem.family().solve(frame, alpha_of(k)));
+      if (mean.empty()) mean.resize(all.back().size());
+      for (std::size_t i = 0; i < mean.size(); ++i)
+        mean[i] += all.back()[i] / static_cast<double>(frames);
+    }
+    double worst = 0.0;
+    double sum = 0.0;
+    for (const auto& f : all) {
+      const double one = apart(f, mean);
+      worst = std::max(worst, one);
+      sum += one / static_cast<double>(frames);
+    }
+    return std::pair{worst, sum};
+  };
+  const auto [fixed_worst, fixed_mean] = flicker([&](std::size_t) { return sorted[frames / 2]; });
+  const auto [worst, mean] = flicker([&](std::size_t k) { return alphas[k]; });
+  CHECK(worst < 2.0 * fixed_worst);
+  CHECK(mean < 1.5 * fixed_mean);
+}
+
+TEMPLATE_TEST_CASE("a recording's frames are answered as if each were alone", "[lab][laws]", Lines,
+                   Skins) {
+  const TestType sensor(scene<TestType>());
+  auto solver = sensor.solver();
+  const std::vector<double> g = sensor.readings();
+  for (const double size : {1.0, 0.3, -0.5, 1.0}) {
+    const FrameNumbers here = TestType::answer(solver, scaled(g, size));
+    const FrameNumbers alone = sensor.solve(scaled(g, size));
+    CHECK(here.tractions == alone.tractions);
+    CHECK(here.deviations == alone.deviations);
+    CHECK(here.data.doubts == alone.data.doubts);
+  }
+}
+
+TEMPLATE_TEST_CASE("what lied or was missing in a frame changes no later answer", "[lab][laws]",
+                   Lines, Skins) {
+  const TestType sensor(scene<TestType>());
+  const std::vector<double> g = sensor.readings();
+  const double lie = 0.3 * *std::max_element(g.begin(), g.end());
+  const lab::RecordingSolverOptions options{.missing = lab::Missing::estimate};
+  auto solver = sensor.solver(options);
+  std::mt19937_64 random(9);
+  for (const std::size_t taxel : {4U, 4U, 17U, 30U, 17U, 30U}) {  // of 30 and beyond none
+    std::vector<double> frame = noisy(g, 1e-3, random);
+    if (taxel < TestType::taxels) frame[taxel] += lie;
+    if (taxel == 17) frame[5] = std::nan("");
+    const FrameNumbers here = TestType::answer(solver, frame);
+    auto own = sensor.solver(options);
+    const FrameNumbers alone = TestType::answer(own, frame);
+    CAPTURE(taxel);
+    CHECK(here.tractions == alone.tractions);
+    CHECK(here.deviations == alone.deviations);
+    CHECK(here.verdict == alone.verdict);
+    CHECK(here.data.doubts == alone.data.doubts);
+    CHECK(here.data.taxel == alone.data.taxel);
+  }
+}
+
+TEMPLATE_TEST_CASE(
+    "a controller answers a frame by its readings alone: in a stream, in a batch, or "
+    "as its first",
+    "[lab][laws]", Lines, Skins) {
+  const TestType sensor(scene<TestType>("[reconstruct]\ntangential_weight = 1.0\nalpha = 1e-4\n"));
+  const EstimatorPlan plan =
+      lab::plan_controller(sensor.problem, *lab::plan_alpha(sensor.problem)).estimator.plan;
+  const std::vector<double> g = sensor.readings();
+  std::mt19937_64 random(6);
+  std::vector<double> stream;
+  constexpr std::size_t frames = 9;
+  for (std::size_t k = 0; k < frames; ++k) {
+    const double size = k % 4 == 3 ? -0.4 : 0.25 * static_cast<double>(k);
+    std::vector<double> frame = noisy(scaled(g, size), 1e-3, random);
+    if (k % 3 == 1) frame[TestType::taxels / 2] += 1.0;
+    stream.insert(stream.end(), frame.begin(), frame.end());
+  }
+  struct Answers {
+    explicit Answers(const ContactEstimator& of) : tractions(frames * of.tractions()) {
+      for (std::size_t k = 0; k < frames; ++k)
+        estimates.push_back(
+            {.tractions = std::span(tractions).subspan(k * of.tractions(), of.tractions())});
+    }
+    std::vector<double> tractions;
+    std::vector<ContactEstimate> estimates{};
+  };
+  ContactEstimator streaming(plan);
+  ContactEstimator batching(plan);
+  Answers streamed(streaming);
+  Answers batched(streaming);
+  Answers first(streaming);
+  for (std::size_t k = 0; k < frames; ++k) {
+    const std::span<const double> frame = std::span(stream).subspan(k * g.size(), g.size());
+    ContactEstimator fresh(plan);
+    REQUIRE(streaming.update(frame, streamed.estimates[k]) == FrameStatus::ok);
+    REQUIRE(fresh.update(frame, first.estimates[k]) == FrameStatus::ok);
+  }
+  REQUIRE(update_batch(batching, stream, batched.estimates) == FrameStatus::ok);
+  for (const Answers* other : {&batched, &first}) {
+    CHECK(other->tractions == streamed.tractions);
+    for (std::size_t k = 0; k < frames; ++k) {
+      const ContactEstimate& a = streamed.estimates[k];
+      const ContactEstimate& b = other->estimates[k];
+      CAPTURE(k, a.normal_force);
+      CHECK(a.normal_force == b.normal_force);
+      for (const auto number : {&ContactEstimate::force_deviation, &ContactEstimate::centre,
+                                &ContactEstimate::angle, &ContactEstimate::residual_rms})
+        CHECK((a.*number == b.*number || (std::isnan(a.*number) && std::isnan(b.*number))));
+      CHECK(a.contact == b.contact);
+      CHECK(a.pulls == b.pulls);
+      CHECK(a.misfit == b.misfit);
+      CHECK(a.beyond_edge == b.beyond_edge);
+      CHECK(a.outlier == b.outlier);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("the order in which taxels are listed changes their numbers and nothing else",
+                   "[lab][laws]", Lines, Skins) {
+  constexpr std::size_t dead = 6;
+  constexpr std::size_t liar = 13;
+  const std::vector<std::size_t> order = TestType::another_order();
+  std::vector<std::size_t> first(order.size());
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  const TestType sensor = TestType::listed(scene<TestType>(), first, dead);
+  const TestType listed_anew = TestType::listed(scene<TestType>(), order, dead);
+  std::vector<double> g = sensor.readings();
+  REQUIRE(g.size() == TestType::channels * order.size());
+  for (const double lie : {0.0, 0.3 * *std::max_element(g.begin(), g.end())}) {
+    g[liar] += lie;
+    std::vector<double> anew;
+    for (std::size_t c = 0; c < TestType::channels; ++c)
+      for (const std::size_t taxel : order) anew.push_back(g[c * order.size() + taxel]);
+    const FrameNumbers one = sensor.solve(g);
+    const FrameNumbers other = listed_anew.solve(anew);
+    CAPTURE(lie);
+    CHECK(apart(other.tractions, one.tractions) < 1e-6);
+    CHECK(apart(other.deviations, one.deviations) < 1e-5);
+    CHECK_THAT(other.force.deviation, WithinRel(one.force.deviation, 1e-5));
+    CHECK(other.verdict == one.verdict);
+    CHECK(other.data.doubts == one.data.doubts);
+    CHECK(one.data.taxel.has_value() == (lie > 0.0));
+    if (!one.data.taxel) continue;
+    REQUIRE(other.data.taxel);
+    CHECK(*one.data.taxel == liar);
+    CHECK(order[*other.data.taxel] == liar);
+  }
+}
+
+TEMPLATE_TEST_CASE("columns of a recording are its readings by their names, wherever they stand",
+                   "[lab][laws]", Lines, Skins) {
+  const TestType sensor(scene<TestType>());
+  const std::vector<double> g = sensor.readings();
+  const std::vector<std::string> names = reading_names(sensor.problem.scene().sensor);
+  std::vector<std::size_t> order(names.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::shuffle(order.begin(), order.end(), std::mt19937_64(8));
+  std::ostringstream text;
+  text.precision(17);
+  for (std::size_t i = 0; i < order.size(); ++i) text << (i > 0 ? "," : "") << names[order[i]];
+  text << "\n";
+  for (std::size_t i = 0; i < order.size(); ++i) text << (i > 0 ? "," : "") << g[order[i]];
+  text << "\n";
+  std::istringstream in(text.str());
+  frames::CsvFrames recording(in, "recording.csv", {.names = names, .taxels = TestType::taxels});
+  std::vector<double> read(names.size());
+  REQUIRE(recording.next(read));
+  CHECK(sensor.solve(read).tractions == sensor.solve(g).tractions);
+}
+
+TEMPLATE_TEST_CASE(
+    "drag that is not solved for moves the centre towards it, by at most friction times "
+    "depth, and that is said",
+    "[lab][laws]", Lines, Skins) {
+  constexpr double friction = 0.3;
+  constexpr double depth = 1.5;
+  const auto said = [](const TestType& sensor, const auto& solver) {
+    const std::vector<std::string> all =
+        report::in_words(solver.solved(), AnyScene(sensor.problem.scene()));
+    return std::any_of(all.begin(), all.end(), [](const std::string& one) {
+      return one.find("drag counts as none") != std::string::npos;
+    });
+  };
+  const std::string toml = scene<TestType>("");
+  const std::size_t reads = toml.find("reads");
+  const std::string all_read = toml.substr(reads, toml.find('\n', reads) - reads);
+  const std::string dragged = replaced(toml, all_read, "reads = [\"stress_x\"]");
+  const auto centre = [&](const std::string& of) {
+    const TestType sensor(of);
+    auto solver = sensor.solver();
+    const FrameNumbers found = TestType::answer(solver, sensor.readings());
+    CHECK(said(sensor, solver) == (of == dragged));
+    std::vector<double> place;
+    for (const Uncertain& one : found.centre) place.push_back(one.value);
+    return place;
+  };
+  const std::vector<double> with_drag = centre(dragged);
+  const std::vector<double> without = centre(replaced(dragged, "friction = 0.3", "friction = 0.0"));
+  (void)centre(toml);
+  REQUIRE(with_drag.size() == without.size());
+  const double moved = distance(with_drag, without);
+  CAPTURE(moved, with_drag, without);
+  CHECK(moved > 0.4 * friction * depth);
+  CHECK(moved < 1.1 * friction * depth);
+  CHECK(with_drag.front() > without.front());
+}

@@ -1,0 +1,229 @@
+// What deviations hold, or else a verdict says, of lines and of skins.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/catch.hpp"
+#include "tests/lab/laws.hpp"
+#include "tests/replaced.hpp"
+
+using namespace tactile_net;
+using namespace tactile_net::laws;
+
+namespace {
+
+/// How often deviations hold the truth, of contacts anywhere within the taxels and noise as stated.
+struct HeldTruths {
+  int frames = 0;       ///< of verdict ok
+  int said = 0;         ///< forces and centres in them
+  int held = 0;         ///< of these, within two deviations
+  double square = 0.0;  ///< of errors over deviations, the sum
+  [[nodiscard]] double share() const { return static_cast<double>(held) / said; }
+};
+
+/// @param sensor  without contacts and noise
+template <class Sensor>
+HeldTruths truths_held(const std::string& sensor, const std::string& more, double noise_rms,
+                       int frames, double most_friction) {
+  std::mt19937_64 random(11);
+  std::optional<Sensor> problem;
+  HeldTruths coverage;
+  for (int k = 0; k < frames; ++k) {
+    const auto [contact, centre] = Sensor::random_contact(random, most_friction);
+    const Sensor clean(sensor + pad + contact + more);
+    if (!problem)
+      problem.emplace(sensor + pad + contact + "[noise]\nrms = " + std::to_string(noise_rms) +
+                      "\n" + more);
+    const FrameNumbers found = problem->solve(noisy(clean.readings(), noise_rms, random));
+    if (found.verdict != lab::Verdict::ok) continue;
+    ++coverage.frames;
+    const auto add = [&](const Uncertain& one, double truth) {
+      const double off = std::abs(one.value - truth) / one.deviation;
+      ++coverage.said;
+      coverage.held += off <= 2.0;
+      coverage.square += off * off;
+    };
+    add(found.force, 1.0);
+    for (std::size_t i = 0; i < found.centre.size(); ++i) add(found.centre[i], centre[i]);
+  }
+  return coverage;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("two deviations hold force and centre of honest frames, whose verdict is ok",
+                   "[lab][laws]", Lines, Skins) {
+  const std::string coarse =
+      replaced(TestType::sensor, TestType::sensor.substr(TestType::sensor.find("pitch"), 11),
+               TestType::spaced);
+  int frames = 0;
+  for (const std::string& sensor : {TestType::sensor, coarse})
+    for (const double noise : {1e-3, 1e-2}) {
+      const HeldTruths coverage = truths_held<TestType>(
+          sensor, "[reconstruct]\ntangential = true\ntangential_weight = 1.0\n", noise, 20, 0.5);
+      CAPTURE(sensor, noise, coverage.frames, coverage.said, coverage.held, coverage.square);
+      if (coverage.frames == 0) continue;  // their verdicts say something else
+      frames += coverage.frames;
+      CHECK(coverage.share() >= 0.92);
+      CHECK(coverage.square > 0.03 * coverage.said);  // nor are they many times too wide
+    }
+  CHECK(frames >= 40);  // of 80
+}
+
+TEMPLATE_TEST_CASE("readings that no contact causes are doubted for what they are", "[lab][laws]",
+                   Lines, Skins) {
+  const TestType sensor(scene<TestType>());
+  const std::vector<double> g = sensor.readings();
+  CHECK(sensor.solve(g).data.consistent());
+  CHECK(sensor.solve(scaled(g, -1.0)).data.has(DataDoubt::pulls));
+  CHECK(sensor.solve(scaled(g, 1e9)).data.has(DataDoubt::implausible));
+  std::vector<double> liar = g;
+  const std::size_t taxel = TestType::taxels / 2;
+  liar[taxel] += 0.3 * *std::max_element(g.begin(), g.end());
+  const DataVerdict data = sensor.solve(liar).data;
+  CHECK(data.has(DataDoubt::bad_taxel));
+  CHECK(data.taxel == taxel);
+}
+
+TEMPLATE_TEST_CASE(
+    "a contact that reaches beyond the taxels is a lower bound, one that ends there "
+    "is not",
+    "[lab][laws]", Lines, Skins) {
+  const auto answer_at = [](const char* place) {
+    const TestType sensor(replaced(scene<TestType>(), TestType::centre, place));
+    return sensor.solve(sensor.readings());
+  };
+  CHECK(answer_at(TestType::beyond).verdict != lab::Verdict::ok);
+  for (const char* place : {TestType::centre, TestType::within}) {
+    const FrameNumbers inside = answer_at(place);
+    CAPTURE(place, inside.force.value, inside.force.deviation);
+    CHECK(inside.verdict == lab::Verdict::ok);
+    CHECK_THAT(inside.force.value, WithinAbs(1.0, 3.0 * inside.force.deviation));
+  }
+}
+
+TEST_CASE("moves along a skin that keeps its volume tell no force", "[lab][laws][skin]") {
+  const auto answer_of = [](const std::string& reads, const std::string& noise) {
+    std::string toml = "[sensor]\nrows = 8\ncolumns = 8\npitch = 1.0\ndepth = 1.0\nreads = [" +
+                       reads + "]\n[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.48\n" +
+                       Skins::contact + noise +
+                       "[reconstruct]\ntangential_weight = 1.0\ntangential = true\n";
+    const Skins sensor(toml);
+    return sensor.solve(sensor.readings());
+  };
+  const FrameNumbers along =
+      answer_of("\"displacement_y\", \"displacement_z\"",
+                "[noise]\nrms = { displacement_y = 1e-3, displacement_z = 1e-3 }\n");
+  CHECK(along.verdict == lab::Verdict::undetermined);
+  const FrameNumbers all = answer_of(
+      "\"displacement_x\", \"displacement_y\", \"displacement_z\"",
+      "[noise]\nrms = { displacement_x = 1e-3, displacement_y = 1e-3, displacement_z = 1e-3 }\n");
+  CHECK(all.verdict == lab::Verdict::ok);
+  CHECK_THAT(all.force.value, WithinAbs(1.0, 3.0 * all.force.deviation));
+}
+
+TEST_CASE("moves along a skin that tell little of a force hold it within deviations, or a verdict",
+          "[lab][laws][skin]") {
+  // Of what drags only a part is certain to press, and the force of that part is no contact's.
+  struct Frame {
+    const char* place;
+    double radius, friction, direction;
+  };
+  constexpr double force = 1.2;
+  for (const Frame& one :
+       {Frame{"[1.0, -0.5]", 3.0, 0.3, 30.0}, Frame{"[0.5, 1.0]", 3.0, 0.3, 120.0},
+        Frame{"[-1.0, -1.0]", 3.0, 0.45, 120.0}}) {
+    const Skins sensor(
+        "[sensor]\nrows = 8\ncolumns = 8\npitch = 1.0\ndepth = 1.0\nreads = "
+        "[\"displacement_y\", \"displacement_z\"]\n[material]\nyoungs_modulus = 0.12\n"
+        "poisson_ratio = 0.48\n[[contact]]\nshape = \"sphere\"\nforce = 1.2\nplace = " +
+        std::string(one.place) + "\nradius = " + std::to_string(one.radius) + "\nfriction = " +
+        std::to_string(one.friction) + "\ndirection = " + std::to_string(one.direction) +
+        "\n[noise]\nrms = { displacement_y = 1.8e-3, displacement_z = 1.8e-3 }\n"
+        "[reconstruct]\ntangential = true\ntangential_weight = 1.0\n");
+    const FrameNumbers found = sensor.solve(sensor.readings());
+    CAPTURE(one.place, lab::name(found.verdict), found.force.value, found.force.deviation);
+    const bool held = std::abs(found.force.value - force) <= 3.0 * found.force.deviation;
+    CHECK((held || found.verdict != lab::Verdict::ok));
+  }
+}
+
+TEST_CASE("where nothing may pull deviations hold what presses between taxels, or a verdict tells",
+          "[lab][laws][skin]") {
+  // All contacts lie amid four taxels, which narrow ones above each would explain with less force.
+  for (const char* pitch : {"1.5", "2.25", "3.0"}) {
+    const std::string sensor = "[sensor]\nrows = 6\ncolumns = 6\npitch = " + std::string(pitch) +
+                               "\ndepth = 1.5\nreads = [\"stress_x\"]\n";
+    const HeldTruths coverage =
+        truths_held<Skins>(sensor, "[reconstruct]\nnonnegative = true\n", 3e-4, 16, 0.0);
+    CAPTURE(pitch, coverage.frames, coverage.said, coverage.held, coverage.square);
+    if (coverage.frames > 0) CHECK(coverage.share() >= 0.92);
+    CHECK((coverage.frames > 0) == (std::string(pitch) != "3.0"));
+  }
+}
+
+TEST_CASE("what presses amid dead taxels of a skin is a lower bound", "[lab][laws][skin]") {
+  const auto toml = [](const std::string& dead) {
+    return "[sensor]\nrows = 8\ncolumns = 8\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\"]\n" +
+           pad + "[[contact]]\nshape = \"sphere\"\nplace = [0.5, 0.5]\nradius = 1.2\n" +
+           "force = 1.0\n[noise]\nrms = 2e-3\n" + dead;
+  };
+  const Skins whole(toml(""));
+  const FrameNumbers seen = whole.solve(whole.readings());
+  CHECK(seen.verdict == lab::Verdict::ok);
+  const Skins holed(toml("[dead_taxels]\nindices = [27, 28, 29, 35, 36, 37, 43, 44, 45]\n"));
+  CHECK(holed.solve(holed.readings()).verdict != lab::Verdict::ok);
+}
+
+TEST_CASE("a contact in a hole of dead taxels is a lower bound though its rim is pressed harder",
+          "[lab][laws][skin]") {
+  // Taxels as far apart as they are deep, nine of them dead. Where nothing may pull, what presses
+  // in the hole is explained by less that presses at its rim, beside the taxels that see.
+  constexpr double rms = 1.5e-4;
+  const auto toml = [](const std::string& place, const std::string& noise) {
+    return "[sensor]\nrows = 7\ncolumns = 7\npitch = 2.5\ndepth = 2.5\nreads = [\"stress_x\"]\n" +
+           pad + "[[contact]]\nshape = \"sphere\"\nplace = " + place +
+           "\nradius = 4.0\nforce = 3.0\n" + noise +
+           "[reconstruct]\ntangential = false\nnonnegative = true\n" +
+           "[dead_taxels]\nindices = [16, 17, 18, 23, 24, 25, 30, 31, 32]\n";
+  };
+  std::mt19937_64 random(19);
+  for (const char* place : {"[0.3, -0.4]", "[-0.8, 0.5]"}) {
+    const Skins sensor(toml(place, "[noise]\nrms = 1.5e-4\n"));
+    const std::vector<double> exact = Skins(toml(place, "")).readings();
+    for (int i = 0; i < 4; ++i) {
+      const FrameNumbers found = sensor.solve(noisy(exact, rms, random));
+      CAPTURE(place, i, lab::name(found.verdict), found.force.value, found.force.deviation);
+      const bool held = std::abs(found.force.value - 3.0) <= 3.0 * found.force.deviation;
+      CHECK((held || found.verdict != lab::Verdict::ok));
+    }
+  }
+}
+
+TEST_CASE("a second contact that is too weak to be certain is within the deviations of every sum",
+          "[lab][laws][skin]") {
+  const auto contact = [](double y, double z, double radius, double force) {
+    return "[[contact]]\nshape = \"sphere\"\nplace = [" + std::to_string(y) + ", " +
+           std::to_string(z) + "]\nradius = " + std::to_string(radius) +
+           "\nforce = " + std::to_string(force) + "\nfriction = 0.3\ndirection = 40.0\n";
+  };
+  constexpr double weak = 0.04;
+  const Skins sensor(
+      "[sensor]\nrows = 8\ncolumns = 8\npitch = 1.0\ndepth = 2.0\nreads = "
+      "[\"stress_x\", \"shear_xy\", \"shear_xz\"]\n" +
+      pad + contact(-1.5, -1.0, 1.5, 1.0) + contact(2.2, 2.0, 0.8, weak) +
+      "[noise]\nrms = 2e-4\n[reconstruct]\ntangential_weight = 1.0\n"
+      "friction_limit = 0.8\n");
+  const lab::SkinAnswer answer = solve(sensor.problem, sensor.readings());
+  const Uncertain& force = answer.wrench.normal;
+  CAPTURE(answer.contacts, force.value, force.deviation);
+  CHECK(answer.verdict == lab::Verdict::ok);
+  CHECK_THAT(force.value, WithinAbs(1.0 + weak, 2.0 * force.deviation));
+  REQUIRE(answer.wrench.centre_y);
+  CHECK_THAT(answer.wrench.centre_y->value, WithinAbs((-1.5 + weak * 2.2) / (1.0 + weak),
+                                                      2.0 * answer.wrench.centre_y->deviation));
+}

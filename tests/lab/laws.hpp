@@ -1,0 +1,286 @@
+/// @file
+/// A line and a skin of which the same laws are asked, each by its type.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "tactile_net/lab/data_verdict.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
+#include "tactile_net/lab/uncertainty.hpp"
+#include "tactile_net/scene/any_scene.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+#include "tests/lab/euclidean.hpp"
+
+namespace tactile_net::laws {
+
+/// What both have of a frame.
+struct FrameNumbers {
+  std::vector<double> tractions{}, deviations{};
+  Uncertain force{};
+  std::vector<Uncertain> centre{};  ///< of pressure, along each axis; none where nothing presses
+  lab::ChosenAlpha alpha{};
+  lab::Verdict verdict = lab::Verdict::ok;
+  DataVerdict data{};
+  std::vector<double> offsets{};
+};
+
+inline const std::string pad = "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n";
+inline const std::string stated_noise = "[noise]\nrms = 1e-3\n";
+
+inline double between(double least, double most, std::mt19937_64& random) {
+  return std::uniform_real_distribution<double>(least, most)(random);
+}
+
+/// Where a taxel stands in a list of them.
+inline std::size_t place_of(std::size_t taxel, const std::vector<std::size_t>& order) {
+  return static_cast<std::size_t>(std::find(order.begin(), order.end(), taxel) - order.begin());
+}
+
+inline std::vector<double> noisy(std::vector<double> readings, double rms,
+                                 std::mt19937_64& random) {
+  std::normal_distribution<double> noise(0.0, rms);
+  for (double& reading : readings) reading += noise(random);
+  return readings;
+}
+
+/// A sensor's problem, and what its own scene reads.
+template <class Problem>
+struct SensorProblem {
+  [[nodiscard]] std::vector<double> readings() const {
+    return lab::simulate(problem.scene()).readings;
+  }
+  [[nodiscard]] FilterFrame analysed(std::span<const double> g) const {
+    return problem.family().analyse(g);
+  }
+
+  Problem problem;
+};
+
+/// Taxels in a line, a third of their depth apart, that read two quantities.
+struct Lines : SensorProblem<lab::SceneProblem> {
+  static constexpr std::size_t taxels = 21, channels = 2;
+  static constexpr const char* coarse = "pitch = 3.0";
+  static constexpr const char* spaced = "pitch = 1.5";  ///< as far apart as they are deep
+  static inline const std::string sensor =
+      "[sensor]\ncount = 21\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\", \"shear_xy\"]\n";
+  static inline const std::string contact =
+      "[[contact]]\nshape = \"cylinder\"\ncenter = 0.7\nhalf_width = 1.5\nforce = 1.0\n"
+      "friction = 0.3\n";
+  static constexpr const char* centre = "center = 0.7";
+  /// A contact whose middle, or whose edge, lies above the last taxel.
+  static constexpr const char* beyond = "center = 5.0";
+  static constexpr const char* within = "center = 3.5";
+  using Solver = lab::RecordingSolver;
+
+  explicit Lines(const std::string& toml) : Lines(parse_scene(toml, "line.toml")) {}
+  explicit Lines(Scene scene) : SensorProblem{lab::SceneProblem(std::move(scene))} {}
+
+  /// Two taxels at each of eleven places, one below the other: of such two either may come first.
+  static std::vector<std::size_t> another_order() {
+    std::vector<std::size_t> order;
+    for (std::size_t place = 0; place < 11; ++place)
+      for (const std::size_t which : {place % 3 == 0 ? 1U : 0U, place % 3 == 0 ? 0U : 1U})
+        order.push_back(2 * place + which);
+    return order;
+  }
+  /// Those, listed in an order, and one of them dead.
+  static Lines listed(const std::string& toml, const std::vector<std::size_t>& order,
+                      std::size_t dead) {
+    Scene scene = parse_scene(toml, "line.toml");
+    std::vector<Taxel> all;
+    for (const std::size_t i : order)
+      all.push_back({.y = static_cast<double>(i / 2) - 5.0,
+                     .depth = i % 2 == 0 ? 1.2 : 1.8,
+                     .reads = scene.sensor.reads});
+    scene.sensor = uneven_array(std::move(all));
+    scene.reconstruct.surface.basis = SurfaceBasis::hats;
+    scene.dead_taxels = {place_of(dead, order)};
+    return Lines(std::move(scene));
+  }
+  /// A contact of force 1 somewhere within, and where its pressure is centred.
+  static std::pair<std::string, std::vector<double>> random_contact(std::mt19937_64& random,
+                                                                    double most_friction) {
+    const double centre = between(-3.0, 3.0, random);
+    const double half_width = between(0.8, 2.0, random);
+    const double friction = between(-most_friction, most_friction, random);
+    return {"[[contact]]\nshape = \"cylinder\"\nforce = 1.0\ncenter = " + std::to_string(centre) +
+                "\nhalf_width = " + std::to_string(half_width) +
+                "\nfriction = " + std::to_string(friction) + "\n",
+            {centre}};
+  }
+  [[nodiscard]] static FrameNumbers answer(Solver& solver, std::vector<double> g) {
+    FrameNumbers all{.tractions = std::vector<double>(solver.tractions())};
+    const auto result = solver.solve(g, all.tractions);
+    REQUIRE(result);
+    REQUIRE(result->status == FrameStatus::ok);
+    const lab::SceneFrame frame(solver.problem(), g);
+    const lab::FrameUncertainty bands = lab::uncertainty(frame, all.tractions, *result);
+    all.deviations = bands.deviation;
+    all.force = bands.resultant.normal;
+    if (bands.resultant.centre) all.centre = {*bands.resultant.centre};
+    all.offsets = bands.offsets;
+    all.alpha = *result->alpha;
+    all.verdict = result->verdict;
+    all.data = *result->data;
+    return all;
+  }
+  [[nodiscard]] Solver solver(lab::RecordingSolverOptions options = {}) const {
+    return {problem, Method::tikhonov, options};
+  }
+  [[nodiscard]] FrameNumbers solve(const std::vector<double>& g) const {
+    Solver one = solver();
+    return answer(one, g);
+  }
+  /// The reading of taxel `t`'s mirror image, and what becomes of its sign.
+  [[nodiscard]] static std::vector<double> mirrored_readings(const std::vector<double>& g) {
+    std::vector<double> m(g.size());
+    for (std::size_t t = 0; t < taxels; ++t) {
+      m[t] = g[taxels - 1 - t];
+      m[taxels + t] = -g[2 * taxels - 1 - t];
+    }
+    return m;
+  }
+  [[nodiscard]] static std::vector<double> mirrored_tractions(const std::vector<double>& f) {
+    const std::size_t n = f.size() / 2;
+    std::vector<double> m(f.size());
+    for (std::size_t i = 0; i < n; ++i) {
+      m[i] = f[n - 1 - i];
+      m[n + i] = -f[2 * n - 1 - i];
+    }
+    return m;
+  }
+};
+
+/// Taxels of a lattice that read three quantities.
+struct Skins : SensorProblem<lab::SkinSceneProblem> {
+  static constexpr std::size_t rows = 6, columns = 5, taxels = rows * columns, channels = 3;
+  static constexpr const char* coarse = "pitch = 3.0";
+  static constexpr const char* spaced = "pitch = 1.5";
+  static inline const std::string sensor =
+      "[sensor]\nrows = 6\ncolumns = 5\npitch = 0.7\ndepth = 1.5\n"
+      "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n";
+  static inline const std::string contact =
+      "[[contact]]\nshape = \"sphere\"\nplace = [0.3, -0.2]\nradius = 1.2\nforce = 1.0\n"
+      "friction = 0.3\ndirection = 40.0\n";
+  static constexpr const char* centre = "place = [0.3, -0.2]";
+  static constexpr const char* beyond = "place = [1.75, 0.1]";
+  static constexpr const char* within = "place = [0.55, 0.1]";
+  using Solver = lab::SkinRecordingSolver;
+
+  explicit Skins(const std::string& toml)
+      : Skins(std::get<SkinScene>(parse_any_scene(toml, "skin.toml"))) {}
+  explicit Skins(SkinScene scene) : SensorProblem{lab::SkinSceneProblem(std::move(scene))} {}
+
+  /// Taxels in no rows may be listed in any order.
+  static std::vector<std::size_t> another_order() {
+    std::vector<std::size_t> order(taxels);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), std::mt19937_64(3));
+    return order;
+  }
+  static Skins listed(const std::string& toml, const std::vector<std::size_t>& order,
+                      std::size_t dead) {
+    SkinScene scene = std::get<SkinScene>(parse_any_scene(toml, "skin.toml"));
+    std::mt19937_64 random(4);
+    std::vector<SkinTaxel> all;
+    for (std::size_t i = 0; i < taxels; ++i) {
+      const double row = static_cast<double>(i / columns) - 2.5;
+      const double column = static_cast<double>(i % columns) - 2.0;
+      all.push_back({.y = 0.7 * row + between(-0.2, 0.2, random),
+                     .z = 0.7 * column + between(-0.2, 0.2, random),
+                     .depth = between(1.2, 1.8, random),
+                     .reads = scene.sensor.reads});
+    }
+    std::vector<SkinTaxel> in_order;
+    for (const std::size_t i : order) in_order.push_back(all[i]);
+    scene.sensor = uneven_skin(std::move(in_order));
+    scene.dead_taxels = {place_of(dead, order)};
+    return Skins(std::move(scene));
+  }
+  static std::pair<std::string, std::vector<double>> random_contact(std::mt19937_64& random,
+                                                                    double most_friction) {
+    const double y = between(-0.8, 0.8, random);
+    const double z = between(-0.6, 0.6, random);
+    const double radius = between(0.6, 1.2, random);
+    const double friction = between(0.0, most_friction, random);
+    const double direction = between(0.0, 360.0, random);
+    return {"[[contact]]\nshape = \"sphere\"\nforce = 1.0\nplace = [" + std::to_string(y) + ", " +
+                std::to_string(z) + "]\nradius = " + std::to_string(radius) + "\nfriction = " +
+                std::to_string(friction) + "\ndirection = " + std::to_string(direction) + "\n",
+            {y, z}};
+  }
+  [[nodiscard]] static FrameNumbers answer(Solver& solver, std::vector<double> g) {
+    const auto found = solver.solve(g);
+    REQUIRE(found);
+    const UncertainWrench& wrench = found->wrench;
+    std::vector<Uncertain> centre;
+    if (wrench.centre_y && wrench.centre_z) centre = {*wrench.centre_y, *wrench.centre_z};
+    return {.tractions = found->tractions,
+            .deviations = found->deviations,
+            .force = wrench.normal,
+            .centre = std::move(centre),
+            .alpha = found->alpha,
+            .verdict = found->verdict,
+            .data = found->data,
+            .offsets = found->offsets};
+  }
+  [[nodiscard]] Solver solver(lab::RecordingSolverOptions options = {}) const {
+    return Solver(problem, options);
+  }
+  [[nodiscard]] FrameNumbers solve(const std::vector<double>& g) const {
+    Solver one = solver();
+    return answer(one, g);
+  }
+  /// About y = 0: the drag along y turns its sign, and what reads it.
+  [[nodiscard]] static std::vector<double> mirrored(const std::vector<double>& x, std::size_t down,
+                                                    std::size_t across) {
+    std::vector<double> m(x.size());
+    for (std::size_t u = 0; u < 3; ++u)
+      for (std::size_t r = 0; r < down; ++r)
+        for (std::size_t c = 0; c < across; ++c)
+          m[(u * down + r) * across + c] =
+              (u == 1 ? -1.0 : 1.0) * x[(u * down + down - 1 - r) * across + c];
+    return m;
+  }
+  [[nodiscard]] static std::vector<double> mirrored_readings(const std::vector<double>& g) {
+    return mirrored(g, rows, columns);
+  }
+  [[nodiscard]] std::vector<double> mirrored_tractions(const std::vector<double>& f) const {
+    return mirrored(f, problem.grid().rows, problem.grid().columns);
+  }
+};
+
+template <class Sensor>
+std::string scene(const std::string& more = "[reconstruct]\ntangential_weight = 1.0\n",
+                  const std::string& noise = stated_noise) {
+  return Sensor::sensor + pad + Sensor::contact + noise + more;
+}
+
+inline std::vector<double> scaled(std::vector<double> x, double factor) {
+  for (double& value : x) value *= factor;
+  return x;
+}
+
+/// The distance of `x` from `factor` times `y`, over the latter's norm.
+inline double apart(const std::vector<double>& x, const std::vector<double>& y,
+                    double factor = 1.0) {
+  REQUIRE(x.size() == y.size());
+  const std::vector<double> expected = scaled(y, factor);
+  return distance(x, expected) / norm(expected);
+}
+
+}  // namespace tactile_net::laws
