@@ -9,46 +9,37 @@
 #include "numeric/decompositions.hpp"
 #include "numeric/dual.hpp"
 #include "numeric/eigen.hpp"
-#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
 
 /// phi at Gauss' points and, last, at the edge.
 LayerFactor ball_layer_factor(Base base, double nu, double ratio) {
-  const GaussRule rule = gauss_rule<20>();
-  constexpr int panels = 5;
   constexpr Eigen::Index size = 21;
   constexpr Eigen::Index edge = size - 1;
   Eigen::VectorXd t(size);
   Eigen::VectorXd weight(size);
   Eigen::Index point = 0;
-  for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
-    for (const double sign : {-1.0, 1.0}) {
-      t(point) = 0.5 + 0.5 * sign * rule.abscissa[i];
-      weight(point++) = 0.5 * rule.weights[i];
-    }
+  each_point(0.0, 1.0, [&](double at, double share) {
+    t(point) = at;
+    weight(point++) = share;
+  });
   t(edge) = 1.0;
   weight(edge) = 0.0;
 
   Eigen::MatrixXd kernel = Eigen::MatrixXd::Zero(size, size);
   Eigen::MatrixXd by_ratio = kernel;
   Eigen::MatrixXd by_nu = kernel;
-  const double width = largest_compliance_wave / panels;
-  for (int panel = 0; panel < panels; ++panel)
-    for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
-      for (const double sign : {-1.0, 1.0}) {
-        const double H = (panel + 0.5 + 0.5 * sign * rule.abscissa[i]) * width;
-        const double step = width * rule.weights[i] / std::numbers::pi;  // 2/pi, half a panel
-        const Dual<1> change = compliance_change(base, Dual<1>::seed(nu, 0), H);
-        const Eigen::VectorXd cosine = (H * ratio * t).array().cos();
-        const Eigen::VectorXd slope = -(H * t).array() * (H * ratio * t).array().sin();
-        const Eigen::MatrixXd both = cosine * cosine.transpose();
-        const Eigen::MatrixXd turned = slope * cosine.transpose();
-        kernel += step * ratio * change.value * both;
-        by_nu += step * ratio * change.slope[0] * both;
-        by_ratio += step * change.value * (both + ratio * (turned + turned.transpose()));
-      }
+  each_changed_wave(base, nu, [&](double H, double share, const Dual<1>& change) {
+    const double step = 2.0 * share / std::numbers::pi;
+    const Eigen::VectorXd cosine = (H * ratio * t).array().cos();
+    const Eigen::VectorXd slope = -(H * t).array() * (H * ratio * t).array().sin();
+    const Eigen::MatrixXd both = cosine * cosine.transpose();
+    const Eigen::MatrixXd turned = slope * cosine.transpose();
+    kernel += step * ratio * change.value * both;
+    by_nu += step * ratio * change.slope[0] * both;
+    by_ratio += step * change.value * (both + ratio * (turned + turned.transpose()));
+  });
   const auto weighted = [&](const Eigen::MatrixXd& rows) {
     return Eigen::MatrixXd(rows * weight.asDiagonal());
   };
@@ -56,13 +47,11 @@ LayerFactor ball_layer_factor(Base base, double nu, double ratio) {
   // phi = d one - square, and d such that it ends at the edge.
   const Eigen::VectorXd one = lu.solve(Eigen::VectorXd(Eigen::VectorXd::Ones(size)));
   const Eigen::VectorXd square = lu.solve(Eigen::VectorXd(t.cwiseAbs2()));
-  const double d = square(edge) / one(edge);
-  const Eigen::VectorXd phi = d * one - square;
-  const auto slope = [&](const Eigen::MatrixXd& by) {
-    const Eigen::VectorXd change = -lu.solve(Eigen::VectorXd(weighted(by) * phi));
-    return 1.5 * weight.dot(change - change(edge) / one(edge) * one);
-  };
-  return {1.5 * weight.dot(phi), slope(by_ratio), slope(by_nu)};
+  const Eigen::VectorXd phi = square(edge) / one(edge) * one - square;
+  return factor_of_solution(lu, phi, weighted(by_ratio), weighted(by_nu),
+                            [&](const Eigen::VectorXd& change) {
+                              return 1.5 * weight.dot(change - change(edge) / one(edge) * one);
+                            });
 }
 
 }  // namespace

@@ -17,66 +17,33 @@ class PressBlock {
  public:
   PressBlock(const FitProblem& problem, const FitState& state, const PressReadings& readings,
              std::size_t p, const SystemParts& parts)
-      : rows_(problem.press_rows[p]) {
-    const std::size_t n = problem.model().sites().size();
+      : own_(problem.press_rows[p].columns) {
     const std::vector<PressPrior> priors = problem.press_priors(state, p);
-    const std::size_t own = rows_.columns;
-    matrix.setZero(eigen_index(problem.readings_used() + priors.size() + own),
-                   eigen_index(own + problem.columns() + 1));
-    Eigen::Index row = 0;
-    const Matrix* const own_parts[] = {&readings.by_log_force,      &readings.by_center,
-                                       &readings.by_log_half_width, &readings.by_friction,
-                                       &readings.by_center_z,       &readings.by_friction_z};
-    for (std::size_t j = 0; j < n; ++j) {
+    matrix.setZero(eigen_index(problem.readings_used() + priors.size() + own_),
+                   eigen_index(own_ + problem.columns() + 1));
+    const FitRows rows(problem, state, readings, parts);
+    RowPlaces at{.pad = own_};
+    for (std::size_t j = 0; j < problem.model().sites().size(); ++j) {
       if (!problem.used(j)) continue;
-      const double root = std::sqrt(problem.weights[p * n + j]);
-      const double scale = root * problem.gain(state, j) / problem.noise(j);
-      for (std::size_t i = 0; i < press_unknowns; ++i)
-        if (rows_.column[i] != no_column)
-          matrix(row, eigen_index(rows_.column[i])) = scale * (*own_parts[i])(p, j);
-      for (std::size_t i = 0; i < pad_parameter_count; ++i)
-        add_pad(problem, row, i, scale * readings.by_pad[i](p, j), parts);
-      if (const std::size_t gain = problem.gain_column(j); gain != no_column)
-        matrix(row, eigen_index(own + gain)) = scale * readings.value(p, j);
-      matrix(row, eigen_index(own + problem.offset_column(j))) = root;
-      matrix(row, matrix.cols() - 1) = -root * problem.residual(state, readings, p, j);
-      ++row;
+      const std::size_t gain = problem.gain_column(j);
+      at.gain = gain == no_column ? no_column : own_ + gain;
+      at.offset = own_ + problem.offset_column(j);
+      rows.put_reading(p, j, at, matrix, filled++);
     }
-    for (const PressPrior& prior : priors) {
-      if (prior.is_weak && !parts.weak_priors) continue;
-      for (std::size_t i = 0; i < press_unknowns; ++i)
-        if (rows_.column[i] != no_column)
-          matrix(row, eigen_index(rows_.column[i])) = prior.by_press[i];
-      for (std::size_t i = 0; i < pad_parameter_count; ++i)
-        add_pad(problem, row, i, prior.by_pad[i], parts);
-      matrix(row++, matrix.cols() - 1) = -prior.residual;
-    }
-    filled = row;
+    for (const PressPrior& prior : priors)
+      if (!prior.is_weak || parts.weak_priors) rows.put_prior(p, prior, at, matrix, filled++);
   }
 
-  void eliminate() { eliminate_columns(matrix, eigen_index(rows_.columns)); }
+  void eliminate() { eliminate_columns(matrix, eigen_index(own_)); }
 
   Eigen::MatrixXd matrix{};
   Eigen::Index filled = 0;  ///< rows; those below are for damping
 
  private:
-  void add_pad(const FitProblem& problem, Eigen::Index row, std::size_t parameter, double value,
-               const SystemParts& parts) {
-    if (const std::size_t column = moved_column(problem, parameter, parts); column != no_column)
-      matrix(row, eigen_index(rows_.columns + column)) += value;
-  }
-
-  const PressRows& rows_;
+  std::size_t own_;
 };
 
 }  // namespace
-
-std::size_t moved_column(const FitProblem& problem, std::size_t parameter,
-                         const SystemParts& parts) {
-  auto which = static_cast<PadParameter>(parameter);
-  if (which == PadParameter::thickness && parts.thickness_follows) which = PadParameter::depth;
-  return parts.frozen[static_cast<std::size_t>(which)] ? no_column : problem.pad_column(which);
-}
 
 SystemColumns system_columns(const FitProblem& problem, const FitState& state,
                              const PressReadings& readings) {
@@ -130,17 +97,10 @@ FitSystem fit_system(const FitProblem& problem, const FitState& state,
     triangle.add(
         problem.common_priors(state).bottomRows(eigen_index(problem.model().sites().size())));
   } else {
-    Eigen::MatrixXd priors = problem.common_priors(state);
-    for (std::size_t i = 0; i < pad_parameter_count; ++i)
-      if (parts.frozen[i])
-        priors.col(eigen_index(problem.pad_column(static_cast<PadParameter>(i)))).setZero();
-    if (parts.thickness_follows) {
-      const std::size_t from = problem.pad_column(PadParameter::thickness);
-      const std::size_t to = problem.pad_column(PadParameter::depth);
-      if (to != no_column && !parts.frozen[static_cast<std::size_t>(PadParameter::depth)])
-        priors.col(eigen_index(to)) += priors.col(eigen_index(from));
-      priors.col(eigen_index(from)).setZero();
-    }
+    const Eigen::MatrixXd stated = problem.common_priors(state);
+    Eigen::MatrixXd priors = stated;
+    priors.leftCols(eigen_index(problem.pad_columns())).setZero();
+    FitRows(problem, state, readings, parts).add_pad_columns(stated, 0, priors);
     priors.col(t) = -priors.col(t);
     triangle.add(priors);
   }

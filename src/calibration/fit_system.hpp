@@ -7,23 +7,10 @@
 #include <vector>
 
 #include "calibration/fit_problem.hpp"
+#include "calibration/fit_rows.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
-
-/// What enters beside the rows of the readings and of what is stated of presses.
-struct SystemParts {
-  double damping = 0.0;            ///< Levenberg's, of columns scaled to unit length
-  bool common_priors = true;       ///< else of the offsets alone: unloaded frames are measured
-  bool weak_priors = true;         ///< of widths that nobody stated
-  bool thickness_follows = false;  ///< at its bound: it moves with the depth
-  /// Pad parameters at the end of their range, or held for a profile.
-  std::array<bool, pad_parameter_count> frozen{};
-};
-
-/// Where a pad parameter moves the common unknowns; no_column: it is held.
-[[nodiscard]] std::size_t moved_column(const FitProblem& problem, std::size_t parameter,
-                                       const SystemParts& parts);
 
 /// Lengths of the columns, and the slope of the objective.
 struct SystemColumns {

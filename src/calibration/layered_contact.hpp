@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/calibration/rod_contact.hpp"
 
 namespace tactile_net {
@@ -15,6 +17,19 @@ constexpr double largest_ratio = 3.0;  // a / h
 struct LayerFactor {
   double value = 1.0, by_ratio = 0.0, by_nu = 0.0;
 };
+
+/// Of the solution x of A x = b, where the factor is linear in x and A alone depends on a/h and nu.
+///
+/// @param by_ratio, by_nu  dA
+template <class FactorOf>
+LayerFactor factor_of_solution(const Lu& a, const Eigen::VectorXd& x,
+                               const Eigen::MatrixXd& by_ratio, const Eigen::MatrixXd& by_nu,
+                               const FactorOf& factor_of) {
+  const auto slope = [&](const Eigen::MatrixXd& by) {
+    return factor_of(Eigen::VectorXd(-a.solve(Eigen::VectorXd(by * x))));
+  };
+  return {factor_of(x), slope(by_ratio), slope(by_nu)};
+}
 
 /// A half space's force made that of the layer.
 ///

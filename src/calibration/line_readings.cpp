@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
 #include "calibration/indenter_transform.hpp"
 #include "calibration/pad_readings.hpp"
+#include "calibration/wave_nodes.hpp"
 #include "elasticity/stress_amplitudes.hpp"
 #include "numeric/dual.hpp"
 #include "numeric/eigen.hpp"
-#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
@@ -19,29 +18,8 @@ using Amplitude = Dual<3>;  // by depth, thickness and nu
 /// Presses that are gone through at once: what is kept of them stays in the cache.
 constexpr std::size_t presses_at_once = 32;
 
-/// Enough for presses and arrays that reach 2900 depths. A fit that has gone astray may ask for
-/// more; it is not to take the memory.
-constexpr std::size_t most_line_panels = 4000;
-
-/// LineNodes in k for one channel: Gauss-Legendre panels of 20 points, each some 26 radians of the
-/// fastest wave.
-struct LineNodes {
-  LineNodes(double depth, double farthest) {
-    const GaussRule rule = gauss_rule<20>();
-    const double end = largest_decay / depth;
-    const double needed = std::ceil(end * farthest / 26.0);
-    const auto panels =
-        static_cast<std::size_t>(std::clamp(needed, 5.0, static_cast<double>(most_line_panels)));
-    const double width = end / static_cast<double>(panels);
-    for (std::size_t panel = 0; panel < panels; ++panel)
-      for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
-        for (const double sign : {-1.0, 1.0}) {
-          k.push_back((static_cast<double>(panel) + 0.5 + 0.5 * sign * rule.abscissa[i]) * width);
-          weight.push_back(0.5 * width * rule.weights[i] / std::numbers::pi);
-        }
-  }
-  std::vector<double> k, weight;
-};
+/// Enough for presses and arrays that reach 2900 depths.
+constexpr double most_line_panels = 4000.0;
 
 /// The pad's transform of one component's load, for one quantity.
 Amplitude amplitude(Quantity quantity, Traction component, const Material& material, double depth,
@@ -88,7 +66,7 @@ class GroupReadings {
  public:
   GroupReadings(const Group& group, const Material& material, double depth, double farthest,
                 std::span<const double> places)
-      : group_(group), nodes_(depth, farthest), places_(places) {
+      : group_(group), nodes_(depth, farthest, material, most_line_panels), places_(places) {
     const std::size_t n = nodes_.k.size();
     normal_.resize(n);
     tangential_.resize(n);
@@ -182,7 +160,7 @@ class GroupReadings {
 
  private:
   const Group& group_;
-  LineNodes nodes_;
+  WaveNodes nodes_;
   std::span<const double> places_;
   std::vector<Amplitude> normal_{}, tangential_{};
   RowMajor cosine_{}, sine_{};

@@ -9,10 +9,6 @@
 
 namespace tactile_net {
 
-/// k depth up to which integrals run: exp(-k depth) is some 1e-15 there, times the k depth of the
-/// amplitudes.
-inline constexpr double largest_decay = 36.0;
-
 /// The taxels of a pad whose state is known.
 struct PadTaxels {
   std::span<const PressSite> sites{};  ///< nominal

@@ -17,7 +17,7 @@ class Assembly {
            const SystemColumns& columns, const SystemParts& parts)
       : problem_(problem),
         state_(state),
-        readings_(readings),
+        rows_(problem, state, readings, parts),
         columns_(columns),
         parts_(parts),
         damping_(std::sqrt(parts.damping)) {
@@ -104,8 +104,13 @@ class Assembly {
     Eigen::Index row = 0;
     for (std::size_t m = 0; m < members.size(); ++m) {
       const std::size_t j = members[m];
-      for (std::size_t p = 0; problem_.used(j) && p < presses; ++p, ++row)
-        put_reading(p, j, own, first_offset + m, rows, row);
+      for (std::size_t p = 0; problem_.used(j) && p < presses; ++p) {
+        RowPlaces at = places_of(p, own);
+        if (const std::size_t one = problem_.gain_column(j); one != no_column)
+          at.gain = gains_are_local_ ? 0 : own + kept_of(one);
+        at.offset = first_offset + m;
+        rows_.put_reading(p, j, at, rows, row++);
+      }
       const double frames = std::sqrt(static_cast<double>(problem_.log().unloaded.frames));
       rows(row, eigen_index(first_offset + m)) = frames;
       rows(row++, last) = -frames * state_.offset[j];
@@ -130,27 +135,11 @@ class Assembly {
                       eigen_index(kept_) + 1);
   }
 
-  void put_reading(std::size_t p, std::size_t j, std::size_t own, std::size_t offset,
-                   Eigen::MatrixXd& rows, Eigen::Index row) const {
-    const std::size_t n = problem_.model().sites().size();
-    const double root = std::sqrt(problem_.weights[p * n + j]);
-    const double scale = root * problem_.gain(state_, j) / problem_.noise(j);
-    const Matrix* const by_press[] = {&readings_.by_log_force,      &readings_.by_center,
-                                      &readings_.by_log_half_width, &readings_.by_friction,
-                                      &readings_.by_center_z,       &readings_.by_friction_z};
-    for (std::size_t i = 0; i < press_unknowns; ++i)
-      if (const std::size_t column = problem_.press_rows[p].column[i]; column != no_column)
-        rows(row, eigen_index(own + result_.first_of_press[p] + column)) =
-            scale * (*by_press[i])(p, j);
-    for (std::size_t i = 0; i < pad_parameter_count; ++i)
-      if (const std::size_t column = moved_column(problem_, i, parts_); column != no_column)
-        rows(row, eigen_index(own + result_.first_common + column)) +=
-            scale * readings_.by_pad[i](p, j);
-    if (const std::size_t gain = problem_.gain_column(j); gain != no_column)
-      rows(row, gains_are_local_ ? 0 : eigen_index(own + kept_of(gain))) =
-          scale * readings_.value(p, j);
-    rows(row, eigen_index(offset)) = root;
-    rows(row, rows.cols() - 1) = -root * problem_.residual(state_, readings_, p, j);
+  /// Of a row that speaks of press p.
+  ///
+  /// @param own  unknowns that are to be eliminated: they stand before all others
+  [[nodiscard]] RowPlaces places_of(std::size_t p, std::size_t own) const {
+    return {.press = own + result_.first_of_press[p], .pad = own + result_.first_common};
   }
 
   /// What is stated of the presses.
@@ -159,13 +148,7 @@ class Assembly {
       for (const PressPrior& prior : problem_.press_priors(state_, p)) {
         if (prior.is_weak && !parts_.weak_priors) continue;
         Eigen::MatrixXd row = Eigen::MatrixXd::Zero(1, eigen_index(kept_) + 1);
-        for (std::size_t i = 0; i < press_unknowns; ++i)
-          if (const std::size_t column = problem_.press_rows[p].column[i]; column != no_column)
-            row(0, eigen_index(result_.first_of_press[p] + column)) = prior.by_press[i];
-        for (std::size_t i = 0; i < pad_parameter_count; ++i)
-          if (const std::size_t column = moved_column(problem_, i, parts_); column != no_column)
-            row(0, eigen_index(result_.first_common + column)) += prior.by_pad[i];
-        row(0, eigen_index(kept_)) = -prior.residual;
+        rows_.put_prior(p, prior, places_of(p, 0), row, 0);
         triangle.add(row);
       }
   }
@@ -173,12 +156,7 @@ class Assembly {
   void add_priors(Triangle& triangle) const {
     const Eigen::MatrixXd pad = problem_.pad_priors(state_);
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(pad.rows(), eigen_index(kept_) + 1);
-    for (std::size_t i = 0; i < pad_parameter_count; ++i) {
-      const std::size_t from = problem_.pad_column(static_cast<PadParameter>(i));
-      const std::size_t to = moved_column(problem_, i, parts_);
-      if (from != no_column && to != no_column)
-        rows.col(eigen_index(result_.first_common + to)) += pad.col(eigen_index(from));
-    }
+    rows_.add_pad_columns(pad, result_.first_common, rows);
     rows.rightCols(1) = -pad.rightCols(1);
     triangle.add(rows);
     const auto add = [&](std::size_t column, double sd, double value) {
@@ -212,7 +190,7 @@ class Assembly {
 
   const FitProblem& problem_;
   const FitState& state_;
-  const PressReadings& readings_;
+  FitRows rows_;
   const SystemColumns& columns_;
   const SystemParts& parts_;
   double damping_;

@@ -12,7 +12,6 @@
 #include "numeric/decompositions.hpp"
 #include "numeric/dual.hpp"
 #include "numeric/eigen.hpp"
-#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
@@ -50,8 +49,6 @@ std::vector<double> bessel(std::size_t last, double z) {
 
 /// b_0 and its derivatives by a/h and by nu.
 LayerFactor rod_layer_factor(Base base, double nu, double ratio) {
-  const GaussRule rule = gauss_rule<20>();
-  constexpr int panels = 5;
   constexpr auto size = static_cast<Eigen::Index>(series_terms);
   std::array<double, series_terms> t{};
   Eigen::MatrixXd system(size, size);
@@ -69,8 +66,7 @@ LayerFactor rod_layer_factor(Base base, double nu, double ratio) {
   }
   by_ratio.setZero();
   by_nu.setZero();
-  const auto add = [&](double H, double weight) {
-    const auto change = compliance_change(base, Dual<1>::seed(nu, 0), H);
+  each_changed_wave(base, nu, [&](double H, double weight, const Dual<1>& change) {
     const std::vector<double> j = bessel(2 * series_terms, H * ratio);
     for (std::size_t m = 0; m < series_terms; ++m) {
       const double order = 2.0 * static_cast<double>(m) + 1.0;
@@ -87,18 +83,10 @@ LayerFactor rod_layer_factor(Base base, double nu, double ratio) {
         by_ratio(row, column) += change.value * (slope * sine + load * H * t[i] * cosine);
       }
     }
-  };
-  const double width = largest_compliance_wave / panels;
-  for (int panel = 0; panel < panels; ++panel)
-    for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
-      for (const double sign : {-1.0, 1.0})
-        add((panel + 0.5 + 0.5 * sign * rule.abscissa[i]) * width, 0.5 * width * rule.weights[i]);
+  });
   const Lu lu(system);
-  const Eigen::VectorXd b = lu.solve(right);
-  const auto slope = [&](const Eigen::MatrixXd& by) {
-    return -lu.solve(Eigen::VectorXd(by * b))(0);
-  };
-  return {b(0), slope(by_ratio), slope(by_nu)};
+  return factor_of_solution(lu, lu.solve(right), by_ratio, by_nu,
+                            [](const Eigen::VectorXd& b) { return b(0); });
 }
 
 }  // namespace

@@ -9,39 +9,17 @@
 #include "calibration/disc_transform.hpp"
 #include "calibration/pad_readings.hpp"
 #include "calibration/skin_waves.hpp"
+#include "calibration/wave_nodes.hpp"
 #include "elasticity/space/reduced_bessel.hpp"
 #include "numeric/eigen.hpp"
-#include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
 
-/// A fit that has gone astray may ask for more; it is not to take the memory.
-constexpr std::size_t most_panels = 400;
+constexpr double most_skin_panels = 400.0;
 constexpr std::size_t points = 20;  // of a panel of radii
 /// A press whose derivatives are asked for turns a wave of order 3 into one of order 4.
 constexpr std::size_t orders = most_skin_wave_order + 2;
-
-/// SkinNodes in k, those near 0 as dense as a layer asks for: its poles are 0.7 / h away.
-struct SkinNodes {
-  SkinNodes(double depth, double farthest, const Material& material) {
-    const GaussRule rule = gauss_rule<points>();
-    const double end = largest_decay / depth;
-    const double count = std::clamp(std::ceil(end * farthest / 26.0), 5.0, double{most_panels});
-    const double wide = end / count;
-    const double h = material.layer ? material.layer->thickness : 0.0;
-    for (double from = 0.0; from < end * (1.0 - 1e-9);) {
-      const double width = from * h < 15.0 && h > 0.0 ? std::min(wide, 2.5 / h) : wide;
-      for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
-        for (const double sign : {-1.0, 1.0}) {
-          k.push_back(from + 0.5 * width * (1.0 + sign * rule.abscissa[i]));
-          weight.push_back(0.25 * width * rule.weights[i] / std::numbers::pi);
-        }
-      from += width;
-    }
-  }
-  std::vector<double> k, weight;
-};
 
 /// Radii between which readings are interpolated: Chebyshev's points on panels as wide as the
 /// depth, and wider where the load is far. The functions' singularities lie a depth beside the
@@ -120,7 +98,7 @@ class DepthReadings {
         drags_(needed.drags),
         columns_(with_derivatives ? columns : 1),
         radii_(depth, widest(presses), farthest) {
-    const SkinNodes nodes(depth, farthest + widest(presses), material);
+    const WaveNodes nodes(depth, farthest + widest(presses), material, most_skin_panels);
     const auto count = static_cast<Eigen::Index>(nodes.k.size());
     const auto rows = static_cast<Eigen::Index>(presses.size());
     const auto radii = static_cast<Eigen::Index>(radii_.r.size());
@@ -144,7 +122,8 @@ class DepthReadings {
       for (Eigen::Index i = 0; i < count; ++i) {
         const double z = nodes.k[static_cast<std::size_t>(i)] * a;
         const IndenterTransform phi = disc_transform(press.disc, z);
-        const double scale = std::exp(press.log_force) * nodes.weight[static_cast<std::size_t>(i)];
+        const double scale =
+            0.5 * std::exp(press.log_force) * nodes.weight[static_cast<std::size_t>(i)];
         load_(p, i) = scale * phi.value;
         slope(p, i) = scale * phi.slope * z;
       }

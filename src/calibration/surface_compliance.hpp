@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "calibration/wave_nodes.hpp"
 #include "numeric/dual.hpp"
 #include "tactile_net/elasticity/material.hpp"
 
@@ -23,6 +24,17 @@ inline Dual<1> compliance_change(Base base, const Dual<1>& nu, double H) {
   const Dual<1> kappa = 3.0 - 4.0 * nu;
   const Dual<1> below = kappa * cosh + (2.0 * H * H + 5.0 - 12.0 * nu + 8.0 * nu * nu) * decay;
   return (kappa * sinh - 2.0 * H * decay) / below - 1.0;
+}
+
+/// Calls of(H, weight, change of the compliance) for the waves that a layer changes.
+template <class Of>
+void each_changed_wave(Base base, double nu, const Of& of) {
+  constexpr int panels = 5;
+  constexpr double width = largest_compliance_wave / panels;
+  for (int panel = 0; panel < panels; ++panel)
+    each_point(panel * width, width, [&](double H, double weight) {
+      of(H, weight, compliance_change(base, Dual<1>::seed(nu, 0), H));
+    });
 }
 
 }  // namespace tactile_net

@@ -1,4 +1,4 @@
-#include "tactile_net/elasticity/layer.hpp"
+#include "elasticity/layer.hpp"
 
 #include <cmath>
 

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "elasticity/hooke.hpp"
+#include "elasticity/layer.hpp"
 #include "numeric/gauss_rule.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
-#include "tactile_net/elasticity/layer.hpp"
 
 namespace tactile_net {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <numbers>
 
+#include "elasticity/layer.hpp"
 #include "elasticity/layer_correction.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
-#include "tactile_net/elasticity/layer.hpp"
 
 namespace tactile_net {
 

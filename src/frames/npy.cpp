@@ -1,4 +1,4 @@
-#include "tactile_net/frames/npy.hpp"
+#include "frames/npy.hpp"
 
 #include <algorithm>
 #include <cmath>

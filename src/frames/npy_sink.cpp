@@ -4,8 +4,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "frames/npy.hpp"
 #include "frames/npy_header.hpp"
-#include "tactile_net/frames/npy.hpp"
 
 namespace tactile_net::frames {
 

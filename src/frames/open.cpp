@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "frames/calibrated_frames.hpp"
+#include "frames/npy.hpp"
 #include "tactile_net/frames/csv.hpp"
-#include "tactile_net/frames/npy.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::frames {

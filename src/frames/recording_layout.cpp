@@ -6,10 +6,10 @@
 
 #include "frames/column_names.hpp"
 #include "frames/column_places.hpp"
+#include "frames/npy.hpp"
 #include "frames/npy_header.hpp"
 #include "tactile_net/elasticity/space/skin_quantity.hpp"
 #include "tactile_net/frames/csv.hpp"
-#include "tactile_net/frames/npy.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"

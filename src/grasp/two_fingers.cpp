@@ -1,12 +1,14 @@
 #include "tactile_net/grasp/two_fingers.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "grasp/grasp_map.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 #include "tactile_net/grasp/fingertip_force.hpp"
+#include "tactile_net/grasp/in_space.hpp"
 
 namespace tactile_net {
 namespace {
@@ -55,7 +57,7 @@ Eigen::RowVector2d moment_row(const Eigen::Vector2d& r) { return {-r.y(), r.x()}
 TwoFingerTorques two_finger_torques(const Finger& left, double left_centre, const Finger& right,
                                     double right_centre, const ExternalLoad& load,
                                     double grasping_force) {
-  if (!all_finite(load) || !std::isfinite(grasping_force))
+  if (!is_finite(in_space(load)) || !std::isfinite(grasping_force))
     throw std::invalid_argument("the external load and the grasping force must be finite");
   const Fingertip l(left, left_centre);
   const Fingertip r(right, right_centre);

@@ -47,10 +47,6 @@ void ResidualPeriodogram::powers(std::span<const double> left, std::size_t compo
 
 std::string_view name(AlphaRule rule) noexcept { return name_in<rules>(rule); }
 
-std::optional<AlphaRule> alpha_rule_named(std::string_view text) noexcept {
-  return named_in<rules>(text);
-}
-
 std::string_view name(AlphaVerdict verdict) noexcept { return name_in<verdicts>(verdict); }
 
 const AlphaChoice& AlphaSweep::choice(AlphaRule rule) const {

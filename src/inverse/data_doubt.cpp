@@ -15,10 +15,6 @@ constexpr Named<DataDoubt> doubts[] = {
 
 std::string_view name(DataDoubt doubt) noexcept { return name_in<doubts>(doubt); }
 
-std::optional<DataDoubt> data_doubt_named(std::string_view text) noexcept {
-  return named_in<doubts>(text);
-}
-
 bool DataVerdict::has(DataDoubt doubt) const noexcept {
   return std::find(doubts.begin(), doubts.end(), doubt) != doubts.end();
 }

@@ -10,6 +10,7 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/stabiliser.hpp"
+#include "numeric/conjugate_gradients.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/real_fft.hpp"
@@ -20,12 +21,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Spectrum = std::vector<Complex>;
-
-double dot(std::span<const double> a, std::span<const double> b) noexcept {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 }  // namespace
 
@@ -136,6 +131,18 @@ struct FftTikhonov::Plan {
       std::copy_n(circle.samples().begin(), count,
                   z.begin() + static_cast<std::ptrdiff_t>(u * count));
     }
+  }
+
+  /// Conjugate gradients from x, whose gradient is in `gradient`; `image` is the direction's.
+  double iterate(std::span<double> x, std::size_t step_limit, auto&& follow, auto&& done) {
+    return conjugate_gradients(
+        {x, gradient, preconditioned, direction}, step_limit,
+        [&] {
+          apply(direction, image);
+          return dot_in_order(image, image);
+        },
+        follow, [&](std::span<const double> from, std::span<double> to) { precondition(from, to); },
+        dot_in_order, done);
   }
 
   void to_spectrum(std::span<const double> x, Spectrum& spectrum) noexcept {
@@ -282,9 +289,6 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
   std::fill(p.f.begin(), p.f.end(), 0.0);
 
   p.apply_transposed(p.residual, p.gradient);
-  p.precondition(p.gradient, p.preconditioned);
-  p.direction = p.preconditioned;
-  double power = dot(p.gradient, p.preconditioned);
   // What the last steps took off the error in the norm of P: a step later than that, the error was
   // about as large (Hestenes and Stiefel 1952, 6). P >= alpha h / D, times the lighter traction's
   // weight squared, turns it into the 2-norm.
@@ -293,32 +297,24 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
   std::array<double, 4> gains{};
   Convergence& c = p.convergence;
   c.converged = false;
-  for (c.steps = 0; c.steps < step_limit && power > 0.0;) {
-    p.apply(p.direction, p.image);
-    const double step = power / dot(p.image, p.image);
-    if (!std::isfinite(step)) break;
-    for (std::size_t i = 0; i < p.f.size(); ++i) p.f[i] += step * p.direction[i];
-    for (std::size_t i = 0; i < p.residual.size(); ++i) p.residual[i] -= step * p.image[i];
-    ++c.steps;
-
-    p.apply_transposed(p.residual, p.gradient);
-    p.precondition(p.gradient, p.preconditioned);
-    const double size = std::sqrt(dot(p.f, p.f));
-    gains[c.steps % gains.size()] = step * power;
-    double gained = 0.0;
-    for (const double gain : gains) gained += gain;
-    c.estimate = std::sqrt(gained / least) / size;
-    c.bound = std::sqrt(dot(p.gradient, p.gradient)) / (least * size);
-    if (c.bound <= tolerance || (c.steps >= gains.size() && c.estimate <= tolerance)) {
-      c.converged = true;
-      break;
-    }
-    const double next = dot(p.gradient, p.preconditioned);
-    const double turn = next / power;
-    power = next;
-    for (std::size_t i = 0; i < p.direction.size(); ++i)
-      p.direction[i] = p.preconditioned[i] + turn * p.direction[i];
-  }
+  c.steps = 0;
+  const double power = p.iterate(
+      p.f, step_limit,
+      [&](double step) {
+        add_multiple(p.residual, -step, p.image);
+        p.apply_transposed(p.residual, p.gradient);
+      },
+      [&](std::size_t steps, double gain) {
+        c.steps = steps;
+        const double size = std::sqrt(dot_in_order(p.f, p.f));
+        gains[steps % gains.size()] = gain;
+        double gained = 0.0;
+        for (const double one : gains) gained += one;
+        c.estimate = std::sqrt(gained / least) / size;
+        c.bound = std::sqrt(dot_in_order(p.gradient, p.gradient)) / (least * size);
+        c.converged = c.bound <= tolerance || (steps >= gains.size() && c.estimate <= tolerance);
+        return c.converged;
+      });
   if (power == 0.0) c.converged = true;
   for (double& traction : p.f) traction *= scale;
   if (!all_finite(p.f)) return FrameStatus::too_large;
@@ -330,24 +326,16 @@ std::vector<double> FftTikhonov::solve_normal(std::span<const double> right) {
   Plan& p = *plan_;
   std::vector<double> x(right.size());
   std::copy(right.begin(), right.end(), p.gradient.begin());
-  p.precondition(p.gradient, p.preconditioned);
-  p.direction = p.preconditioned;
-  double power = dot(p.gradient, p.preconditioned);
-  const double enough = 1e-20 * dot(right, right);
-  for (std::size_t steps = 0; steps < 1000 && dot(p.gradient, p.gradient) > enough; ++steps) {
-    p.apply(p.direction, p.image);
-    const double step = power / dot(p.image, p.image);
-    if (!std::isfinite(step)) break;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += step * p.direction[i];
-    p.apply_transposed(p.image, p.preconditioned);  // P times the direction
-    for (std::size_t i = 0; i < x.size(); ++i) p.gradient[i] -= step * p.preconditioned[i];
-    p.precondition(p.gradient, p.preconditioned);
-    const double next = dot(p.gradient, p.preconditioned);
-    const double turn = next / power;
-    power = next;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      p.direction[i] = p.preconditioned[i] + turn * p.direction[i];
-  }
+  const double enough = 1e-20 * dot_in_order(right, right);
+  const auto is_small = [&] { return !(dot_in_order(p.gradient, p.gradient) > enough); };
+  if (is_small()) return x;
+  p.iterate(
+      x, 1000,
+      [&](double step) {
+        p.apply_transposed(p.image, p.preconditioned);  // P times the direction
+        add_multiple(p.gradient, -step, p.preconditioned);
+      },
+      [&](std::size_t, double) { return is_small(); });
   return x;
 }
 

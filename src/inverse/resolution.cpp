@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "inverse/transfer_matrix.hpp"
 #include "numeric/finite.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tactile_net/sensing/aperture.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "lab/fingertip_maker.hpp"
@@ -27,7 +26,7 @@ std::vector<FingerAction> at_nearest_to_slipping(std::vector<FingerAction> actio
   return actions;
 }
 
-void measure(GraspResult& result, const std::vector<Finger>& fingers) {
+void measure_in_plane(GraspResult& result, const std::vector<Finger>& fingers) {
   std::vector<FingertipForce> forces;
   for (const Fingertip& tip : result.tips) forces.push_back(*tip.force);
   const auto& load = result.hand.load;
@@ -56,15 +55,13 @@ TorqueWitness witness_of(const std::vector<Finger>& fingers,
   return witness;
 }
 
-void hold_load(GraspResult& result, const std::vector<Finger>& fingers) {
+void hold_in_plane(GraspResult& result, const std::vector<Finger>& fingers) {
   const Hand& hand = result.hand;
   const ExternalLoad load = hand.load.value_or(ExternalLoad{});
   std::vector<ContactPlace> places;
   for (const Fingertip& tip : result.tips) places.push_back(tip.place);
   HoldOptions options = hand.squeeze;
-  if (hand.friction_used)
-    for (const HandFinger& finger : hand.fingers)
-      options.friction.push_back(*hand.friction_used * *finger.friction);
+  options.friction = friction_used(hand);
   HeldAnswer answer;
   try {
     answer.grasp = tactile_net::hold(fingers, places, load, options);
@@ -91,22 +88,9 @@ void hold_load(GraspResult& result, const std::vector<Finger>& fingers) {
 }  // namespace
 
 GraspResult hold(const Hand& hand, const FrameOf& frame_of, Observer& observer) {
-  GraspResult result{.hand = hand};
-  FingertipMaker maker(hand.folder, frame_of);
-  std::vector<Finger> fingers;
-  for (const HandFinger& finger : hand.fingers) {
-    observer.step({.kind = Step::Kind::finger, .count = fingers.size() + 1});
-    result.tips.push_back(maker.make(finger));
-    fingers.push_back(result.tips.back().finger);
-  }
-  const bool known = std::all_of(result.tips.begin(), result.tips.end(),
-                                 [](const Fingertip& tip) { return tip.force.has_value(); });
-  const bool asked =
-      (hand.load || hand.squeeze.grasping_force || hand.squeeze.squeeze) && fingers.size() >= 2;
-  if (!known && !asked) throw std::invalid_argument(nothing_to_compute);
-  if (known) measure(result, fingers);
-  if (asked) hold_load(result, fingers);
-  return result;
+  const bool squeezed = hand.squeeze.grasping_force || hand.squeeze.squeeze;
+  return grasp_of<GraspResult>(hand, squeezed, FingertipMaker(hand.folder, frame_of), observer,
+                               measure_in_plane, hold_in_plane);
 }
 
 }  // namespace tactile_net::lab

@@ -79,8 +79,39 @@ void judge(auto& result, GraspAnswer which, auto& answer, const auto& gripping) 
   return false;
 }
 
-inline constexpr const char* nothing_to_compute =
-    "nothing to compute: no contact's force is known, and there is neither a [load] nor a "
-    "squeeze for two fingers to hold";
+/// As a hold keeps to it: the share of each finger's friction that may be used; empty: no cones.
+[[nodiscard]] std::vector<double> friction_used(const auto& hand) {
+  std::vector<double> friction;
+  for (const auto& finger : hand.fingers)
+    if (hand.friction_used) friction.push_back(*hand.friction_used * *finger.friction);
+  return friction;
+}
+
+/// Makes the fingertips, then what of their grasp can be known.
+///
+/// @param squeezed  the hand asks for a squeeze
+/// @param measure   of (result, fingers): where every force is known
+/// @param hold      of (result, fingers): where there is something to hold
+template <class Result>
+[[nodiscard]] Result grasp_of(const auto& hand, bool squeezed, auto maker, Observer& observer,
+                              const auto& measure, const auto& hold) {
+  Result result{.hand = hand};
+  std::vector<decltype(result.tips.front().finger)> fingers;
+  bool known = true;
+  for (const auto& finger : hand.fingers) {
+    observer.step({.kind = Step::Kind::finger, .count = fingers.size() + 1});
+    result.tips.push_back(maker.make(finger));
+    fingers.push_back(result.tips.back().finger);
+    known = known && result.tips.back().force;
+  }
+  const bool asked = (hand.load || squeezed) && fingers.size() >= 2;
+  if (!known && !asked)
+    throw std::invalid_argument(
+        "nothing to compute: no contact's force is known, and there is neither a [load] nor a "
+        "squeeze for two fingers to hold");
+  if (known) measure(result, fingers);
+  if (asked) hold(result, fingers);
+  return result;
+}
 
 }  // namespace tactile_net::lab

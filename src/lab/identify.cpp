@@ -8,8 +8,8 @@
 #include <string>
 
 #include "lab/survey_assumptions.hpp"
+#include "lab/unseen_width.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
-#include "tactile_net/lab/unseen_width.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/aperture.hpp"
 #include "tactile_net/sensing/traction_field.hpp"

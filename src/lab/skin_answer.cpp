@@ -11,9 +11,9 @@
 #include "lab/large_skin.hpp"
 #include "lab/lines_and_skins.hpp"
 #include "lab/skin_bands.hpp"
+#include "lab/skin_data_verdict.hpp"
 #include "lab/skin_method.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
-#include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/scene/clipped_taxels.hpp"
 

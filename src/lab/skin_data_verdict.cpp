@@ -1,4 +1,4 @@
-#include "tactile_net/lab/skin_data_verdict.hpp"
+#include "lab/skin_data_verdict.hpp"
 
 #include <algorithm>
 #include <cmath>

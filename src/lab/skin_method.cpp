@@ -1,7 +1,7 @@
 #include "lab/skin_method.hpp"
 
 #include "lab/large_skin.hpp"
-#include "tactile_net/lab/skin_data_verdict.hpp"
+#include "lab/skin_data_verdict.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net::lab {

@@ -9,10 +9,10 @@
 #include <tuple>
 #include <utility>
 
+#include "lab/skin_unseen_width.hpp"
 #include "lab/survey_assumptions.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/elasticity/space/skin_transform.hpp"
-#include "tactile_net/lab/skin_unseen_width.hpp"
 
 namespace tactile_net::lab {
 namespace {

@@ -1,4 +1,4 @@
-#include "tactile_net/lab/skin_unseen_width.hpp"
+#include "lab/skin_unseen_width.hpp"
 
 #include <algorithm>
 #include <array>

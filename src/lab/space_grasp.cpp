@@ -1,8 +1,6 @@
 #include "tactile_net/lab/space_grasp.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "lab/grasp_weakness.hpp"
@@ -31,7 +29,7 @@ std::vector<SpaceAction> at_nearest_to_slipping(std::vector<SpaceAction> actions
   return actions;
 }
 
-void measure(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers) {
+void measure_in_space(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers) {
   std::vector<SpaceFingertipForce> forces;
   for (const SpaceFingertip& tip : result.tips) forces.push_back(*tip.force);
   MeasuredSpaceAnswer& answer = result.measured.emplace();
@@ -56,14 +54,12 @@ double spread_of(const SpaceGraspResult& result) {
   return std::sqrt(share) * spread;
 }
 
-void hold_load(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers) {
+void hold_in_space(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers) {
   const SpaceHand& hand = result.hand;
   std::vector<SpaceContactPlace> places;
   for (const SpaceFingertip& tip : result.tips) places.push_back(tip.place);
-  SpaceHoldOptions options{.squeeze = hand.squeeze, .least = hand.least};
-  if (hand.friction_used)
-    for (const SpaceHandFinger& finger : hand.fingers)
-      options.friction.push_back(*hand.friction_used * *finger.friction);
+  const HoldOptions options{
+      .squeeze = hand.squeeze, .friction = friction_used(hand), .least = hand.least};
   HeldSpaceAnswer answer;
   try {
     answer.grasp = tactile_net::hold(fingers, places, hand.load.value_or(SpaceLoad{}), options);
@@ -82,21 +78,9 @@ void hold_load(SpaceGraspResult& result, const std::vector<SpaceFinger>& fingers
 }  // namespace
 
 SpaceGraspResult hold(const SpaceHand& hand, const SkinFrameOf& readings, Observer& observer) {
-  SpaceGraspResult result{.hand = hand};
-  SpaceFingertipMaker maker(hand.folder, readings);
-  std::vector<SpaceFinger> fingers;
-  for (const SpaceHandFinger& finger : hand.fingers) {
-    observer.step({.kind = Step::Kind::finger, .count = fingers.size() + 1});
-    result.tips.push_back(maker.make(finger));
-    fingers.push_back(finger.finger);
-  }
-  const bool known = std::all_of(result.tips.begin(), result.tips.end(),
-                                 [](const SpaceFingertip& tip) { return tip.force.has_value(); });
-  const bool asked = (hand.load || hand.squeeze) && fingers.size() >= 2;
-  if (!known && !asked) throw std::invalid_argument(nothing_to_compute);
-  if (known) measure(result, fingers);
-  if (asked) hold_load(result, fingers);
-  return result;
+  return grasp_of<SpaceGraspResult>(hand, hand.squeeze.has_value(),
+                                    SpaceFingertipMaker(hand.folder, readings), observer,
+                                    measure_in_space, hold_in_space);
 }
 
 }  // namespace tactile_net::lab

@@ -102,12 +102,6 @@ constexpr std::array rules = {
 
 std::string_view name(Dialect dialect) noexcept { return names[static_cast<std::size_t>(dialect)]; }
 
-std::optional<Dialect> dialect_named(std::string_view name) noexcept {
-  const auto at = std::find(names.begin(), names.end(), name);
-  if (at == names.end()) return std::nullopt;
-  return dialects[static_cast<std::size_t>(at - names.begin())];
-}
-
 void check_dialect(std::string_view deck, Dialect dialect) {
   Reading reading{.dialect = dialect};
   reading.says_untested = deck.find(negative_resistors_untested) != std::string_view::npos;

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/pad_drawing.hpp"
 #include "pages/parts.hpp"
 #include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"

@@ -2,7 +2,7 @@
 
 #include "pages/grasp_parts.hpp"
 #include "tactile_net/drawing/figure.hpp"
-#include "tactile_net/pages/hand_drawing.hpp"
+#include "pages/hand_drawing.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::pages {

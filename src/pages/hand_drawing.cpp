@@ -1,4 +1,4 @@
-#include "tactile_net/pages/hand_drawing.hpp"
+#include "pages/hand_drawing.hpp"
 
 #include <algorithm>
 #include <cmath>

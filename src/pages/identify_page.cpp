@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "pages/axis.hpp"
+#include "pages/pad_drawing.hpp"
 #include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
-#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"

@@ -1,4 +1,4 @@
-#include "tactile_net/pages/pad_drawing.hpp"
+#include "pages/pad_drawing.hpp"
 
 #include <algorithm>
 #include <cmath>

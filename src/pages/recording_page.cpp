@@ -5,12 +5,12 @@
 #include <functional>
 #include <limits>
 
+#include "pages/pad_drawing.hpp"
 #include "pages/parts.hpp"
 #include "pages/recording_script.hpp"
 #include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/json/recording_json.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/recording_words.hpp"

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/pad_drawing.hpp"
 #include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/pages/pad_drawing.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
 #include "tactile_net/study/work_precision.hpp"
 

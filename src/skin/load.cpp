@@ -131,10 +131,6 @@ auto of_kind(const SkinLoad& load, const auto& function) noexcept {
 
 std::string_view name(SkinShape shape) noexcept { return name_in<shapes>(shape); }
 
-std::optional<SkinShape> skin_shape_named(std::string_view text) noexcept {
-  return named_in<shapes>(text);
-}
-
 void check(const SkinLoad& load) {
   std::visit([](const auto& own) { check(own); }, load);
 }

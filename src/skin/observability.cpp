@@ -11,6 +11,7 @@
 #include "numeric/finite.hpp"
 #include "numeric/named.hpp"
 #include "skin/family_factors.hpp"
+#include "skin/skin_symbol.hpp"
 #include "skin/wave_symbol.hpp"
 
 namespace tactile_net {

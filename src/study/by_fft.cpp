@@ -4,8 +4,8 @@
 
 #include "study/digital.hpp"
 #include "study/points.hpp"
-#include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
+#include "tactile_net/inverse/thesis/dft_tikhonov.hpp"
 #include "tactile_net/lab/method.hpp"
 
 namespace tactile_net::study {

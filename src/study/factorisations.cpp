@@ -4,6 +4,7 @@
 #include "study/digital.hpp"
 #include "study/points.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/thesis/closed_form.hpp"
 
 namespace tactile_net::study {
 

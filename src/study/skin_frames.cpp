@@ -1,8 +1,8 @@
 #include <vector>
 
 #include "study/digital.hpp"
+#include "study/kronecker_sum.hpp"
 #include "study/points.hpp"
-#include "tactile_net/control/kronecker_sum.hpp"
 #include "tactile_net/skin/direct.hpp"
 
 namespace tactile_net::study {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "study/digital.hpp"
+#include "study/matrix_gradients.hpp"
 #include "study/points.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
-#include "tactile_net/skin/matrix_gradients.hpp"
 
 namespace tactile_net::study {
 namespace {

@@ -299,7 +299,7 @@ TEST_CASE("an include upwards is found, by the public path and by the private on
   CHECK_FALSE(allows("src/realtime/kernels.cpp", "#include \"tactile_net/numeric/matrix.hpp\""));
   CHECK_FALSE(allows("src/lab/run.cpp", "#include \"terminal/progress.hpp\""));
   CHECK_FALSE(allows("src/cellar/wine.cpp", ""));
-  CHECK(allows("src/inverse/problem.cpp", "#include \"tactile_net/elasticity/layer.hpp\""));
+  CHECK(allows("src/inverse/problem.cpp", "#include \"tactile_net/elasticity/material.hpp\""));
   CHECK(allows("src/inverse/problem.cpp", "#include \"inverse/stacked.hpp\""));
   CHECK(allows("tools/tactile-net/commands/run.cpp",
                "#include \"tactile_net/report/words/table.hpp\""));

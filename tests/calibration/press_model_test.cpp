@@ -54,6 +54,28 @@ TEST_CASE("readings under rigid indenters are the exact integrals") {
   }
 }
 
+TEST_CASE("a layer many times as thick as taxels are deep is read right by few taxels") {
+  // Its long waves vary over 1 / thickness, however near the contact all taxels are.
+  for (const double thickness : {15e-3, 45e-3})
+    for (const Base base : {Base::bonded, Base::frictionless}) {
+      const Material pad{
+          .youngs_modulus = 2e5, .poisson_ratio = 0.45, .layer = {{thickness, base}}};
+      for (const Quantity quantity : {Quantity::stress_x, Quantity::stress_y}) {
+        SensorArray array = array_of({quantity});
+        array.count = 9;
+        const PressModel model(array, pad);
+        const std::vector<PressState> presses{line_presses[0]};
+        const PressReadings readings = model.readings(model.nominal(), presses, false);
+        const std::vector<Contact> contacts{contact_of(presses[0])};
+        const std::vector<double> exact = exact_readings(array, pad, contacts);
+        for (std::size_t j = 0; j < exact.size(); ++j) {
+          CAPTURE(thickness, static_cast<int>(base), name(quantity), j);
+          CHECK(std::abs(readings.value(0, j) - exact[j]) <= 1e-7 * peak(readings.value, 0));
+        }
+      }
+    }
+}
+
 TEST_CASE("a drag on a layer that slips on its base is read right, far field included") {
   const Material pad = pad_of(2);
   const SensorArray array = array_of({Quantity::stress_y});

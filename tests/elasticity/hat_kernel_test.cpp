@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "elasticity/layer.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
-#include "tactile_net/elasticity/layer.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tests/catch.hpp"
 

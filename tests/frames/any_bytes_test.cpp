@@ -3,8 +3,8 @@
 #include <random>
 #include <sstream>
 
+#include "frames/npy.hpp"
 #include "tactile_net/frames/csv.hpp"
-#include "tactile_net/frames/npy.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tests/catch.hpp"
 

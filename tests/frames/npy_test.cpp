@@ -1,5 +1,5 @@
 // A .npy of any type, order and shape gives the same frames, or says what it is.
-#include "tactile_net/frames/npy.hpp"
+#include "frames/npy.hpp"
 
 #include <bit>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tactile_net/grasp/margins.hpp"
 #include "tactile_net/grasp/two_fingers.hpp"
 #include "tests/catch.hpp"
 #include "tests/grasp/hands.hpp"
@@ -250,6 +251,8 @@ TEST_CASE("within friction cones the torques are the least that carry the load",
     bool same = true;
     for (std::size_t i = 0; i < fingers; ++i) {
       CHECK(inside(grasp, i, 0.0, 1e-9 * size));
+      if (grasp.fingers[i].normal > 1e-9 * size)  // on the edge, all of the friction is used
+        CHECK(friction_margin(grasp.fingers[i], 0.8).verdict == ContactVerdict::holds);
       same = same && inside(unbound, i, 0.0, 0.0);
     }
     bound += same ? 0 : 1;
@@ -351,6 +354,25 @@ TEST_CASE("one-jointed jaws on a line cannot squeeze along it", "[grasp]") {
   CHECK_THAT(grasp.fingers[0].force.x, WithinRel(3.0, 1e-13));
   CHECK_THAT(grasp.fingers[0].torques[0].value, WithinRel(0.5, 1e-13));
   CHECK_THAT(grasp.fingers[1].torques[0].value, WithinRel(-0.5, 1e-13));
+}
+
+TEST_CASE("two fingers that meet their cones at once hold by both edges", "[grasp]") {
+  // Mirrored fingers carry half the load each; with one force to choose, their squeeze, either
+  // edge would fix it.
+  Finger left;
+  left.base = {-0.03, 0.0};
+  left.direction = 0.5 * std::numbers::pi;
+  left.links = {0.05, 0.04};
+  left.angles = {0.5, -0.5};
+  left.pad = {.center = 0.02, .half_width = 0.012, .side = Side::right};
+  Hand hand = mirrored({{left}, {{}}, {{0.0, -4.0}, 0.0, {0.0, 0.06}}});
+  hand.fingers.insert(hand.fingers.begin(), left);
+  hand.contacts.push_back({});
+  const HeldGrasp grasp = held(hand, {.friction = {0.4, 0.4}});
+  for (const FingerAction& finger : grasp.fingers) {
+    CHECK_THAT(finger.normal, WithinRel(5.0, 1e-9));
+    CHECK_THAT(std::abs(finger.tangential), WithinRel(2.0, 1e-9));
+  }
 }
 
 TEST_CASE("there is no inward for a contact in the middle of all", "[grasp]") {

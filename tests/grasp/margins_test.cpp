@@ -53,6 +53,19 @@ TEST_CASE("a force outside the cone slips, one that does not press pulls", "[gra
   CHECK(std::isinf(friction_margin(action(-1.0, 0.0), 0.5).used));
 }
 
+TEST_CASE("a force that uses all of its friction does not slip by rounding", "[grasp]") {
+  for (int i = 1; i <= 1000; ++i) {
+    CAPTURE(i);
+    const double mu = 0.1 + 1e-3 * i;
+    const double drag = 0.7 * i;
+    const FrictionMargin edge = friction_margin(action(drag / mu, drag), mu);
+    CHECK(edge.verdict == ContactVerdict::holds);
+    CHECK(edge.distance.value >= 0.0);
+    CHECK(friction_margin(action((1.0 - 1e-9) * drag / mu, drag), mu).verdict ==
+          ContactVerdict::slips);
+  }
+}
+
 TEST_CASE("the margin's deviation is that of its own edge", "[grasp][property]") {
   const double mu = 0.4;
   for (const double side : {-1.0, 1.0}) {

@@ -10,11 +10,12 @@
 #include <span>
 #include <stdexcept>
 
-#include "tactile_net/inverse/dft.hpp"
-#include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/thesis/closed_form.hpp"
+#include "tactile_net/inverse/thesis/dft.hpp"
+#include "tactile_net/inverse/thesis/dft_tikhonov.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tests/eigen.hpp"
 #include "tests/hard/reference.hpp"

@@ -7,6 +7,7 @@
 
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/thesis/closed_form.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"

@@ -244,11 +244,6 @@ TEST_CASE("denormal and huge readings get the alpha of ordinary ones", "[alpha]"
   }
 }
 
-TEST_CASE("rules are known by their names", "[alpha]") {
-  for (const AlphaRule rule : alpha_rules) CHECK(alpha_rule_named(name(rule)) == rule);
-  CHECK_FALSE(alpha_rule_named("aic").has_value());
-}
-
 TEST_CASE("tables made once serve every frame of a family, and no other's", "[alpha]") {
   for (const auto& [name, problem] : sample_problems()) {
     CAPTURE(name);

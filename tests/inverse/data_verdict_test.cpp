@@ -348,14 +348,6 @@ TEST_CASE("limits out of range and sizes that do not fit are refused", "[data_ve
                   std::invalid_argument);
 }
 
-TEST_CASE("doubts have names", "[data_verdict]") {
-  for (const DataDoubt doubt : {DataDoubt::implausible, DataDoubt::pulls, DataDoubt::bad_taxel,
-                                DataDoubt::offset, DataDoubt::misfit, DataDoubt::friction_limit})
-    CHECK(data_doubt_named(name(doubt)) == doubt);
-  CHECK(name(DataDoubt::bad_taxel) == "bad_taxel");
-  CHECK_FALSE(data_doubt_named("ok"));
-}
-
 TEST_CASE("a memory of the frames before changes no doubt", "[data_verdict]") {
   const Bench bench;
   const InverseProblem p = bench.problem();

@@ -15,6 +15,7 @@
 #include "tactile_net/inverse/long_array_family.hpp"
 #include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/thesis/closed_form.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"

@@ -86,6 +86,18 @@ inline double smoothness(const InverseProblem& problem, const std::vector<double
   return problem.surface.area * all;
 }
 
+/// |W (K f - g)|^2 + alpha |L f|^2, term by term.
+inline double functional_of(const InverseProblem& problem, double alpha,
+                            const std::vector<double>& readings, const std::vector<double>& f) {
+  double misfit = 0.0;
+  for (std::size_t i = 0; i < problem.kernel.rows; ++i) {
+    double residual = -problem.weights[i] * readings[i];
+    for (std::size_t j = 0; j < f.size(); ++j) residual += problem.kernel(i, j) * f[j];
+    misfit += residual * residual;
+  }
+  return misfit + alpha * smoothness(problem, f);
+}
+
 /// Readings between -1 and 1; equal seeds give equal readings.
 inline std::vector<double> random_values(std::size_t count, unsigned seed) {
   std::mt19937 generator(seed);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "inverse/transfer_matrix.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "tactile_net/inverse/constrained.hpp"
-#include "tactile_net/inverse/dft.hpp"
-#include "tactile_net/inverse/dft_friction.hpp"
-#include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/thesis/closed_form.hpp"
+#include "tactile_net/inverse/thesis/dft.hpp"
+#include "tactile_net/inverse/thesis/dft_friction.hpp"
+#include "tactile_net/inverse/thesis/dft_tikhonov.hpp"
 #include "tests/catch.hpp"
 
 namespace tactile_net {

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
-#include "tactile_net/lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/scene/reader.hpp"

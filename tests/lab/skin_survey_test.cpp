@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tactile_net/lab/skin_unseen_width.hpp"
+#include "lab/skin_unseen_width.hpp"
 #include "tactile_net/report/words/skin_survey_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/skin/forward.hpp"

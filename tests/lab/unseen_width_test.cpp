@@ -1,4 +1,4 @@
-#include "tactile_net/lab/unseen_width.hpp"
+#include "lab/unseen_width.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/pages/pad_drawing.hpp"
+#include "pages/pad_drawing.hpp"
 #include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/csv/recording_csv.hpp"
 #include "tactile_net/report/json/recording_json.hpp"

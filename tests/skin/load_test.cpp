@@ -297,6 +297,4 @@ TEST_CASE("a load out of range is refused", "[skin]") {
                     "normal must hold one value for each rectangle, 2 (got 1)");
   CHECK_THROWS_WITH(refused(SampledPatch{.rows = 1, .columns = 1, .normal = {infinity}})(),
                     "normal[0] must be finite (got inf)");
-  CHECK(skin_shape_named("ellipsoid") == SkinShape::ellipsoid);
-  CHECK_FALSE(skin_shape_named("sponge").has_value());
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "skin/skin_symbol.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 

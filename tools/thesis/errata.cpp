@@ -2,8 +2,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "tactile_net/inverse/dft.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/thesis/dft.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
 #include "tools/thesis/chapter.hpp"

@@ -5,9 +5,10 @@
 #include <cstdio>
 
 #include "tactile_net/elasticity/half_plane.hpp"
-#include "tactile_net/inverse/dft.hpp"
-#include "tactile_net/inverse/dft_friction.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/thesis/closed_form.hpp"
+#include "tactile_net/inverse/thesis/dft.hpp"
+#include "tactile_net/inverse/thesis/dft_friction.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/sampled.hpp"

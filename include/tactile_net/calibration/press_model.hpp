@@ -4,7 +4,7 @@
 ///
 ///     r(y) = P/pi integral_0^inf phi(k a) [even(k) cos k(y - c) + odd(k) sin k(y - c)] dk
 ///
-/// `even` and `odd` are the pad's transforms (half_plane.hpp, layer.hpp) of normal load plus
+/// `even` and `odd` are the pad's transforms (half_plane.hpp, pad_kernel.hpp) of normal load plus
 /// friction times those of the tangential load; phi is the indenter's:
 ///
 ///     cylinder  2 J1(z)/z        punch (no rounded edge)  J0(z)        wedge  1/z integral_0^z J0

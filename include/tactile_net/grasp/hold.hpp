@@ -2,30 +2,16 @@
 /// The torques that would hold a load: the general grasp map, for any number of planar fingers.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "tactile_net/grasp/cannot_hold.hpp"
 #include "tactile_net/grasp/finger.hpp"
 #include "tactile_net/grasp/finger_action.hpp"
 #include "tactile_net/grasp/fingertip_force.hpp"
+#include "tactile_net/grasp/space/hold_in_space.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 
 namespace tactile_net {
-
-/// How hard to squeeze, beyond what equilibrium fixes: at most one of the first two. Neither: as
-/// little as the least torques do. Without `friction` that may mean that a finger pulls.
-struct HoldOptions {
-  /// f_g (thesis 6.9), for two fingers: squeeze - |e.f_e|, with e along the line of contacts. The
-  /// finger that the load presses less pushes with f_g / 2 along that line.
-  std::optional<double> grasping_force{};
-  /// Sum of the contact forces' components towards the mean of the contact points, for two fingers
-  /// or more.
-  std::optional<double> squeeze{};
-  /// mu of each finger, > 0: every force stays within its cone. Empty: friction does not enter.
-  std::vector<double> friction{};
-};
 
 /// Deviations come from those of the contacts' places alone; see `MeasuredGrasp`. A force on its
 /// cone's edge is taken to stay there.
@@ -36,16 +22,17 @@ struct HeldGrasp {
   double condition = 0.0;  ///< of the scaled system: digits lost are its logarithm
 };
 
-/// Minimises sum of tau_j^2 over all joints of all fingers, with tau = J' f, among the contact
-/// forces f in equilibrium with the load, G f + w_e = 0, and with the squeeze that is asked for.
-/// With two fingers and a squeeze nothing is left to minimise: see `two_finger_torques`.
+/// What holds the same hand in space, see `in_space`: the least sum of tau_j^2 over all joints of
+/// all fingers, with tau = J' f, among the contact forces f in equilibrium with the load,
+/// G f + w_e = 0, and with the squeeze that is asked for. With two fingers and a squeeze nothing is
+/// left to minimise: see `two_finger_torques`.
 ///
 /// @throw std::invalid_argument  fewer than two fingers; not as many contacts as fingers, or one is
 ///                               wrong (see `check`); both options, f_g with three fingers, a
 ///                               number that is not finite; a straight finger (its name is in the
 ///                               text); contacts in one point; a squeeze with a contact at the
 ///                               contacts' middle
-/// @throw CannotHold             torques do not determine the forces: a part of them costs none; or
+/// @throw CannotHoldInSpace      torques do not determine the forces: a part of them costs none; or
 ///                               no forces within the cones carry the load: its `reason` says which
 [[nodiscard]] HeldGrasp hold(std::span<const Finger> fingers,
                              std::span<const ContactPlace> contacts, const ExternalLoad& load,

@@ -40,36 +40,40 @@ struct FrictionMargin {
   double angle = 0.0;  ///< atan mu - |atan2(F_t, F_v)| [rad]; < 0 outside
 };
 
-/// What a margin means; all but its verdict is known.
-[[nodiscard]] inline ContactVerdict verdict_of(const FrictionMargin& margin, bool idle,
-                                               double normal) noexcept {
-  if (idle) return ContactVerdict::idle;
-  if (!(normal > 0.0)) return ContactVerdict::pulls;
-  return margin.distance.value < 0.0 ? ContactVerdict::slips : ContactVerdict::holds;
+/// What is beyond its cone by less than this, over the forces, is on its edge: forces that hold by
+/// all of their friction.
+inline constexpr double edge_rounding = 1e-12;
+
+/// @param slipping   |F_t|, and whatever else counts against friction, as a force
+/// @param deviation  of mu F_v - slipping
+/// @param friction   mu, > 0
+[[nodiscard]] inline FrictionMargin friction_margin(double normal, double slipping,
+                                                    double deviation, double friction) noexcept {
+  const bool idle = normal == 0.0 && slipping == 0.0;
+  const double scale = 1.0 / std::hypot(1.0, friction);
+  double left = friction * normal - slipping;
+  if (left < 0.0 && left > -edge_rounding * slipping) left = 0.0;
+  FrictionMargin margin;
+  margin.distance = {scale * left, scale * deviation};
+  margin.used = idle ? 0.0 : normal > 0.0 ? slipping / (friction * normal) : INFINITY;
+  margin.angle = std::atan(friction) - std::atan2(slipping, normal);
+  margin.verdict = idle              ? ContactVerdict::idle
+                   : !(normal > 0.0) ? ContactVerdict::pulls
+                   : left < 0.0      ? ContactVerdict::slips
+                                     : ContactVerdict::holds;
+  return margin;
 }
 
 /// @param friction  mu, > 0
 [[nodiscard]] inline FrictionMargin friction_margin(const FingerAction& action,
                                                     double friction) noexcept {
-  const double size = std::abs(action.tangential);
-  const double scale = 1.0 / std::hypot(1.0, friction);
-  // The distance is n.(F_v, |F_t|) with n across the edge.
-  const double by_normal = friction * scale;
-  const double by_tangential = std::copysign(scale, -action.tangential);
   using enum ContactValue;
   const auto& c = action.covariance;
-  const double variance =
-      by_normal * by_normal * c(normal, normal) +
-      by_tangential * by_tangential * c(tangential, tangential) +
-      by_normal * by_tangential * (c(normal, tangential) + c(tangential, normal));
-  FrictionMargin margin;
-  margin.distance = {by_normal * action.normal - scale * size, std::sqrt(std::fmax(variance, 0.0))};
-  margin.used = is_idle(action)       ? 0.0
-                : action.normal > 0.0 ? size / (friction * action.normal)
-                                      : INFINITY;
-  margin.angle = std::atan(friction) - std::abs(std::atan2(action.tangential, action.normal));
-  margin.verdict = verdict_of(margin, is_idle(action), action.normal);
-  return margin;
+  const double across = std::copysign(1.0, action.tangential);
+  const double variance = friction * friction * c(normal, normal) + c(tangential, tangential) -
+                          across * friction * (c(normal, tangential) + c(tangential, normal));
+  return friction_margin(action.normal, std::abs(action.tangential),
+                         std::sqrt(std::fmax(variance, 0.0)), friction);
 }
 
 struct TorqueMargin {

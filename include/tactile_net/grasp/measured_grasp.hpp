@@ -15,8 +15,9 @@
 
 namespace tactile_net {
 
-/// Deviations are first-order propagation of the fingertips' covariances, by exact derivatives; the
-/// fingertips' errors are independent of each other, geometry and load are certain.
+/// The grasp of the same hand in space, see `in_space`. Deviations are first-order propagation of
+/// the fingertips' covariances, by exact derivatives; the fingertips' errors are independent of
+/// each other, geometry and load are certain.
 struct MeasuredGrasp {
   std::vector<FingerAction> fingers{};
   Matrix torque_covariance{};  ///< of all torques, finger after finger

@@ -59,7 +59,6 @@ inline constexpr std::array alpha_rules = {
 
 /// The name as scenes, tables and JSON spell it: "rgcv".
 [[nodiscard]] std::string_view name(AlphaRule rule) noexcept;
-[[nodiscard]] std::optional<AlphaRule> alpha_rule_named(std::string_view name) noexcept;
 
 enum class AlphaVerdict {
   ok,

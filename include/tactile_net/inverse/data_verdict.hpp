@@ -55,7 +55,6 @@ enum class DataDoubt {
 
 /// The spelling in JSON and tables: "bad_taxel".
 [[nodiscard]] std::string_view name(DataDoubt doubt) noexcept;
-[[nodiscard]] std::optional<DataDoubt> data_doubt_named(std::string_view name) noexcept;
 
 struct DataVerdict {
   std::vector<DataDoubt> doubts{};  ///< worst first

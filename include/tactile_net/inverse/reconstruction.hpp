@@ -2,7 +2,6 @@
 /// A linear method made ready: readings in, tractions out, one matrix-vector product a frame.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "tactile_net/inverse/problem.hpp"
@@ -11,7 +10,8 @@
 
 namespace tactile_net {
 
-/// f = M g. Built by `tikhonov` and `closed_form`.
+/// f = M g. Built by `tikhonov`, by `TikhonovFamily` (tikhonov_family.hpp) and by `closed_form`
+/// (thesis/closed_form.hpp).
 class Reconstruction {
  public:
   /// @param matrix     M [Pa per reading], (unknowns x count) x (channels x count)
@@ -61,18 +61,5 @@ class Reconstruction {
 /// @throw as `tikhonov`; std::invalid_argument if readings have the wrong size or are not finite
 [[nodiscard]] std::vector<double> tikhonov_solve(const InverseProblem& problem, double alpha,
                                                  std::span<const double> readings);
-
-/// The closed form of thesis chapter 4 (4.14-4.15) with its errata corrected: f = G h + c with
-/// h = f' between neighbours, G the cumulative sum times D, c the constant that the thesis
-/// misprints. Eliminating h by a QR of [W K G; sqrt(alpha) G; sqrt(alpha) l I] leaves c as the
-/// ratio c = r_v'r_u / r_v'r_v of two residuals: the corrected form of 4.15 with nothing squared.
-/// The minimiser is the same as `tikhonov`'s: the two agree to rounding, by different ways.
-///
-/// @param stacked_condition  `tikhonov`'s condition of the same problem and alpha where somebody
-/// has
-///                           it: saves its decomposition, a third of the work
-/// @throw as `tikhonov`
-[[nodiscard]] Reconstruction closed_form(const InverseProblem& problem, double alpha,
-                                         std::optional<double> stacked_condition = {});
 
 }  // namespace tactile_net

@@ -2,7 +2,6 @@
 /// How well each wavelength of the tractions is known from one frame with noise.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -12,18 +11,6 @@
 #include "tactile_net/inverse/problem.hpp"
 
 namespace tactile_net {
-
-/// What ripples exp(i k y) of the tractions cause in every channel: the kernels' exact transforms,
-/// neither sampled nor cut off, each row divided by the channel's noise.
-///
-/// @param options     `channel_rms`, `unknowns` and `unknown_offsets` are read: these hide k = 0
-/// @param wavenumber  k [1/m]
-/// @return channels x unknowns, row-major [weighted reading per Pa]
-/// @throw std::invalid_argument  as `make_problem`
-[[nodiscard]] std::vector<std::complex<double>> transfer_matrix(const SensorArray& array,
-                                                                const Material& material,
-                                                                const ProblemOptions& options,
-                                                                double wavenumber);
 
 /// How well a ripple of the traction is known from one frame of the whole array.
 struct Resolution {
@@ -36,9 +23,10 @@ struct Resolution {
 
 /// For the wavelengths count pitch / j, j = 0 ... count / 2, of an array long enough for its ends
 /// not to matter; dead taxels are not considered. White noise of unit variance in `count` readings
-/// has the variance `count` in each of their Fourier coefficients; least squares with the transfer
-/// matrix A turns that into count [(A* A)^-1]_uu, and a cosine's amplitude is 2 / count times the
-/// real part of its coefficient, which has half of the variance:
+/// has the variance `count` in each of their Fourier coefficients; least squares with the
+/// matrix A of the kernels' exact transforms, channels x unknowns, turns that into count
+/// [(A* A)^-1]_uu, and a cosine's amplitude is 2 / count times the real part of its coefficient,
+/// which has half of the variance:
 ///
 ///     variance of the amplitude = 2 / count [(A* A)^-1]_uu
 ///                                (1 / count for the mean and at Nyquist, whose coefficient is

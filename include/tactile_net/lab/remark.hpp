@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "tactile_net/inverse/data_verdict.hpp"
-#include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/inverse/thesis/dft_tikhonov.hpp"
 #include "tactile_net/scene/units.hpp"
 
 namespace tactile_net::lab {

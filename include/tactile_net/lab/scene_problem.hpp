@@ -170,7 +170,6 @@ class SceneFrame {
 
   /// Every rule for alpha.
   [[nodiscard]] const AlphaSweep& sweep() const;
-  [[nodiscard]] bool has_sweep() const noexcept { return sweep_.has_value(); }
 
   /// The scene's alpha, or what its rule chooses on this frame, judged beside the other rules, as
   /// without constraints.

@@ -19,7 +19,8 @@ struct SensorChoice {
   std::vector<Resolution> resolutions{};  ///< from the mean, k = 0, to the shortest wavelength
   std::optional<double> normal{};         ///< resolvable wavelength [m]; absent: none is
   std::optional<double> tangential{};     ///< the same; absent with one unknown too
-  std::optional<double> unseen{};  ///< width of a contact between two taxels [m], unseen_width.hpp
+  /// Width of the contact between two taxels that no reading shows [m].
+  std::optional<double> unseen{};
 };
 
 /// True if the mean of that traction shows in no kernel: `resolutions` at k = 0.

@@ -81,7 +81,7 @@ class SkinSceneProblem {
   /// Of this alpha, kept at least until another alpha is asked for. @pre  there are constraints
   [[nodiscard]] std::shared_ptr<const SkinCone> cone(double alpha) const;
 
-  /// Whether readings can be true (skin_data_verdict.hpp).
+  /// Whether readings can be true.
   [[nodiscard]] const SkinDataJudge& data_judge() const;
   /// `unseen_cells` (skin_sight.hpp).
   [[nodiscard]] const std::vector<bool>& unseen() const;

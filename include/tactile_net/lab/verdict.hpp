@@ -7,8 +7,8 @@
 
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
-#include "tactile_net/inverse/dft.hpp"
-#include "tactile_net/inverse/dft_friction.hpp"
+#include "tactile_net/inverse/thesis/dft.hpp"
+#include "tactile_net/inverse/thesis/dft_friction.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 
 namespace tactile_net::lab {

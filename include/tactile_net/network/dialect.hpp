@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 
 namespace tactile_net {
@@ -13,7 +12,6 @@ inline constexpr std::array dialects = {Dialect::ngspice, Dialect::ltspice, Dial
 
 /// "ngspice" and so on.
 [[nodiscard]] std::string_view name(Dialect dialect) noexcept;
-[[nodiscard]] std::optional<Dialect> dialect_named(std::string_view name) noexcept;
 
 /// Throws on a card that another simulator than the dialect's would be needed for: a power `^` in a
 /// B card, which is an exclusive or elsewhere; `noopac`, which is ngspice's; for Xyce `.options`

@@ -35,8 +35,6 @@ enum class SkinShape { sphere, ellipsoid, punch, cone };
 
 /// "sphere" and so on.
 [[nodiscard]] std::string_view name(SkinShape shape) noexcept;
-/// The shape of that name, or nothing.
-[[nodiscard]] std::optional<SkinShape> skin_shape_named(std::string_view text) noexcept;
 
 /// A rigid body that presses, drags and twists.
 ///

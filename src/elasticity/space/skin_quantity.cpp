@@ -27,8 +27,4 @@ std::string_view name(SkinTraction component) noexcept {
   return name_in<skin_components>(component);
 }
 
-std::optional<SkinTraction> skin_traction_named(std::string_view text) noexcept {
-  return named_in<skin_components>(text);
-}
-
 }  // namespace tactile_net

@@ -2,16 +2,16 @@
 
 namespace tactile_net {
 
-ContactColumns::ContactColumns(std::span<const std::optional<double>> torsion_radii) {
-  for (std::size_t i = 0; i < torsion_radii.size(); ++i) {
+ContactColumns::ContactColumns(std::span<const SpaceContactPlace> places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
     first.push_back(std::ssize(column));
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < (places[i].planar ? 2U : 3U); ++k) {
       column.push_back(static_cast<Eigen::Index>(4 * i + k));
       scale.push_back(1.0);
     }
-    if (!torsion_radii[i]) continue;
+    if (!places[i].torsion_radius) continue;
     column.push_back(static_cast<Eigen::Index>(4 * i + 3));
-    scale.push_back(*torsion_radii[i]);
+    scale.push_back(*places[i].torsion_radius);
   }
   first.push_back(std::ssize(column));
 }

@@ -1,19 +1,19 @@
 /// @file
-/// A grasp's contact forces as one vector in newtons: three of a hard contact, and of a soft one
-/// torsion over its radius too. Private.
+/// A grasp's contact forces as one vector in newtons: three of a hard contact, two of a planar
+/// one, and of a soft one torsion over its radius too. Private.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "numeric/eigen.hpp"
+#include "tactile_net/grasp/space/space_contact.hpp"
 
 namespace tactile_net {
 
 /// Which of the four columns of a `SpaceMap` a contact has, and their scale.
 struct ContactColumns {
-  explicit ContactColumns(std::span<const std::optional<double>> torsion_radii);
+  explicit ContactColumns(std::span<const SpaceContactPlace> places);
 
   std::vector<Eigen::Index> column;  ///< of each force, among 4 contacts
   std::vector<double> scale;         ///< what a force of 1 N is there: 1, of torsion the radius

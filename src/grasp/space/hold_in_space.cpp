@@ -4,9 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "grasp/space/contact_columns.hpp"
 #include "grasp/space/least_in_cones.hpp"
+#include "grasp/space/least_on_edges.hpp"
 #include "grasp/space/space_map.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
@@ -16,17 +18,22 @@ namespace {
 
 constexpr double unborne = 1e-9;           // share of the load that contacts cannot bear
 constexpr double believed_minimum = 1e-8;  // of what is left of the conditions for a minimum
+constexpr double degenerate = 1e12;        // condition number beyond which torques are rounding
 
 void require(bool holds, const std::string& rule) {
   if (!holds) throw std::invalid_argument(rule);
 }
 
 void check(std::span<const SpaceFinger> fingers, std::span<const SpaceContactPlace> contacts,
-           const SpaceLoad& load, const SpaceHoldOptions& options) {
+           const SpaceLoad& load, const HoldOptions& options) {
   require(fingers.size() >= 2, "a grasp needs at least two fingers");
   require(contacts.size() == fingers.size(), "there must be one contact for each finger");
-  require(is_finite(load.force) && is_finite(load.torque) && is_finite(load.point),
-          "the external load must be finite");
+  require(is_finite(load), "the external load must be finite");
+  require(!options.grasping_force || !options.squeeze,
+          "grasping force and squeeze exclude each other");
+  require(!options.grasping_force || fingers.size() == 2,
+          "a grasping force is defined for two fingers; give a squeeze");
+  require(std::isfinite(options.grasping_force.value_or(0.0)), "the grasping force must be finite");
   require(std::isfinite(options.squeeze.value_or(0.0)), "the squeeze must be finite");
   require(options.friction.empty() || options.friction.size() == fingers.size(),
           "there must be one coefficient of friction for each finger, or none");
@@ -50,8 +57,12 @@ void check(std::span<const SpaceFinger> fingers, std::span<const SpaceContactPla
 /// x are the contacts' forces, those of a finger with friction along its cone: (mu F_x, F_y, ...).
 struct SpaceTask {
   SpaceTask(const SpaceMap& grasp, std::span<const SpaceContactPlace> contacts,
-            const SpaceLoad& external, const SpaceHoldOptions& asked)
-      : map(grasp), load(external), options(asked), columns(radii_of(contacts)) {
+            const SpaceLoad& external, const HoldOptions& asked)
+      : map(grasp), load(external), options(asked), columns(contacts) {
+    if (options.grasping_force)
+      squeeze = *options.grasping_force + std::abs(pressed());
+    else
+      squeeze = options.squeeze;
     along = Eigen::VectorXd::Ones(columns.count());
     for (std::size_t i = 0; i < options.friction.size(); ++i) {
       along(columns.first[i]) = 1.0 / options.friction[i];
@@ -64,9 +75,9 @@ struct SpaceTask {
     wanted = Eigen::VectorXd(all.rows());
     const Vector3 moment = load.torque + cross(load.point - map.middle(), load.force);
     wanted.head<6>() << -column_of(load.force), -column_of(moment) / map.spread();
-    if (options.squeeze) {
+    if (squeeze) {
       all.bottomRows<1>() = in_cones(map.squeeze());
-      wanted(6) = *options.squeeze;
+      wanted(6) = *squeeze;
     }
     const Svd svd = singular_value_decomposition(all);
     const Eigen::Index rank = (svd.values.array() > rank_rounding * svd.values(0)).count();
@@ -75,17 +86,18 @@ struct SpaceTask {
     least.d = range.transpose() * wanted;
   }
 
-  static std::vector<std::optional<double>> radii_of(std::span<const SpaceContactPlace> contacts) {
-    std::vector<std::optional<double>> radii;
-    for (const SpaceContactPlace& contact : contacts) radii.push_back(contact.torsion_radius);
-    return radii;
+  /// Along the line of two fingers: the load presses one of them with its size.
+  [[nodiscard]] double pressed() const { return dot(map.inward(0), load.force); }
+  /// Every contact has two forces, so that its cone is two edges.
+  [[nodiscard]] bool has_edges() const {
+    return columns.count() == 2 * static_cast<Eigen::Index>(map.contacts());
   }
   [[nodiscard]] Eigen::MatrixXd in_cones(const Eigen::MatrixXd& matrix) const {
     return columns.of(matrix) * along.asDiagonal();
   }
   /// Moments over the grasp's length, and room for the squeeze.
   [[nodiscard]] Eigen::MatrixXd wrench_rows(const Eigen::MatrixXd& wrench) const {
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(options.squeeze ? 7 : 6, wrench.cols());
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(squeeze ? 7 : 6, wrench.cols());
     rows.topRows<6>() = wrench;
     rows.middleRows<3>(3) /= map.spread();
     return rows;
@@ -97,8 +109,9 @@ struct SpaceTask {
 
   const SpaceMap& map;
   const SpaceLoad& load;
-  const SpaceHoldOptions& options;
+  const HoldOptions& options;
   ContactColumns columns;
+  std::optional<double> squeeze;
   Eigen::VectorXd along;   // forces in newtons, of x
   Eigen::MatrixXd all;     // all rows of equilibrium, and the squeeze
   Eigen::VectorXd wanted;  // what they are to be
@@ -119,12 +132,13 @@ void refuse_unborne(const SpaceTask& task) {
 /// Of the cones without the squeeze: a motion that nothing resists, or the least squeeze.
 [[noreturn]] void refuse(const SpaceTask& task, const ConeAnswer& answer,
                          std::span<const SpaceContactPlace> contacts) {
-  if (!task.options.squeeze) {
+  if (!task.squeeze) {
     const Eigen::VectorXd y = task.range * answer.y.tail(task.range.cols());
     throw CannotHoldInSpace(NoHold::beyond_cones, task.motion(-y / y.norm()), std::nullopt);
   }
-  SpaceHoldOptions options = task.options;
+  HoldOptions options = task.options;
   options.squeeze.reset();
+  options.grasping_force.reset();
   const SpaceTask loose(task.map, contacts, task.load, options);
   refuse_unborne(loose);
   ConeProgram program{.c = loose.in_cones(task.map.squeeze()).transpose(),
@@ -137,7 +151,7 @@ void refuse_unborne(const SpaceTask& task) {
     throw CannotHoldInSpace(NoHold::beyond_cones, loose.motion(-y / y.norm()), std::nullopt);
   }
   std::optional<double> squeeze;
-  if (least.kind == ConeAnswer::Kind::solved && program.c.dot(least.x) > *task.options.squeeze)
+  if (least.kind == ConeAnswer::Kind::solved && program.c.dot(least.x) > *task.squeeze)
     squeeze = program.c.dot(least.x);
   throw CannotHoldInSpace(NoHold::beyond_cones_squeezed, std::nullopt, squeeze);
 }
@@ -164,8 +178,29 @@ ConeAnswer inner_answer(const SpaceTask& task, std::span<const SpaceContactPlace
   return answer;
 }
 
+/// Where every cone is two edges: by the forces along them.
+EdgePoint edge_point(const SpaceTask& task) {
+  const Eigen::Index n = task.least.m.cols();
+  Eigen::MatrixXd edges = Eigen::MatrixXd::Identity(n, n);  // unit forces
+  for (std::size_t i = 0; i < task.options.friction.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(2 * i);
+    const double mu = task.options.friction[i];
+    edges.block<2, 2>(at, at) << 1.0, 1.0, 1.0, -1.0;
+    edges.block<2, 2>(at, at) *= mu / std::hypot(1.0, mu);
+  }
+  LeastOnEdges least{task.least.m * edges, task.least.c * edges, task.least.d,
+                     !task.least.cones.empty()};
+  if (!(least.condition() < degenerate))
+    throw CannotHoldInSpace(NoHold::undetermined, std::nullopt, std::nullopt);
+  auto held = least.held_bounds();
+  if (!held)
+    throw CannotHoldInSpace(task.squeeze ? NoHold::beyond_cones_squeezed : NoHold::beyond_cones,
+                            std::nullopt, std::nullopt);
+  return {std::move(least), std::move(edges), std::move(*held)};
+}
+
 /// By the contact of finger `by` moving along `way`.
-Eigen::VectorXd change_by_place(const SpaceTask& task, const LeastPoint& point,
+Eigen::VectorXd change_by_place(const SpaceTask& task, const auto& point,
                                 const Eigen::VectorXd& felt, std::size_t by, Vector3 way) {
   const SpaceMap& map = task.map;
   const Eigen::Index four = 4 * static_cast<Eigen::Index>(by);
@@ -175,7 +210,7 @@ Eigen::VectorXd change_by_place(const SpaceTask& task, const LeastPoint& point,
   Eigen::MatrixXd dg = Eigen::MatrixXd::Zero(6, felt.size());
   dg.middleCols<4>(four) = map.wrench_change(by, way);
   Eigen::MatrixXd rows = task.wrench_rows(task.in_cones(dg));
-  if (task.options.squeeze) {
+  if (task.squeeze) {
     Eigen::MatrixXd de = Eigen::MatrixXd::Zero(1, felt.size());
     for (std::size_t i = 0; i < map.contacts(); ++i) {
       const Vector3 change = map.inward_change(i, by, way);
@@ -189,11 +224,15 @@ Eigen::VectorXd change_by_place(const SpaceTask& task, const LeastPoint& point,
   Eigen::MatrixXd dm = Eigen::MatrixXd::Zero(task.least.m.rows(), task.least.m.cols());
   if (task.options.least == Least::torques) dm = task.in_cones(dt) / map.spread();
   const Eigen::VectorXd x = point.x();
-  return point.change(dm * x, dc * x,
+  Eigen::VectorXd by_c = dc * x;
+  if (task.options.grasping_force)
+    by_c -= std::copysign(1.0, task.pressed()) *
+            dot(map.inward_change(0, by, way), task.load.force) * task.range.row(6).transpose();
+  return point.change(dm * x, by_c,
                       dm.transpose() * point.minus_mx() + dc.transpose() * point.multipliers());
 }
 
-HeldSpaceGrasp with_deviations(const SpaceTask& task, const LeastPoint& point,
+HeldSpaceGrasp with_deviations(const SpaceTask& task, const auto& point,
                                std::span<const SpaceContactPlace> contacts) {
   const SpaceMap& map = task.map;
   const auto n = static_cast<Eigen::Index>(map.contacts());
@@ -228,17 +267,23 @@ HeldSpaceGrasp with_deviations(const SpaceTask& task, const LeastPoint& point,
 
 HeldSpaceGrasp hold(std::span<const SpaceFinger> fingers,
                     std::span<const SpaceContactPlace> contacts, const SpaceLoad& load,
-                    const SpaceHoldOptions& options) {
+                    const HoldOptions& options) {
   check(fingers, contacts, load, options);
   const SpaceMap map(fingers, contacts);
   require(map.has_spread(), "the contacts coincide: no line joins them");
-  for (std::size_t i = 0; options.squeeze && i < fingers.size(); ++i)
+  for (std::size_t i = 0; (options.squeeze || options.grasping_force) && i < fingers.size(); ++i)
     require(!std::isnan(map.inward(i).x),
             "finger '" + fingers[i].name +
                 "': its contact is in the middle of all contacts, where no direction is inward to "
                 "squeeze");
   const SpaceTask task(map, contacts, load, options);
   refuse_unborne(task);
+  if (task.has_edges()) {
+    const EdgePoint point = edge_point(task);
+    HeldSpaceGrasp grasp = with_deviations(task, point, contacts);
+    grasp.condition = point.condition();
+    return grasp;
+  }
   const ConeAnswer inner = inner_answer(task, contacts);
   const LeastPoint point(task.least, inner.x, inner.s);
   if (!(point.violation() <= believed_minimum && point.residual() <= believed_minimum &&

@@ -70,21 +70,19 @@ InternalForces internal_forces(std::span<const SpaceFinger> fingers,
   if (actions.size() != fingers.size())
     throw std::invalid_argument("there must be one action for each finger");
   std::vector<SpaceContactPlace> places;
-  std::vector<std::optional<double>> radii;
   Eigen::VectorXd felt(4 * std::ssize(actions));
   bool jointed = true;
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     check(fingers[i]);
     const PadFrame pad = pad_frame(fingers[i]);
     const Vector3 from = actions[i].point - pad.origin;
-    radii.push_back(actions[i].torsion_radius);
-    places.push_back({dot(from, pad.y), dot(from, pad.z), {}, radii.back()});
+    places.push_back({dot(from, pad.y), dot(from, pad.z), {}, actions[i].torsion_radius});
     felt.segment<4>(static_cast<Eigen::Index>(4 * i)) << actions[i].normal, actions[i].tangential_y,
         actions[i].tangential_z, actions[i].torsion;
     jointed = jointed && joint_count(fingers[i]) > 0;
   }
   const SpaceMap map(fingers, places);
-  const ContactColumns columns(radii);
+  const ContactColumns columns(places);
   const double size = map.spread() > 0.0 ? map.spread() : 1.0;
   Eigen::MatrixXd g = columns.of(map.wrench(map.middle()));
   g.bottomRows<3>() /= size;

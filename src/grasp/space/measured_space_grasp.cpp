@@ -37,12 +37,13 @@ Parameters parameters_of(std::span<const SpaceFingertipForce> forces) {
   return p;
 }
 
-/// Sum of the components towards the middle.
-std::optional<Uncertain> squeeze_of(const SpaceMap& map, const Parameters& p) {
-  if (map.contacts() < 2 || !map.has_spread()) return std::nullopt;
+/// Sum of the components towards the middle, and what of the load the thesis takes off for f_g.
+void add_squeeze(MeasuredSpaceGrasp& result, const SpaceMap& map, const Parameters& p,
+                 const SpaceLoad& load) {
+  if (map.contacts() < 2 || !map.has_spread()) return;
   Eigen::RowVectorXd gradient = map.squeeze() * p.felt_by;
   for (std::size_t i = 0; i < map.contacts(); ++i) {
-    if (std::isnan(map.inward(i).x)) return std::nullopt;
+    if (std::isnan(map.inward(i).x)) return;
     const PadFrame& pad = map.frame(i);
     const Eigen::Vector4d f = p.felt.segment<4>(static_cast<Eigen::Index>(4 * i));
     const Vector3 force = -(f(0) * pad.x + f(1) * pad.y + f(2) * pad.z);
@@ -52,8 +53,18 @@ std::optional<Uncertain> squeeze_of(const SpaceMap& map, const Parameters& p) {
       gradient(at + 1) += dot(map.inward_change(i, k, map.frame(k).z), force);
     }
   }
-  return Uncertain{map.squeeze().dot(p.felt.transpose()),
-                   std::sqrt(std::max((gradient * p.covariance).dot(gradient), 0.0))};
+  const auto deviation = [&] {
+    return std::sqrt(std::max((gradient * p.covariance).dot(gradient), 0.0));
+  };
+  result.squeeze = Uncertain{map.squeeze().dot(p.felt.transpose()), deviation()};
+  if (map.contacts() != 2) return;
+  const double pressed = dot(map.inward(0), load.force);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Eigen::Index at = values * static_cast<Eigen::Index>(k) + centre_y;
+    for (const Vector3 way : {map.frame(k).y, map.frame(k).z})
+      gradient(at++) -= std::copysign(1.0, pressed) * dot(map.inward_change(0, k, way), load.force);
+  }
+  result.grasping_force = Uncertain{result.squeeze->value - std::abs(pressed), deviation()};
 }
 
 }  // namespace
@@ -64,8 +75,7 @@ MeasuredSpaceGrasp measured_grasp(std::span<const SpaceFinger> fingers,
   if (fingers.empty()) throw std::invalid_argument("a hand has at least one finger");
   if (forces.size() != fingers.size())
     throw std::invalid_argument("there must be one fingertip force for each finger");
-  if (!is_finite(load.force) || !is_finite(load.torque) || !is_finite(load.point))
-    throw std::invalid_argument("the external load must be finite");
+  if (!is_finite(load)) throw std::invalid_argument("the external load must be finite");
   std::vector<SpaceContactPlace> places;
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     check(fingers[i], forces[i]);
@@ -101,9 +111,10 @@ MeasuredSpaceGrasp measured_grasp(std::span<const SpaceFinger> fingers,
     const auto at = static_cast<Eigen::Index>(i);
     result.unbalanced[i] = {unbalanced(at), std::sqrt(std::max(c(at, at), 0.0))};
   }
+  result.unbalanced_covariance = from_eigen(c);
   result.chi_squared = chi_squared(unbalanced, c);
   if (total > 0.0) result.unbalanced_share = unbalanced.head<3>().norm() / total;
-  result.squeeze = squeeze_of(map, p);
+  add_squeeze(result, map, p, load);
   return result;
 }
 

@@ -9,7 +9,6 @@ namespace tactile_net {
 
 FrictionMargin friction_margin(const SpaceAction& action, double friction) {
   const double size = action.slipping();
-  const double scale = 1.0 / std::hypot(1.0, friction);
   const double per_torsion = action.torsion_radius ? 1.0 / *action.torsion_radius : 0.0;
   // In forces: (F_x, F_y, F_z, T / radius).
   const Eigen::Vector4d units(1.0, 1.0, 1.0, per_torsion);
@@ -27,14 +26,7 @@ FrictionMargin friction_margin(const SpaceAction& action, double friction) {
                 std::sqrt(std::fmax(
                     symmetric_eigenvalues(Eigen::MatrixXd(c.bottomRightCorner<3, 3>()))(2), 0.0));
   }
-  FrictionMargin margin;
-  margin.distance = {scale * (friction * action.normal - size), scale * deviation};
-  margin.used = is_idle(action)       ? 0.0
-                : action.normal > 0.0 ? size / (friction * action.normal)
-                                      : INFINITY;
-  margin.angle = std::atan(friction) - std::atan2(size, action.normal);
-  margin.verdict = verdict_of(margin, is_idle(action), action.normal);
-  return margin;
+  return friction_margin(action.normal, size, deviation, friction);
 }
 
 }  // namespace tactile_net

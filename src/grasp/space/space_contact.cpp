@@ -55,6 +55,8 @@ void check(const SpaceFinger& finger, const SpaceFingertipForce& force) {
   require(finger, force.normal > 0.0, "the normal force must be > 0: it points into the pad");
   require(finger, force.place.torsion_radius || force.torsion == 0.0,
           "a hard finger has no torsion: a soft one has a radius of it");
+  require(finger, !force.place.planar || force.tangential_z == 0.0,
+          "a planar contact has no force along z");
   check_variances(finger, force.covariance, 6);
 }
 

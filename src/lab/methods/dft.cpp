@@ -1,6 +1,6 @@
 // dft: division by the kernel's DFT, with known friction (thesis 3.2), or least squares frequency
 // by frequency where there are several channels.
-#include "tactile_net/inverse/dft.hpp"
+#include "tactile_net/inverse/thesis/dft.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,8 +9,8 @@
 #include "lab/methods/frame_check.hpp"
 #include "lab/methods/methods.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
-#include "tactile_net/inverse/dft_friction.hpp"
-#include "tactile_net/inverse/dft_tikhonov.hpp"
+#include "tactile_net/inverse/thesis/dft_friction.hpp"
+#include "tactile_net/inverse/thesis/dft_tikhonov.hpp"
 
 namespace tactile_net::lab {
 namespace {

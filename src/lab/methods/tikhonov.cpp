@@ -1,6 +1,7 @@
 // tikhonov and closed_form by dense matrices: one product a frame where all weights are given.
 #include "lab/methods/methods.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/thesis/closed_form.hpp"
 
 namespace tactile_net::lab {
 namespace {

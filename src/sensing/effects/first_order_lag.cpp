@@ -1,4 +1,4 @@
-#include "tactile_net/sensing/effects/first_order_lag.hpp"
+#include "sensing/effects/first_order_lag.hpp"
 
 #include <cmath>
 

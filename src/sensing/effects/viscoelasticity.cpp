@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "sensing/effects/first_order_lag.hpp"
 #include "sensing/effects/per_taxel.hpp"
-#include "tactile_net/sensing/effects/first_order_lag.hpp"
 
 namespace tactile_net {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
+#include "numeric/split_mix.hpp"
 #include "skin/large/system.hpp"
 
 namespace tactile_net {
@@ -75,14 +75,6 @@ BandProbe beside_dead(const SkinProblem& problem, std::size_t least) {
   return probe;
 }
 
-/// Bit after bit, always the same.
-double sign_of(std::size_t i) noexcept {
-  std::uint64_t mixed = (static_cast<std::uint64_t>(i) + 1) * 0x9e3779b97f4a7c15;
-  mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;
-  mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
-  return ((mixed ^ (mixed >> 31)) & 1) == 0 ? -1.0 : 1.0;
-}
-
 }  // namespace
 
 std::vector<BandProbe> band_probes(const SkinProblem& problem) {
@@ -102,7 +94,8 @@ std::vector<double> probed_deviations(LargeSkinTikhonov& solver, double prior_al
                                       const BandProbe& probe) {
   LargeSkinSystem& system = *solver.system();
   std::vector<double> signs(system.tractions());
-  for (std::size_t i = 0; i < probe.tractions.size(); ++i) signs[probe.tractions[i]] = sign_of(i);
+  for (std::size_t i = 0; i < probe.tractions.size(); ++i)
+    signs[probe.tractions[i]] = random_sign(i * split_mix_step);
   // C = P^-1 (K'W^2 K + alpha^2 / prior_alpha L'L) P^-1
   //   = P^-1 + (alpha / prior_alpha - 1) P^-1 alpha L'L P^-1.
   std::vector<double> image = solver.solve_normal(signs, residual);

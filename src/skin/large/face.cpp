@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "numeric/conjugate_gradients.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/coordinates.hpp"
 #include "skin/large/solved_sums.hpp"
@@ -17,7 +18,7 @@ namespace {
 using Eigen::Index;
 
 constexpr double enough = 1e-6;  // of a residual; a variance is off by about its square
-constexpr int most_steps = 3000;
+constexpr std::size_t most_steps = 3000;
 
 }  // namespace
 
@@ -45,21 +46,28 @@ struct LargeSkinFaceCovariance::Parts {
     Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
     Eigen::VectorXd image = Eigen::VectorXd::Zero(static_cast<Index>(system->readings()));
     Eigen::VectorXd gradient = right;
-    Eigen::VectorXd direction = right;
+    Eigen::VectorXd preconditioned(right.size());
+    Eigen::VectorXd direction(right.size());
+    Eigen::VectorXd read;
     const double goal = enough * right.norm();
-    double power = right.squaredNorm();
-    int step = 0;
-    for (; step < most_steps && std::sqrt(power) > goal; ++step) {
-      const Eigen::VectorXd read = readings(direction);
-      const double length = power / (read.squaredNorm() + alpha * direction.squaredNorm());
-      x += length * direction;
-      image += length * read;
-      gradient -= length * (sums(read) + alpha * direction);
-      const double next = gradient.squaredNorm();
-      direction = gradient + next / power * direction;
-      power = next;
-    }
-    if (!(std::sqrt(power) <= goal)) return {};
+    double left = right.norm();
+    conjugate_gradients(
+        {as_span(x), as_span(gradient), as_span(preconditioned), as_span(direction)}, most_steps,
+        [&] {
+          read = readings(direction);
+          return read.squaredNorm() + alpha * direction.squaredNorm();
+        },
+        [&](double step) {
+          image += step * read;
+          gradient -= step * (sums(read) + alpha * direction);
+        },
+        not_preconditioned,
+        [&](std::span<const double>, std::span<const double>) { return gradient.squaredNorm(); },
+        [&](std::size_t, double) {
+          left = gradient.norm();
+          return !(left > goal);
+        });
+    if (!(left <= goal)) return {};
     Eigen::VectorXd both(image.size() + x.size());
     both << image, x;
     return both;

@@ -9,6 +9,7 @@
 #include "inverse/weighting.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/split_mix.hpp"
 #include "skin/coordinates.hpp"
 #include "skin/large/system.hpp"
 
@@ -64,18 +65,12 @@ Eigen::VectorXd fits(std::span<const double> diagonal, std::span<const double> b
   return all;
 }
 
-/// Random signs at the rows that count: bit after bit of SplitMix64 (Steele, Lea and Flood 2014).
+/// Random signs at the rows that count.
 Eigen::VectorXd signs(std::span<const double> weights, std::uint64_t probe) {
-  std::uint64_t state = probe << 40;
+  std::uint64_t counter = probe << 40;
   Eigen::VectorXd all(std::ssize(weights));
-  for (Index i = 0; i < all.size(); ++i) {
-    state += 0x9e3779b97f4a7c15;
-    std::uint64_t mixed = state;
-    mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;
-    mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
-    const double sign = ((mixed ^ (mixed >> 31)) & 1) == 0 ? -1.0 : 1.0;
-    all(i) = weights[static_cast<std::size_t>(i)] == 0.0 ? 0.0 : sign;
-  }
+  for (Index i = 0; i < all.size(); ++i, counter += split_mix_step)
+    all(i) = weights[static_cast<std::size_t>(i)] == 0.0 ? 0.0 : random_sign(counter);
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "numeric/conjugate_gradients.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
@@ -126,6 +127,7 @@ Eigen::MatrixXd SkinPreconditioner::slow_parts(const Eigen::MatrixXd& tractions,
   Index count = 0;
   Eigen::VectorXd z(size);
   Eigen::VectorXd image(size);
+  Eigen::VectorXd direction(size);
   const auto keep = [&](Eigen::VectorXd part) {
     multiply(as_span(part), as_span(image));
     const double energy = part.dot(image);
@@ -139,24 +141,26 @@ Eigen::MatrixXd SkinPreconditioner::slow_parts(const Eigen::MatrixXd& tractions,
     coarse_->add_correction(as_span(residual), as_span(x));
     multiply(as_span(x), as_span(image));
     residual = -image;
-    apply(as_span(residual), as_span(z));
-    Eigen::VectorXd direction = z;
-    double power = residual.dot(z);
-    std::size_t step = 0;
-    for (std::size_t until = 2; until <= steps; until *= 2) {
-      const Eigen::VectorXd before = x;
-      for (; step < until && power > 0.0; ++step) {
-        multiply(as_span(direction), as_span(image));
-        const double length = power / direction.dot(image);
-        x += length * direction;
-        residual -= length * image;
-        apply(as_span(residual), as_span(z));
-        const double next = residual.dot(z);
-        direction = z + (next / power) * direction;
-        power = next;
-      }
-      if (until > 2) keep(before - x);
-    }
+    Eigen::VectorXd before;
+    std::size_t made = 0;
+    conjugate_gradients(
+        {as_span(x), as_span(residual), as_span(z), as_span(direction)},
+        steps < 2 ? 0 : std::bit_floor(steps),
+        [&] {
+          multiply(as_span(direction), as_span(image));
+          return direction.dot(image);
+        },
+        [&](double step) { residual -= step * image; },
+        [&](std::span<const double> from, std::span<double> to) { apply(from, to); },
+        [&](std::span<const double>, std::span<const double>) { return residual.dot(z); },
+        [&](std::size_t count_of_steps, double) {
+          made = count_of_steps;
+          if (!std::has_single_bit(made) || made < 2) return false;
+          if (made > 2) keep(before - x);
+          before = x;
+          return false;
+        });
+    if (made > 2 && !std::has_single_bit(made)) keep(before - x);
     keep(x);
   }
   parts.conservativeResize(size, count);

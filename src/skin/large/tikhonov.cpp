@@ -7,29 +7,13 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "numeric/conjugate_gradients.hpp"
 #include "numeric/finite.hpp"
 #include "skin/large/even_readings.hpp"
 #include "skin/large/preconditioner.hpp"
 #include "skin/large/system.hpp"
 
 namespace tactile_net {
-namespace {
-
-double dot(std::span<const double> a, std::span<const double> b) noexcept {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-/// y = x + factor y
-void turn(std::span<double> y, double factor, std::span<const double> x) noexcept {
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] = x[i] + factor * y[i];
-}
-
-/// y += factor x
-void add(std::span<double> y, double factor, std::span<const double> x) noexcept {
-  for (std::size_t i = 0; i < y.size(); ++i) y[i] += factor * x[i];
-}
-
-}  // namespace
 
 struct LargeSkinTikhonov::Parts {
   explicit Parts(std::shared_ptr<LargeSkinSystem> made)
@@ -55,51 +39,52 @@ struct LargeSkinTikhonov::Parts {
   /// @param done  whether `convergence` will do
   template <typename Done>
   void iterate(std::size_t step_limit, bool has_rows, Done&& done) {
-    const double right = std::sqrt(dot(gradient, gradient));
+    const double right = std::sqrt(dot_in_order(gradient, gradient));
     preconditioner->start(gradient, f);
     if (preconditioner->has_coarse_space()) {
       system->apply(alpha, f, image);
       follow(1.0, has_rows);
     }
-    preconditioner->apply(gradient, preconditioned);
-    direction = preconditioned;
     const double least = least_eigenvalue();
-    double power = dot(gradient, preconditioned);
     std::array<double, 4> gains{};
-    convergence = {.steps = 0, .residual = 1.0, .converged = !(power > 0.0)};
-    while (convergence.steps < step_limit && power > 0.0) {
-      system->apply(alpha, direction, image);
-      const double step = power / dot(image, image);
-      if (!std::isfinite(step)) break;
-      add(f, step, direction);
-      follow(step, has_rows);
-      ++convergence.steps;
-      const double size = std::sqrt(dot(f, f));
-      const double left = std::sqrt(dot(gradient, gradient));
-      // What the last steps took off the error in the norm of P: a step later than that, the error
-      // was about as large.
-      gains[convergence.steps % gains.size()] = step * power;
-      const double gained = std::accumulate(gains.begin(), gains.end(), 0.0);
-      convergence.residual = left / right;
-      convergence.bound = left / (least * size);
-      convergence.estimate =
-          convergence.steps < gains.size() ? convergence.bound : std::sqrt(gained / least) / size;
-      if ((convergence.converged = done(convergence))) break;
-      preconditioner->apply(gradient, preconditioned);
-      const double next = dot(gradient, preconditioned);
-      turn(direction, next / power, preconditioned);
-      power = next;
-    }
+    convergence = {.steps = 0, .residual = 1.0, .converged = false};
+    const double power = conjugate_gradients(
+        {f, gradient, preconditioned, direction}, step_limit,
+        [&] {
+          system->apply(alpha, direction, image);
+          return dot_in_order(image, image);
+        },
+        [&](double step) { follow(step, has_rows); },
+        [&](std::span<const double> from, std::span<double> to) {
+          preconditioner->apply(from, to);
+        },
+        dot_in_order,
+        [&](std::size_t steps, double gain) {
+          convergence.steps = steps;
+          const double size = std::sqrt(dot_in_order(f, f));
+          const double left = std::sqrt(dot_in_order(gradient, gradient));
+          // What the last steps took off the error in the norm of P: a step later than that, the
+          // error was about as large.
+          gains[steps % gains.size()] = gain;
+          const double gained = std::accumulate(gains.begin(), gains.end(), 0.0);
+          convergence.residual = left / right;
+          convergence.bound = left / (least * size);
+          convergence.estimate =
+              steps < gains.size() ? convergence.bound : std::sqrt(gained / least) / size;
+          convergence.converged = done(convergence);
+          return convergence.converged;
+        });
+    if (convergence.steps == 0 && power <= 0.0) convergence.converged = true;
   }
 
   /// Residual and gradient after f went on by `step` times what `image` is the image of.
   void follow(double step, bool has_rows) {
     if (has_rows) {
-      add(residual, -step, image);
+      add_multiple(residual, -step, image);
       system->apply_transposed(alpha, residual, gradient);
     } else {
       system->apply_transposed(alpha, image, preconditioned);  // P times the direction
-      add(gradient, -step, preconditioned);
+      add_multiple(gradient, -step, preconditioned);
     }
   }
 

@@ -8,11 +8,8 @@ using namespace tactile_net;
 TEST_CASE("every quantity and every traction of a skin is found by its name", "[skin_quantity]") {
   for (const SkinQuantity quantity : skin_quantities)
     CHECK(skin_quantity_named(name(quantity)) == quantity);
-  for (const SkinTraction component : skin_tractions)
-    CHECK(skin_traction_named(name(component)) == component);
   CHECK(skin_quantity_named("shear_zy") == std::nullopt);
   CHECK(skin_quantity_named("") == std::nullopt);
-  CHECK(skin_traction_named("tangential") == std::nullopt);
 }
 
 TEST_CASE("a line array's quantities keep their names and units in a skin", "[skin_quantity]") {

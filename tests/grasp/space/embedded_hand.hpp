@@ -4,34 +4,33 @@
 
 #include <vector>
 
+#include "tactile_net/grasp/in_space.hpp"
 #include "tests/grasp/space/space_hands.hpp"
 
 namespace tactile_net {
 
-/// The plane's X and Y are the first two axes; all joints turn about the third.
-inline SpaceHand embedded(const Hand& plane, const std::vector<FingertipForce>& forces) {
-  SpaceHand hand;
-  const auto lifted = [](Vector2 v) { return Vector3{v.x, v.y, 0.0}; };
-  for (std::size_t i = 0; i < plane.fingers.size(); ++i) {
-    const FingerPose pose = pose_of(plane.fingers[i]);
-    SpaceFinger finger{.name = plane.fingers[i].name,
-                       .place = lifted(pose.pad_center),
-                       .normal = lifted(pose.inward),
-                       .tangent = lifted(pose.along)};
-    for (const Vector2 joint : pose.joints)
-      finger.joints.push_back({lifted(joint), {0.0, 0.0, 1.0}});
-    SpaceFingertipForce force{.normal = forces[i].normal,
-                              .tangential_y = forces[i].tangential,
-                              .place = {forces[i].centre, 0.0}};
-    const std::size_t from[] = {0, 1, 3};  // of normal, tangential, centre
-    for (std::size_t a = 0; a < 3; ++a)
-      for (std::size_t b = 0; b < 3; ++b)
-        force.covariance[6 * from[a] + from[b]] = forces[i].covariance.values[3 * a + b];
-    hand.fingers.push_back(finger);
-    hand.forces.push_back(force);
+/// @param planar  false: contacts that bear forces across the plane too, which nothing asks of them
+inline SpaceHand embedded(const Hand& plane, const std::vector<FingertipForce>& forces,
+                          bool planar) {
+  SpaceHand hand{.load = in_space(plane.load)};
+  for (const Finger& finger : plane.fingers) hand.fingers.push_back(in_space(finger));
+  for (const FingertipForce& force : forces) {
+    hand.forces.push_back(in_space(force));
+    hand.forces.back().place.planar = planar;
   }
-  hand.load = {lifted(plane.load.force), {0.0, 0.0, plane.load.torque}, lifted(plane.load.point)};
   return hand;
+}
+
+/// Contacts that press somehow, at the hand's places.
+inline SpaceHand embedded(const Hand& plane, bool planar) {
+  std::vector<FingertipForce> forces;
+  for (const ContactPlace& contact : plane.contacts) {
+    FingertipForce force{.normal = 1.0, .centre = contact.centre};
+    force.covariance(ContactValue::centre, ContactValue::centre) =
+        contact.deviation * contact.deviation;
+    forces.push_back(force);
+  }
+  return embedded(plane, forces, planar);
 }
 
 /// At X = -1 and 1, pressing towards each other; without joints.

@@ -11,7 +11,7 @@ using namespace tactile_net;
 
 namespace {
 
-HeldSpaceGrasp held(const SpaceHand& hand, const SpaceHoldOptions& options) {
+HeldSpaceGrasp held(const SpaceHand& hand, const HoldOptions& options) {
   return hold(hand.fingers, hand.places(), hand.load, options);
 }
 
@@ -43,7 +43,7 @@ Eigen::Matrix<double, 6, 1> random_wrench(Random& random, const SpaceFinger& fin
   return wrench;
 }
 
-const SpaceHoldOptions least_forces{.friction = {0.5, 0.5}, .least = Least::forces};
+const HoldOptions least_forces{.friction = {0.5, 0.5}, .least = Least::forces};
 
 }  // namespace
 
@@ -54,7 +54,7 @@ TEST_CASE("forces that hold are in equilibrium, inside the cones, and none are l
   Random random(seed);
   const std::size_t fingers = 3 + seed % 2;
   const SpaceHand hand = random_space_hand(random, fingers, 3, seed % 3);
-  const SpaceHoldOptions options{.friction = std::vector<double>(fingers, 0.8)};
+  const HoldOptions options{.friction = std::vector<double>(fingers, 0.8)};
   const HeldSpaceGrasp grasp = held(hand, options);
   const double size = size_of(grasp.fingers);
   CHECK(sum_of(grasp.fingers, hand.load).norm() < 1e-11 * size);
@@ -67,7 +67,7 @@ TEST_CASE("forces that hold are in equilibrium, inside the cones, and none are l
   const std::vector<double> least = torques_of(grasp);
   for (const double squeeze : {1.02, 1.1, 1.5, 3.0})
     for (const Least other : {Least::forces, Least::torques}) {
-      SpaceHoldOptions more = options;
+      HoldOptions more = options;
       more.squeeze = squeeze * grasp.squeeze;
       more.least = other;
       const std::vector<double> torques = torques_of(held(hand, more));
@@ -97,7 +97,7 @@ TEST_CASE("soft fingers bear a torque about the line between them, up to their e
           "[grasp]") {
   // Each bears half the torque, of at most mu N r.
   const double radius = 0.1;
-  SpaceHoldOptions options{.squeeze = 8.0, .friction = {0.5, 0.5}, .least = Least::forces};
+  HoldOptions options{.squeeze = 8.0, .friction = {0.5, 0.5}, .least = Least::forces};
   const double most = 2.0 * 0.5 * 4.0 * radius;
   const HeldSpaceGrasp grasp = held(two_opposed(radius, {.torque = {0.999 * most, 0, 0}}), options);
   CHECK_THAT(grasp.fingers[0].moment.x, WithinRel(-0.4995 * most, 1e-9));
@@ -149,7 +149,7 @@ TEST_CASE("a load that cannot be held is refused with a motion that proves it",
   }
   hand.load = {.force = {0.0, 0.0, -1.0}};
   const double friction = 0.3;
-  SpaceHoldOptions options{.friction = {friction, friction, friction}};
+  HoldOptions options{.friction = {friction, friction, friction}};
   if (seed % 2 == 1) options.squeeze = 2.0;
   try {
     (void)held(hand, options);
@@ -200,15 +200,9 @@ TEST_CASE("a hand in the plane holds the same in space", "[grasp][property]") {
     } catch (const std::exception&) {
       continue;
     }
-    std::vector<FingertipForce> forces;
-    for (const ContactPlace& contact : plane.contacts) {
-      FingertipForce force{.normal = 1.0, .centre = contact.centre};
-      force.covariance(ContactValue::centre, ContactValue::centre) = 1e-4;
-      forces.push_back(force);
-    }
     CAPTURE(i);
-    const HeldSpaceGrasp grasp = held(embedded(plane, forces), {.squeeze = flat_options.squeeze,
-                                                                .friction = flat_options.friction});
+    const HeldSpaceGrasp grasp = held(embedded(plane, false), {.squeeze = flat_options.squeeze,
+                                                               .friction = flat_options.friction});
     double size = 0.0;
     double deviation = 0.0;
     for (const FingerAction& action : flat.fingers)
@@ -228,10 +222,60 @@ TEST_CASE("a hand in the plane holds the same in space", "[grasp][property]") {
   CHECK(compared >= 8);
 }
 
+TEST_CASE("a hand in the plane is the same hand wherever the plane lies", "[grasp][property]") {
+  Random random(3);
+  const Eigen::AngleAxisd turn(0.9, Eigen::Vector3d(1.0, 0.4, -2.0).normalized());
+  int compared = 0;
+  for (int i = 0; i < 60; ++i) {
+    CAPTURE(i);
+    const std::size_t fingers = 2 + static_cast<std::size_t>(i) % 3;
+    Hand plane = random_hand(random, fingers, 2);
+    for (ContactPlace& contact : plane.contacts) contact.deviation = 0.01;
+    HoldOptions options{.friction = std::vector<double>(fingers, 1.5)};
+    if (i % 3 == 0) options = {.grasping_force = random.between(1.0, 5.0)};
+    HeldGrasp flat;
+    try {
+      flat = hold(plane.fingers, plane.contacts, plane.load, options);
+    } catch (const CannotHold&) {
+      continue;
+    }
+    const HeldSpaceGrasp grasp =
+        held(moved(embedded(plane, true), turn, {2.0, -1.0, 3.0}), options);
+    const double limit = 1e-9 + 1e-13 * flat.condition;
+    CHECK_THAT(grasp.condition.value(), WithinRel(flat.condition, limit));
+    double size = 0.0;
+    double deviation = 0.0;
+    for (const FingerAction& action : flat.fingers)
+      for (const Uncertain& torque : action.torques) {
+        size = std::fmax(size, std::abs(torque.value));
+        deviation = std::fmax(deviation, torque.deviation);
+      }
+    for (std::size_t f = 0; f < fingers; ++f) {
+      CHECK(grasp.fingers[f].tangential_z == 0.0);
+      for (std::size_t j = 0; j < 2; ++j) {
+        const Uncertain& expected = flat.fingers[f].torques[j];
+        CHECK_THAT(grasp.fingers[f].torques[j].value, WithinAbs(expected.value, limit * size));
+        CHECK_THAT(grasp.fingers[f].torques[j].deviation,
+                   WithinAbs(expected.deviation, 100.0 * limit * deviation));
+      }
+    }
+    ++compared;
+  }
+  CHECK(compared >= 20);
+}
+
+TEST_CASE("only planar contacts leave no force across the plane to choose", "[grasp]") {
+  // Torques about Z do not feel forces along Z, of which three rows of equilibrium fix three.
+  Random random(5);
+  const Hand plane = random_hand(random, 5, 2);
+  CHECK_NOTHROW(held(embedded(plane, true), {}));
+  CHECK_THROWS_AS(held(embedded(plane, false), {}), CannotHoldInSpace);
+}
+
 TEST_CASE("what holds does not depend on the frame or the units", "[grasp][property]") {
   Random random(4);
   const SpaceHand hand = random_space_hand(random, 3, 3, 2);
-  const SpaceHoldOptions options{.friction = {0.7, 0.7, 0.7}};
+  const HoldOptions options{.friction = {0.7, 0.7, 0.7}};
   const std::vector<double> here = torques_of(held(hand, options));
   const Eigen::AngleAxisd turn(1.3, Eigen::Vector3d(1.0, -2.0, 0.5).normalized());
   const std::vector<double> there = torques_of(held(moved(hand, turn, {3.0, -1.0, 2.0}), options));
@@ -257,7 +301,7 @@ TEST_CASE("deviations of what holds are those of small moves of the contacts",
   CAPTURE(seed);
   Random random(seed);
   const SpaceHand hand = random_space_hand(random, 3, 3, 2);
-  SpaceHoldOptions options{.friction = {0.7, 0.7, 0.7}};
+  HoldOptions options{.friction = {0.7, 0.7, 0.7}};
   if (seed % 2 == 1) options.squeeze = 1.3 * held(hand, options).squeeze;
   const HeldSpaceGrasp grasp = held(hand, options);
   const std::vector<double> here = torques_of(grasp);
@@ -300,7 +344,7 @@ TEST_CASE("what cannot be asked of a hand in space is refused", "[grasp]") {
   const SpaceHand good = random_space_hand(random, 2, 3, 2);
   const auto message = [&](const auto& spoil) {
     SpaceHand hand = good;
-    SpaceHoldOptions options{.friction = {0.5, 0.5}};
+    HoldOptions options{.friction = {0.5, 0.5}};
     spoil(hand, options);
     try {
       (void)held(hand, options);
@@ -309,26 +353,26 @@ TEST_CASE("what cannot be asked of a hand in space is refused", "[grasp]") {
     }
     return std::string("accepted");
   };
-  CHECK(message([](SpaceHand& h, SpaceHoldOptions&) { h.fingers[1].joints.clear(); }) ==
+  CHECK(message([](SpaceHand& h, HoldOptions&) { h.fingers[1].joints.clear(); }) ==
         "finger 'finger 1': without joints there are no least torques");
-  CHECK(message([](SpaceHand& h, SpaceHoldOptions&) { h.fingers[1].joints[0].slides = true; }) ==
+  CHECK(message([](SpaceHand& h, HoldOptions&) { h.fingers[1].joints[0].slides = true; }) ==
         "some joints slide and some turn: the sum of their squares has no unit; ask for the least "
         "forces");
-  CHECK(message([](SpaceHand&, SpaceHoldOptions& o) { o.friction = {0.5}; }) ==
+  CHECK(message([](SpaceHand&, HoldOptions& o) { o.friction = {0.5}; }) ==
         "there must be one coefficient of friction for each finger, or none");
-  CHECK(message([](SpaceHand&, SpaceHoldOptions& o) {
+  CHECK(message([](SpaceHand&, HoldOptions& o) {
           o.friction = {0.5, -0.5};
         }) == "friction must be > 0 and finite");
-  CHECK(message([](SpaceHand& h, SpaceHoldOptions&) { h.load.torque.x = NAN; }) ==
+  CHECK(message([](SpaceHand& h, HoldOptions&) { h.load.torque.x = NAN; }) ==
         "the external load must be finite");
-  CHECK(message([](SpaceHand& h, SpaceHoldOptions&) {
+  CHECK(message([](SpaceHand& h, HoldOptions&) {
           h.fingers[1].place = h.fingers[0].place;
           h.fingers[1].normal = h.fingers[0].normal;
           h.fingers[1].tangent = h.fingers[0].tangent;
           h.forces[1].place.y = h.forces[0].place.y;
           h.forces[1].place.z = h.forces[0].place.z;
         }) == "the contacts coincide: no line joins them");
-  CHECK(message([](SpaceHand& h, SpaceHoldOptions&) {
+  CHECK(message([](SpaceHand& h, HoldOptions&) {
           h.fingers.pop_back();
           h.forces.pop_back();
         }) == "a grasp needs at least two fingers");

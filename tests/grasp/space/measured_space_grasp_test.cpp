@@ -146,7 +146,7 @@ TEST_CASE("a hand in the plane means the same in space", "[grasp][property]") {
     forces.push_back(force);
   }
   const MeasuredGrasp flat = measured_grasp(plane.fingers, forces, plane.load);
-  const SpaceHand space = embedded(plane, forces);
+  const SpaceHand space = embedded(plane, forces, false);
   const MeasuredSpaceGrasp grasp = measured(space);
   for (std::size_t i = 0; i < flat.fingers.size(); ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
@@ -274,6 +274,8 @@ TEST_CASE("a finger in space that cannot be is refused by name", "[grasp]") {
         "finger 'finger 1': a hard finger has no torsion: a soft one has a radius of it");
   CHECK(message([](SpaceHand& h) { h.forces[0].place.torsion_radius = 0.0; }) ==
         "finger 'finger 0': the radius of its torsion must be > 0 and finite");
+  CHECK(message([](SpaceHand& h) { h.forces[0].place.planar = true; }) ==
+        "finger 'finger 0': a planar contact has no force along z");
   CHECK(message([](SpaceHand& h) { h.forces[0].covariance[0] = -1.0; }) ==
         "finger 'finger 0': the covariance of its contact must be finite, and its variances >= 0");
   CHECK(message([](SpaceHand& h) { h.fingers.pop_back(); }) ==

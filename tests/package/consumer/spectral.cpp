@@ -1,6 +1,6 @@
 #include <tactile_net/control/fft_convolution.hpp>
 #include <tactile_net/control/planner.hpp>
-#include <tactile_net/inverse/dft.hpp>
+#include <tactile_net/inverse/thesis/dft.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
 #include <tactile_net/scene/reader.hpp>
 

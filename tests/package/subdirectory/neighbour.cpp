@@ -1,7 +1,7 @@
 #include <cmath>
-#include <tactile_net/inverse/dft_tikhonov.hpp>
 #include <tactile_net/inverse/problem.hpp>
 #include <tactile_net/inverse/reconstruction.hpp>
+#include <tactile_net/inverse/thesis/dft_tikhonov.hpp>
 #include <tactile_net/numeric/fft.hpp>
 #include <vector>
 

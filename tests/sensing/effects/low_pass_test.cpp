@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "tactile_net/sensing/effects/first_order_lag.hpp"
+#include "sensing/effects/first_order_lag.hpp"
 #include "tests/catch.hpp"
 #include "tests/sensing/effects/two_taxels.hpp"
 

@@ -109,9 +109,6 @@ inline constexpr std::array skin_quantities = [] {
 /// "normal", "tangential_y" or "tangential_z".
 [[nodiscard]] std::string_view name(SkinTraction component) noexcept;
 
-/// The component of that name, or nothing.
-[[nodiscard]] std::optional<SkinTraction> skin_traction_named(std::string_view text) noexcept;
-
 /// The kernel changes sign under a reflection of `along`, y or z; otherwise it is even: the sign
 /// turns once for each index of the quantity and of the traction that is `along`.
 [[nodiscard]] constexpr bool is_odd(SkinQuantity quantity, SkinTraction component,

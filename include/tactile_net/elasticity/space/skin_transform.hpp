@@ -2,7 +2,7 @@
 /// Stress, strain and displacement inside a skin, half space or layer, per wave of tractions.
 ///
 /// A wave along e_L = k / |k| splits: the tractions p and q_L cause plane strain in the plane of x
-/// and e_L, which is what line arrays have (half_plane.hpp, layer.hpp), with stress_T =
+/// and e_L, which is what line arrays have (pad_kernel.hpp), with stress_T =
 /// nu (stress_x + stress_L); q_T, across the wave, causes stress_xT, stress_LT and displacement_T
 /// alone. docs/internals/space.md has the amplitudes.
 #pragma once

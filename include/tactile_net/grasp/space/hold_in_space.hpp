@@ -23,9 +23,13 @@ enum class Least {
   forces,   ///< of all contact forces, torsions over their radius
 };
 
-struct SpaceHoldOptions {
-  /// Sum of the contact forces' components towards the contacts' middle. Absent: as little as the
-  /// least torques do.
+/// How hard to squeeze, beyond what equilibrium fixes: at most one of the first two. Neither: as
+/// little as the least torques do.
+struct HoldOptions {
+  /// f_g (thesis 6.9), for two fingers: squeeze - |e.f_e|, with e along the line of contacts. The
+  /// finger that the load presses less pushes with f_g / 2 along that line.
+  std::optional<double> grasping_force{};
+  /// Sum of the contact forces' components towards the mean of the contact points.
   std::optional<double> squeeze{};
   /// mu of each finger, > 0: every force stays within its cone, see `friction_margin`. Empty:
   /// friction does not enter, and a finger may be asked to pull.
@@ -42,7 +46,9 @@ struct HeldSpaceGrasp {
   double squeeze = 0.0;
   double residual = 0.0;    ///< of equilibrium, over load and squeeze
   double optimality = 0.0;  ///< of the conditions for a minimum, over their terms
-  int iterations = 0;       ///< of the interior-point method; 0: there are no cones
+  int iterations = 0;       ///< of the interior-point method; 0: there are no cones, or edges alone
+  /// Of the scaled system of a grasp whose contacts are all planar: digits lost are its logarithm.
+  std::optional<double> condition{};
 };
 
 /// That no forces within the cones hold the load, with its proof.
@@ -69,10 +75,14 @@ class CannotHoldInSpace : public CannotHold {
 /// squeeze that is asked for, inside the cones. A conic problem of second order, solved by a
 /// homogeneous interior-point method with Nesterov and Todd's scaling (Andersen, Roos and Terlaky,
 /// Mathematical Programming 95, 2003), then by Newton's method on the cones that are met: neither
-/// squares the condition number.
+/// squares the condition number. Where every contact is planar and hard, each cone is two edges,
+/// and the forces along them are found by a dual method of active sets instead (Goldfarb and
+/// Idnani, Mathematical Programming 27, 1983): it holds two edges that the minimum meets at once,
+/// as in every symmetric gripper, by one of them.
 ///
 /// @throw std::invalid_argument  fewer than two fingers; not as many contacts as fingers, or one is
 ///                               wrong (see `check`); friction of not all; a number is not finite;
+///                               both options of squeezing, a grasping force of three fingers;
 ///                               contacts in one point; a squeeze with a contact in the contacts'
 ///                               middle; least torques of fingers whose joints are not known, or of
 ///                               joints of which some slide and some turn
@@ -80,6 +90,6 @@ class CannotHoldInSpace : public CannotHold {
 ///                               torques do not determine the forces
 [[nodiscard]] HeldSpaceGrasp hold(std::span<const SpaceFinger> fingers,
                                   std::span<const SpaceContactPlace> contacts,
-                                  const SpaceLoad& load, const SpaceHoldOptions& options = {});
+                                  const SpaceLoad& load, const HoldOptions& options = {});
 
 }  // namespace tactile_net

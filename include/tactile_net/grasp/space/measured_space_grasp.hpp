@@ -27,12 +27,14 @@ struct MeasuredSpaceGrasp {
   Matrix torque_covariance{};  ///< of all torques, finger after finger
   /// Sum of all forces on the object along X, Y, Z, and of all moments about the load's point.
   std::array<Uncertain, 6> unbalanced{};
+  Matrix unbalanced_covariance{};
   /// unbalanced' C^-1 unbalanced, 6 degrees of freedom; absent if C has no inverse.
   std::optional<double> chi_squared{};
   /// |sum of forces| / sum of |forces|, the load among them; 0 without any force.
   double unbalanced_share = 0.0;
   /// Sum of the forces' components towards the middle of the contacts, where there is one.
   std::optional<Uncertain> squeeze{};
+  std::optional<Uncertain> grasping_force{};  ///< f_g = squeeze - |e.f_e| (thesis 6.9): two fingers
 };
 
 /// tau = J' (f, m) for every finger; none where its joints are not known.

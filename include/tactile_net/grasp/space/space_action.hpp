@@ -20,6 +20,10 @@ struct SpaceLoad {
   Vector3 point{};   ///< where the force acts [m]
 };
 
+[[nodiscard]] inline bool is_finite(const SpaceLoad& load) noexcept {
+  return is_finite(load.force) && is_finite(load.torque) && is_finite(load.point);
+}
+
 struct SpaceAction {
   Vector3 point{};   ///< of contact, in the hand's frame [m]
   Vector3 force{};   ///< of the finger on the object [N]

@@ -22,6 +22,8 @@ struct SpaceContactPlace {
   /// [m], > 0; sum p r dA / sum p dA of the pressure p at the distance r from its centre. Absent: a
   /// hard finger, which bears none.
   std::optional<double> torsion_radius{};
+  /// It bears no force along z: a contact of a hand in the plane of x and y, see `in_space`.
+  bool planar = false;
 };
 
 /// The object's force on the pad: (F_x, F_y, F_z), where it acts, and torsion about x through there
@@ -44,7 +46,8 @@ struct SpaceFingertipForce {
 [[nodiscard]] SpaceContactPlace place_of(const SpaceFingertipForce& force) noexcept;
 
 /// @throw std::invalid_argument  a number is not finite, a variance is not >= 0, the radius is not
-///                               > 0; of a force, F_x <= 0, or a hard finger with torsion; the text
+///                               > 0; of a force, F_x <= 0, a hard finger with torsion, a planar
+///                               contact with F_z; the text
 ///                               names the finger
 void check(const SpaceFinger& finger, const SpaceContactPlace& place);
 void check(const SpaceFinger& finger, const SpaceFingertipForce& force);

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "tactile_net/inverse/dft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/inverse/thesis/dft_tikhonov.hpp"
 #include "tactile_net/scene/units.hpp"
 
 namespace tactile_net::report {
