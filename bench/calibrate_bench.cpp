@@ -106,10 +106,9 @@ int main(int count, char** arguments) {
   }
   show("20 balls on a skin of 8 x 8 with three quantities", in_a_child([] {
          return fitted(simulated_skin_log(
-             2,
-             {.side = 8,
-              .presses = 20,
-              .reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz}}));
+             2, {.side = 8,
+                 .presses = 20,
+                 .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}}));
        }));
   return floors.all_hold() ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -83,13 +83,13 @@ struct Setting {
   const char* name;
   std::size_t count;
   double depth;
-  std::vector<SkinQuantity> reads;
+  std::vector<Quantity> reads;
 };
 
 /// Each rule's errors over those of the best alpha, and the default's, with the noise known and
 /// not. @return whether no frame of the default is more than three times as wrong as the best
 bool compare_rules(std::size_t frames) {
-  const std::vector<SkinQuantity> pressure{SkinQuantity::stress_x};
+  const std::vector<Quantity> pressure{Quantity::stress_x};
   const std::array settings{Setting{"12 x 12 x 3, depth two pitches", 12, 2e-3, press_and_drag},
                             Setting{"12 x 12, depth two pitches", 12, 2e-3, pressure},
                             Setting{"10 x 10 x 3, depth one pitch", 10, 1e-3, press_and_drag},

@@ -10,13 +10,12 @@
 using namespace tactile_net;
 
 int main() {
-  const SkinArray skin{
-      .rows = 16,
-      .columns = 16,
-      .pitch_y = 2e-3,
-      .pitch_z = 2e-3,
-      .depths = {4e-3},
-      .reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz}};
+  const SkinArray skin{.rows = 16,
+                       .columns = 16,
+                       .pitch_y = 2e-3,
+                       .pitch_z = 2e-3,
+                       .depths = {4e-3},
+                       .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}};
   const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.48};
   const SkinProblem problem = make_problem(skin, silicone);
 

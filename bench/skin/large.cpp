@@ -30,7 +30,7 @@ using namespace tactile_net;
 
 const Material half_space{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
 
-SkinArray skin_of(std::size_t side, std::vector<SkinQuantity> reads) {
+SkinArray skin_of(std::size_t side, std::vector<Quantity> reads) {
   return {.rows = side,
           .columns = side,
           .pitch_y = 1.0,
@@ -39,10 +39,10 @@ SkinArray skin_of(std::size_t side, std::vector<SkinQuantity> reads) {
           .reads = std::move(reads)};
 }
 
-const std::vector<SkinQuantity> press_and_drag{SkinQuantity::stress_x, SkinQuantity::shear_xy,
-                                               SkinQuantity::shear_xz};
-const std::vector<SkinQuantity> normal_stresses{SkinQuantity::stress_x, SkinQuantity::stress_y,
-                                                SkinQuantity::stress_z, SkinQuantity::shear_yz};
+const std::vector<Quantity> press_and_drag{Quantity::stress_x, Quantity::shear_xy,
+                                           Quantity::shear_xz};
+const std::vector<Quantity> normal_stresses{Quantity::stress_x, Quantity::stress_y,
+                                            Quantity::stress_z, Quantity::shear_yz};
 
 /// Of this process: waiting for others does not count.
 double processor_seconds(const auto& work) {
@@ -143,7 +143,7 @@ std::vector<double> readings_of(LargeSkinTikhonov& solver) {
 
 struct Case {
   const char* what;
-  std::vector<SkinQuantity> reads;
+  std::vector<Quantity> reads;
   std::optional<Layer> layer{};
   double dead = 0.0;  // share of the taxels
   std::size_t components = 3;
@@ -210,7 +210,7 @@ void steps(Floors& floors, std::size_t least, std::size_t largest) {
        .reason = "normal stresses see a drag near the skin's ends alone"},
       {.what = "half space, depth of one pitch", .reads = press_and_drag, .depth = 1.0},
       {.what = "half space, depth of four pitches", .reads = press_and_drag, .depth = 4.0},
-      {.what = "half space, p alone", .reads = {SkinQuantity::stress_x}, .components = 1}};
+      {.what = "half space, p alone", .reads = {Quantity::stress_x}, .components = 1}};
   for (std::size_t side = least; side <= largest; side *= 2)
     for (const Case& one : cases) iterations(one, side, floors);
 }

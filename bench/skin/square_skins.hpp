@@ -30,9 +30,8 @@ inline SkinProblem square_problem(std::size_t size, std::size_t components) {
                  .pitch_y = 2e-3,
                  .pitch_z = 2e-3,
                  .depths = {4e-3},
-                 .reads = {SkinQuantity::stress_x}};
-  if (components == 3)
-    skin.reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz};
+                 .reads = {Quantity::stress_x}};
+  if (components == 3) skin.reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz};
   return make_problem(skin, {.youngs_modulus = 0.25e6, .poisson_ratio = 0.45},
                       {.components = components});
 }

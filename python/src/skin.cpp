@@ -26,7 +26,7 @@ skin_sites_of(const SharedSkin& self) {
   std::vector<std::string> quantity;
   std::vector<std::size_t> taxel;
   std::vector<std::size_t> channel;
-  for (const SkinSite& site : sites(self.scene().sensor)) {
+  for (const Site& site : sites(self.scene().sensor)) {
     y.push_back(site.y);
     z.push_back(site.z);
     depth.push_back(site.depth);

@@ -182,7 +182,7 @@ class Doubts {
   }
 
   void gains() {
-    const std::vector<PressSite>& sites = problem_.model().sites();
+    const std::vector<Site>& sites = problem_.model().sites();
     for (std::size_t c = 0; c < fit_.mean_gain.size(); ++c) {
       std::vector<double> logs;
       for (std::size_t j = 0; j < sites.size(); ++j)

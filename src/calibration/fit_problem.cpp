@@ -77,7 +77,7 @@ bool FitProblem::frees_friction() const noexcept {
 }
 
 void FitProblem::count_columns(std::span<const bool> unread) {
-  const std::vector<PressSite>& sites = model_.sites();
+  const std::vector<Site>& sites = model_.sites();
   for (std::size_t i = 0; i < pad_parameter_count; ++i) {
     const auto parameter = static_cast<PadParameter>(i);
     bool free = options_.sd(parameter) > 0.0;
@@ -115,7 +115,7 @@ void FitProblem::count_columns(std::span<const bool> unread) {
 
 void FitProblem::set_ranges() {
   first_ = last_ = {model_.sites().front().y, model_.sites().front().z};
-  for (const PressSite& site : model_.sites()) {
+  for (const Site& site : model_.sites()) {
     first_ = {std::min(first_.y, site.y), std::min(first_.z, site.z)};
     last_ = {std::max(last_.y, site.y), std::max(last_.z, site.z)};
   }
@@ -338,7 +338,7 @@ void FitProblem::hold_press(PressState& state, const PressRows& rows) const {
 void FitProblem::hold_thickness(PadState& pad) const {
   if (model_.material().layer && !options_.at_base) {
     double deepest = 0.0;
-    for (const PressSite& site : model_.sites()) deepest = std::max(deepest, site.depth);
+    for (const Site& site : model_.sites()) deepest = std::max(deepest, site.depth);
     const double least = pad.log_depth + std::log(deepest / model_.material().layer->thickness);
     if (pad_column(PadParameter::thickness) != no_column)
       pad.log_thickness = std::max(pad.log_thickness, least);

@@ -198,9 +198,9 @@ class Summary {
   }
 
   void gains() {
-    const std::vector<PressSite>& sites = problem_.model().sites();
+    const std::vector<Site>& sites = problem_.model().sites();
     const std::size_t n = sites.size();
-    const std::vector<PressChannel>& channel = problem_.model().channels();
+    const std::vector<Channel>& channel = problem_.model().channels();
     const double prior = std::hypot(stated_.gain_sd, stated_.mean_gain_sd);
     fit_.mean_gain.resize(channel.size());
     for (std::size_t c = 0; c < channel.size(); ++c) {

@@ -65,7 +65,7 @@ SystemParts active_bounds(const FitProblem& problem, const FitState& state,
   }
   if (problem.pad_column(PadParameter::thickness) != no_column) {
     double deepest = 0.0;
-    for (const PressSite& site : problem.model().sites()) deepest = std::max(deepest, site.depth);
+    for (const Site& site : problem.model().sites()) deepest = std::max(deepest, site.depth);
     const double over = std::log(problem.model().material().layer->thickness / deepest) +
                         state.pad.log_thickness - state.pad.log_depth;
     parts.thickness_follows = over < 1e-12 && slope(PadParameter::thickness) > 0.0;

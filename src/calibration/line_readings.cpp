@@ -43,10 +43,10 @@ struct Group {
   std::vector<std::size_t> sites{};
 };
 
-std::vector<Group> groups_of(std::span<const PressSite> sites) {
+std::vector<Group> groups_of(std::span<const Site> sites) {
   std::map<std::pair<Quantity, double>, std::vector<std::size_t>> alike;
   for (std::size_t i = 0; i < sites.size(); ++i)
-    alike[{*quantity_named(name(sites[i].quantity)), sites[i].depth}].push_back(i);
+    alike[{sites[i].quantity, sites[i].depth}].push_back(i);
   std::vector<Group> groups;
   for (auto& [key, indices] : alike) groups.push_back({key.first, key.second, std::move(indices)});
   return groups;
@@ -75,7 +75,7 @@ class GroupReadings {
     for (std::size_t i = 0; i < n; ++i) {
       const double k = nodes_.k[i];
       normal_[i] = amplitude(group.quantity, Traction::normal, material, depth, k);
-      tangential_[i] = amplitude(group.quantity, Traction::tangential, material, depth, k);
+      tangential_[i] = amplitude(group.quantity, Traction::tangential_y, material, depth, k);
       for (std::size_t j = 0; j < group.sites.size(); ++j) {
         const double angle = k * places[group.sites[j]];
         cosine_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = std::cos(angle);

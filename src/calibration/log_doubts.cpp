@@ -97,7 +97,7 @@ struct ChannelSeen {
 
 ChannelSeen seen_by(const FitProblem& problem, const PressReadings& readings, std::size_t channel) {
   ChannelSeen seen;
-  const std::vector<PressSite>& sites = problem.model().sites();
+  const std::vector<Site>& sites = problem.model().sites();
   for (std::size_t p = 0; p < problem.log().presses.size(); ++p) {
     const Press& press = problem.log().presses[p];
     double both = 0.0, read2 = 0.0, model2 = 0.0, count = 0.0;
@@ -126,7 +126,7 @@ void require_plausible(const FitProblem& problem) {
   const FitState start = problem.start(1.0);
   const PressReadings readings = problem.readings(start, false);
   const CalibrationOptions& options = problem.options();
-  const std::vector<PressChannel>& all = problem.model().channels();
+  const std::vector<Channel>& all = problem.model().channels();
   for (std::size_t c = 0; c < all.size(); ++c) {
     const ChannelSeen seen = seen_by(problem, readings, c);
     const std::string& name = all[c].name;

@@ -109,7 +109,7 @@ double share_of(std::size_t i, std::size_t count) {
 std::vector<NextPress> presses_of_a_line(const PressModel& model, const PressFit& fit) {
   const auto [first, last] =
       std::minmax_element(model.sites().begin(), model.sites().end(),
-                          [](const PressSite& a, const PressSite& b) { return a.y < b.y; });
+                          [](const Site& a, const Site& b) { return a.y < b.y; });
   const double force = largest_force(fit);
   const Material pad = pad_of(model, fit);
   std::vector<NextPress> presses;
@@ -140,7 +140,7 @@ std::vector<NextPress> spread(const PressModel& model, const std::vector<NextPre
                               std::size_t side) {
   FitProblem::Place first{model.sites().front().y, model.sites().front().z};
   FitProblem::Place last = first;
-  for (const PressSite& site : model.sites()) {
+  for (const Site& site : model.sites()) {
     first = {std::min(first.y, site.y), std::min(first.z, site.z)};
     last = {std::max(last.y, site.y), std::max(last.z, site.z)};
   }

@@ -11,12 +11,12 @@ namespace tactile_net {
 
 /// The taxels of a pad whose state is known.
 struct PadTaxels {
-  std::span<const PressSite> sites{};  ///< nominal
-  std::span<const double> y{}, z{};    ///< of each reading, as they are [m]
-  double depth_factor = 1.0;           ///< on the nominal depths
-  Material material{};                 ///< as it is
-  bool tied_to_base = false;           ///< a layer is as thick as each taxel is deep
-  bool by_friction = false;            ///< a skin's derivatives by friction are asked for
+  std::span<const Site> sites{};     ///< nominal
+  std::span<const double> y{}, z{};  ///< of each reading, as they are [m]
+  double depth_factor = 1.0;         ///< on the nominal depths
+  Material material{};               ///< as it is
+  bool tied_to_base = false;         ///< a layer is as thick as each taxel is deep
+  bool by_friction = false;          ///< a skin's derivatives by friction are asked for
 };
 
 /// Adds to `value`, and with derivatives to those by depth, thickness, nu, place, half width and

@@ -18,7 +18,7 @@ std::string_view name(DiscProfile profile) noexcept { return name_in<profiles>(p
 UnloadedFrames unloaded_frames(const SignalLayout& sensor,
                                const std::vector<std::vector<double>>& frames) {
   if (frames.size() < 2) throw std::invalid_argument("noise takes two unloaded frames at least");
-  const std::vector<SignalReading>& where = sensor.readings;
+  const std::vector<Site>& where = sensor.readings;
   const std::size_t n = where.size();
   const auto count = static_cast<double>(frames.size());
   UnloadedFrames result{.frames = frames.size(),

@@ -49,14 +49,9 @@ PressModel::PressModel(const SensorArray& array, const Material& material, doubl
       pitch_(array.pitch),
       crosstalk_(crosstalk) {
   check(array);
-  for (const Site& site : tactile_net::sites(array)) {
+  for (const Site& site : sites())
     if (site.width > 0.0)
       throw std::invalid_argument("calibration takes taxels as points; these have a width");
-    sites_.push_back(
-        {site.y, 0.0, site.depth, SignalQuantity(site.quantity), site.taxel, site.channel});
-  }
-  for (const Channel& channel : tactile_net::channels(array))
-    channels_.push_back({channel.name, SignalQuantity(channel.quantity)});
   check_and_finish(crosstalk);
 }
 
@@ -67,12 +62,7 @@ PressModel::PressModel(const SkinArray& skin, const Material& material, double c
       pitch_(std::max(skin.pitch_y, skin.pitch_z)),
       crosstalk_(crosstalk) {
   check(skin);
-  for (const SkinSite& site : tactile_net::sites(skin)) {
-    check_quantity(site.quantity, SkinTraction::normal, material);
-    sites_.push_back({site.y, site.z, site.depth, site.quantity, site.taxel, site.channel});
-  }
-  for (const SkinChannel& channel : tactile_net::channels(skin))
-    channels_.push_back({channel.name, channel.quantity});
+  for (const Site& site : sites()) check_quantity(site.quantity, Traction::normal, material);
   check_and_finish(crosstalk);
 }
 
@@ -81,8 +71,8 @@ void PressModel::check_and_finish(double crosstalk) {
   require(crosstalk >= 0.0 && crosstalk < most, "crosstalk", "be >= 0 and < " + shortest(most),
           crosstalk);
   check(material_);
-  depth_ = sites_.front().depth;
-  for (const PressSite& site : sites_) {
+  depth_ = sites().front().depth;
+  for (const Site& site : sites()) {
     check_depth(material_, site.depth);
     depth_ = std::min(depth_, site.depth);
   }
@@ -94,9 +84,9 @@ double PressModel::most_crosstalk() const noexcept {
 
 bool PressModel::holds_drags() const {
   if (!is_skin_ || !material_.layer || material_.layer->base == Base::bonded) return true;
-  return std::none_of(channels_.begin(), channels_.end(), [](const PressChannel& channel) {
-    return channel.quantity == SkinQuantity::displacement_y ||
-           channel.quantity == SkinQuantity::displacement_z;
+  return std::none_of(channels().begin(), channels().end(), [](const Channel& channel) {
+    return channel.quantity == Quantity::displacement_y ||
+           channel.quantity == Quantity::displacement_z;
   });
 }
 
@@ -126,7 +116,7 @@ double PressModel::indenter_radius(const Material& material, double half_width,
 PressReadings PressModel::readings(const PadState& pad, std::span<const PressState> presses,
                                    bool with_derivatives, bool tied_to_base,
                                    bool by_friction) const {
-  const std::size_t n = sites_.size();
+  const std::size_t n = sites().size();
   PressReadings out;
   out.value = zeros(presses.size(), n);
   if (with_derivatives) {
@@ -136,11 +126,11 @@ PressReadings PressModel::readings(const PadState& pad, std::span<const PressSta
   }
   std::vector<double> y;
   std::vector<double> z;
-  for (const PressSite& site : sites_) {
+  for (const Site& site : sites()) {
     y.push_back(site.y * std::exp(pad.log_pitch) + pad.shift);
     z.push_back(site.z * std::exp(pad.log_pitch) + pad.shift_z);
   }
-  PadTaxels taxels{.sites = sites_,
+  PadTaxels taxels{.sites = sites(),
                    .y = y,
                    .z = z,
                    .depth_factor = std::exp(pad.log_depth),
@@ -169,7 +159,7 @@ PressReadings PressModel::readings(const PadState& pad, std::span<const PressSta
       at(PadParameter::pitch)(p, j) =
           -out.by_center(p, j) * (y[j] - pad.shift) - out.by_center_z(p, j) * (z[j] - pad.shift_z);
       at(PadParameter::shift_z)(p, j) = -out.by_center_z(p, j);
-      if (traits(sites_[j].quantity).kind != QuantityKind::stress)
+      if (traits(sites()[j].quantity).kind != QuantityKind::stress)
         at(PadParameter::youngs_modulus)(p, j) = -out.value(p, j);
     }
   apply_crosstalk(layout_, pad.crosstalk, out.value, &at(PadParameter::crosstalk));

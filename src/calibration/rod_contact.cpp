@@ -109,8 +109,4 @@ double rod_half_width(const Material& material, double force, double radius) {
   return width_under(force, log_a, [&](double a) { return rod_force(material, a, radius); });
 }
 
-double rod_radius(const Material& material, double half_width, double force) {
-  return std::exp(rod_force(material, half_width, 1.0).log_force) / force;
-}
-
 }  // namespace tactile_net

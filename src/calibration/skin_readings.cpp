@@ -77,15 +77,15 @@ struct Needed {
   bool drags = false;
   std::array<bool, skin_wave_count> waves{};
 
-  void add(SkinQuantity quantity) {
-    const auto mark = [&](SkinQuantity of, SkinTraction traction) {
+  void add(Quantity quantity) {
+    const auto mark = [&](Quantity of, Traction traction) {
       for (const SkinTerm& term : skin_terms(of, traction))
         waves[static_cast<std::size_t>(term.wave)] = true;
     };
-    mark(quantity, SkinTraction::normal);
+    mark(quantity, Traction::normal);
     if (!drags) return;
-    mark(quantity, SkinTraction::tangential_y);
-    mark(mirrored(quantity), SkinTraction::tangential_y);
+    mark(quantity, Traction::tangential_y);
+    mark(exchanged(quantity), Traction::tangential_y);
   }
 };
 
@@ -159,17 +159,17 @@ class DepthReadings {
     }
   }
 
-  void add(std::size_t p, double y, double z, SkinQuantity quantity, std::size_t reading,
+  void add(std::size_t p, double y, double z, Quantity quantity, std::size_t reading,
            PressReadings& out) const {
     const double from_y = y - presses_[p].center;
     const double from_z = z - presses_[p].center_z;
     const double r = std::hypot(from_y, from_z);
     const Radii::At at = radii_.at(r);
     const Turn turn(r > 0.0 ? from_y / r : 1.0, r > 0.0 ? from_z / r : 0.0);
-    Field field = sum(skin_terms(quantity, SkinTraction::normal), at, p, turn);
+    Field field = sum(skin_terms(quantity, Traction::normal), at, p, turn);
     if (drags_) {
-      const Field along_y = sum(skin_terms(quantity, SkinTraction::tangential_y), at, p, turn);
-      const Field along_z = sum(skin_terms(mirrored(quantity), SkinTraction::tangential_y), at, p,
+      const Field along_y = sum(skin_terms(quantity, Traction::tangential_y), at, p, turn);
+      const Field along_z = sum(skin_terms(exchanged(quantity), Traction::tangential_y), at, p,
                                 Turn(turn.sine[1], turn.cosine[1]))
                                 .mirrored();
       field.add(presses_[p].friction, along_y);

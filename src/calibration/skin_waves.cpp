@@ -72,7 +72,7 @@ PadWaves half_space_waves(const Amplitude& nu, const Amplitude& a, bool drags) {
   waves.normal = {half_plane_amplitudes(Traction::normal, a), (2.0 - 2.0 * nu + a) * decay,
                   (a - 1.0 + 2.0 * nu) * decay};
   if (!drags) return waves;
-  waves.drag = {half_plane_amplitudes(Traction::tangential, a), (1.0 - 2.0 * nu + a) * decay,
+  waves.drag = {half_plane_amplitudes(Traction::tangential_y, a), (1.0 - 2.0 * nu + a) * decay,
                 (2.0 - 2.0 * nu - a) * decay};
   waves.across = {decay, decay, decay};
   return waves;
@@ -88,7 +88,7 @@ PadWaves layer_waves(const Amplitude& nu, const LayerFunctionsOf<Amplitude>& f, 
   PadWaves waves;
   waves.normal = {stress(Traction::normal), u.normal_x / over, u.normal_along / over};
   if (!drags) return waves;
-  waves.drag = {stress(Traction::tangential), u.tangential_x / over, u.tangential_along / over};
+  waves.drag = {stress(Traction::tangential_y), u.tangential_x / over, u.tangential_along / over};
   // Over cosh H or sinh H, times exp(-a) top and bottom.
   const Amplitude decay = exp(-f.a);
   const Amplitude cosh_t = decay * (1.0 + exp(-2.0 * f.t));
@@ -102,21 +102,9 @@ PadWaves layer_waves(const Amplitude& nu, const LayerFunctionsOf<Amplitude>& f, 
 
 }  // namespace
 
-const std::vector<SkinTerm>& skin_terms(SkinQuantity quantity, SkinTraction traction) {
-  return (traction == SkinTraction::normal ? normal_terms
-                                           : drag_terms)[static_cast<std::size_t>(quantity)];
-}
-
-SkinQuantity mirrored(SkinQuantity quantity) noexcept {
-  const auto turned = [](Axis a) { return a == Axis::x ? a : across(a); };
-  const SkinQuantityTraits& of = traits(quantity);
-  for (const SkinQuantityTraits& row : skin_quantity_traits) {
-    if (row.kind != of.kind) continue;
-    const bool same = row.first == turned(of.first) && row.second == turned(of.second);
-    const bool exchanged = row.first == turned(of.second) && row.second == turned(of.first);
-    if (same || (exchanged && of.kind != QuantityKind::displacement)) return row.value;
-  }
-  return quantity;
+const std::vector<SkinTerm>& skin_terms(Quantity quantity, Traction traction) {
+  return (traction == Traction::normal ? normal_terms
+                                       : drag_terms)[static_cast<std::size_t>(quantity)];
 }
 
 std::array<SkinAmplitude, skin_wave_count> skin_amplitudes(const Material& material, double depth,

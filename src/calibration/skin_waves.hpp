@@ -22,7 +22,7 @@
 
 #include "numeric/dual.hpp"
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 
@@ -72,10 +72,7 @@ struct SkinTerm {
   double factor = 1.0;
 };
 /// @param traction  normal, or along y
-[[nodiscard]] const std::vector<SkinTerm>& skin_terms(SkinQuantity quantity, SkinTraction traction);
-
-/// The quantity with y and z exchanged.
-[[nodiscard]] SkinQuantity mirrored(SkinQuantity quantity) noexcept;
+[[nodiscard]] const std::vector<SkinTerm>& skin_terms(Quantity quantity, Traction traction);
 
 /// Every wave's amplitude times k, with the sign that i^order gives it.
 ///

@@ -17,20 +17,6 @@ namespace {
 
 using Eigen::Index;
 
-Axis turned(Axis axis) { return axis == Axis::x ? axis : across(axis); }
-
-/// What a quantity is called when y and z are exchanged.
-SkinQuantity exchanged(SkinQuantity quantity) {
-  const SkinQuantityTraits& own = traits(quantity);
-  const auto* const found =
-      std::find_if(skin_quantity_traits.begin(), skin_quantity_traits.end(), [&](const auto& row) {
-        const std::pair axes{turned(own.first), turned(own.second)};
-        return row.kind == own.kind && (std::pair(row.first, row.second) == axes ||
-                                        std::pair(row.second, row.first) == axes);
-      });
-  return found->value;
-}
-
 int sign(bool is_negative) { return is_negative ? -1 : 1; }
 
 /// Channels of an even skin as grids; of no size where taxels are uneven.
@@ -40,19 +26,19 @@ GridBlocks reading_grid(const SkinProblem& problem) {
   GridBlocks blocks;
   blocks.rows = (grid.rows - 1 - 2 * grid.margin_rows) / grid.stride_rows + 1;
   blocks.columns = (grid.columns - 1 - 2 * grid.margin_columns) / grid.stride_columns + 1;
-  std::vector<SkinSite> first;  // of each channel
-  for (const SkinSite& site : problem.sites)
+  std::vector<Site> first;  // of each channel
+  for (const Site& site : problem.sites)
     if (site.channel == first.size()) first.push_back(site);
-  for (const SkinSite& site : first) {
+  for (const Site& site : first) {
     blocks.signs_y.push_back(
-        static_cast<std::int8_t>(sign(is_odd(site.quantity, SkinTraction::normal, Axis::y))));
+        static_cast<std::int8_t>(sign(is_odd(site.quantity, Traction::normal, Axis::y))));
     blocks.signs_z.push_back(
-        static_cast<std::int8_t>(sign(is_odd(site.quantity, SkinTraction::normal, Axis::z))));
+        static_cast<std::int8_t>(sign(is_odd(site.quantity, Traction::normal, Axis::z))));
   }
   if (blocks.size() != problem.sites.size()) return {};
   if (blocks.rows != blocks.columns) return blocks;
-  for (const SkinSite& site : first) {
-    const auto partner = std::find_if(first.begin(), first.end(), [&](const SkinSite& other) {
+  for (const Site& site : first) {
+    const auto partner = std::find_if(first.begin(), first.end(), [&](const Site& other) {
       return other.depth == site.depth && other.quantity == exchanged(site.quantity);
     });
     if (partner == first.end()) {
@@ -150,7 +136,7 @@ std::vector<std::uint32_t> edge_taxels(const SkinProblem& problem) {
     double y = 0.0, z = 0.0;
   };
   std::vector<Place> places(problem.taxels);
-  for (const SkinSite& site : problem.sites) places[site.taxel] = {site.y, site.z};
+  for (const Site& site : problem.sites) places[site.taxel] = {site.y, site.z};
   std::vector<std::uint32_t> edge;
   for (std::size_t i = 0; i < places.size(); ++i) {
     std::vector<std::pair<double, double>> others;  // distance, direction
@@ -177,7 +163,7 @@ std::vector<std::uint32_t> edge_taxels(const SkinProblem& problem) {
 
 double least_depth(const SkinProblem& problem) {
   double depth = problem.sites.front().depth;
-  for (const SkinSite& site : problem.sites) depth = std::min(depth, site.depth);
+  for (const Site& site : problem.sites) depth = std::min(depth, site.depth);
   return depth;
 }
 
@@ -289,7 +275,7 @@ PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& fa
   plan.spacing = std::sqrt(plan.cells->area());
   plan.alpha = alpha;
   if (reading_grid(problem).size() == 0)
-    for (const SkinSite& site : problem.sites)
+    for (const Site& site : problem.sites)
       plan.taxels.push_back(static_cast<std::uint32_t>(site.taxel));
   plan.unjudged = edge_taxels(problem);
   plan.reconstruction = std::move(reconstruction.plan);

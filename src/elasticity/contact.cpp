@@ -186,10 +186,12 @@ void check(const Contact& contact) {
 }
 
 double traction(const Contact& contact, Traction component, double y) noexcept {
+  if (component == Traction::tangential_z) return 0.0;
   return std::visit([&](const auto& c) { return traction(c, component, y); }, contact);
 }
 
 double force_between(const Contact& contact, Traction component, double from, double to) noexcept {
+  if (component == Traction::tangential_z) return 0.0;
   return std::visit([&](const auto& c) { return force_between(c, component, from, to); }, contact);
 }
 

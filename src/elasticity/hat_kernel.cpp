@@ -69,6 +69,8 @@ HatKernel::HatKernel(Quantity quantity, Traction component, const Material& mate
       material_(material),
       depth_(depth),
       part_width_(half_width) {
+  check_line(quantity);
+  check_line(component);
   check(material);
   check_depth(material, depth);
   require_positive("half_width", half_width);

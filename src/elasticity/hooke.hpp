@@ -2,6 +2,8 @@
 /// From the three stresses to any quantity a sensor reads. Private.
 #pragma once
 
+#include <limits>
+
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/elasticity/quantity.hpp"
 
@@ -19,6 +21,8 @@ Number strain(const Number& along, const Number& across, const Ratio& nu, double
   return (1.0 + nu) * ((1.0 - nu) * along - nu * across) / modulus;
 }
 
+/// The reading of a line array; NaN of a quantity that is none of `line_quantities`.
+///
 /// @tparam Ratio  of nu: double, or a Dual where the answer's slope by it is asked for
 template <class Number, class Ratio>
 Number read(Quantity quantity, const Stress<Number>& stress, const Ratio& nu,
@@ -34,8 +38,9 @@ Number read(Quantity quantity, const Stress<Number>& stress, const Ratio& nu,
       return strain(stress.x, stress.y, nu, modulus);
     case Quantity::strain_y:
       return strain(stress.y, stress.x, nu, modulus);
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
   }
-  return {};
 }
 
 template <class Number>

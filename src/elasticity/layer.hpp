@@ -41,7 +41,8 @@ namespace tactile_net {
 /// on a frictionless base has a pole -i / (k h), because nothing but the far pad holds that load;
 /// its value at k = 0 is 0, the principal value.
 ///
-/// Preconditions: material.layer is present, 0 < depth <= thickness. Pure, no allocation.
+/// Preconditions: material.layer is present, 0 < depth <= thickness, and quantity and component are
+/// a line's, as in half_plane.hpp. Pure, no allocation.
 ///
 /// @param wavenumber  k [1/m], any sign
 [[nodiscard]] std::complex<double> layer_transform(Quantity quantity, Traction component,

@@ -53,7 +53,7 @@ double interpolate(const double* values, double at) noexcept {
 
 /// What holds a tangential load on a frictionless base is stress_y, half of it on each side.
 double limit_of(Quantity quantity, Traction component, const Material& material) noexcept {
-  if (component != Traction::tangential || material.layer->base != Base::frictionless) return 0.0;
+  if (component != Traction::tangential_y || material.layer->base != Base::frictionless) return 0.0;
   const double half = 0.5 / material.layer->thickness;
   return read(quantity, Stress<double>{.x = 0.0, .y = half, .shear = 0.0}, material);
 }

@@ -16,6 +16,8 @@ std::complex<double> pad_transform(Quantity quantity, Traction component, const 
 
 PadKernel::PadKernel(Quantity quantity, Traction component, const Material& material, double depth)
     : quantity_(quantity), component_(component), material_(material), depth_(depth) {
+  check_line(quantity);
+  check_line(component);
   check(material);
   check_depth(material, depth);
   if (material.layer)

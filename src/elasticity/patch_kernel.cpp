@@ -142,6 +142,7 @@ PatchKernel::PatchKernel(std::span<const Quantity> reads, const Material& materi
   check(material);
   check_depth(material, depth);
   for (const Quantity quantity : reads) {
+    check_line(quantity);
     const auto base = [&](Traction component) {
       return material.layer
                  ? std::make_shared<LayerCorrection>(quantity, component, material, depth)
@@ -149,9 +150,9 @@ PatchKernel::PatchKernel(std::span<const Quantity> reads, const Material& materi
     };
     reads_.push_back({.quantity = quantity,
                       .normal = cauchy_weights(quantity, Traction::normal, material),
-                      .tangential = cauchy_weights(quantity, Traction::tangential, material),
+                      .tangential = cauchy_weights(quantity, Traction::tangential_y, material),
                       .normal_base = base(Traction::normal),
-                      .tangential_base = base(Traction::tangential)});
+                      .tangential_base = base(Traction::tangential_y)});
   }
 }
 
@@ -174,7 +175,7 @@ void PatchKernel::add(const LoadPatch& patch, double y, double weight,
         return reads_[i].base(component, material_, depth_, u - t);
       };
       readings[i] += weight * normal * base(Traction::normal);
-      if (tangential != 0.0) readings[i] += weight * tangential * base(Traction::tangential);
+      if (tangential != 0.0) readings[i] += weight * tangential * base(Traction::tangential_y);
     }
   });
 }

@@ -121,7 +121,7 @@ std::vector<ColumnGroup> column_groups(std::span<const ColumnName> names) {
 }
 
 bool means_quantity(std::string_view stem) {
-  return quantity_named(stem.substr(0, stem.find('@'))).has_value();
+  return quantity_named(stem.substr(0, stem.find('@')), line_quantities).has_value();
 }
 
 }  // namespace tactile_net::frames

@@ -38,9 +38,6 @@ LogSensor::End ends(const std::vector<double>& places) {
 SignalLayout signal_layout_of(const Scene& scene) { return {scene.sensor}; }
 SignalLayout signal_layout_of(const SkinScene& scene) { return signal_layout(scene.sensor); }
 
-double z_of(const Site&) { return 0.0; }
-double z_of(const SkinSite& site) { return site.z; }
-
 }  // namespace
 
 LogSensor::LogSensor(const AnyScene& scene) : is_skin(std::holds_alternative<SkinScene>(scene)) {
@@ -57,7 +54,7 @@ LogSensor::LogSensor(const AnyScene& scene) : is_skin(std::holds_alternative<Ski
           dead.push_back(std::count(one.dead_taxels.begin(), one.dead_taxels.end(), site.taxel) >
                          0);
           along_y.push_back(site.y);
-          along_z.push_back(z_of(site));
+          along_z.push_back(site.z);
           depth = std::max(depth, site.depth);
         }
         y = ends(along_y);

@@ -30,7 +30,7 @@ std::vector<WantedUnit> wanted_units(const auto& scene) {
   std::vector<WantedUnit> wanted;
   if (!scene.units) return wanted;
   for (std::size_t i = 0; const auto& site : sites(scene.sensor)) {
-    const QuantityKind kind = traits(SignalQuantity(site.quantity)).kind;
+    const QuantityKind kind = traits(site.quantity).kind;
     WantedUnit one{dimension_of(kind), unit_of(*scene.units, kind)};
     if (scene.calibration) one.gain = one.unit.from_si(scene.calibration->gain[i]);
     if (std::abs(one.gain - 1.0) < 1e-12) one.gain = 1.0;

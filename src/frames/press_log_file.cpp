@@ -316,7 +316,7 @@ class Reader {
 
   /// What a converter's steps leave of a number, in every reading: 0 where there are none.
   void find_steps() {
-    const std::vector<SignalReading>& where = sensor_.layout.readings;
+    const std::vector<Site>& where = sensor_.layout.readings;
     std::vector<double> of_channel(result_.log.unloaded.rms.size());
     for (std::size_t j = 0; j < readings_.size(); ++j) {
       std::set<double> values;

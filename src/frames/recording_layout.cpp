@@ -8,7 +8,7 @@
 #include "frames/column_places.hpp"
 #include "frames/npy.hpp"
 #include "frames/npy_header.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -113,7 +113,7 @@ class HeaderLayout {
     const std::size_t row = stem.rfind('_');
     return row != stem.npos && row + 1 < stem.size() &&
            stem.find_first_not_of("0123456789", row + 1) == stem.npos &&
-           skin_quantity_named(stem.substr(0, std::min(row, stem.find('@')))).has_value();
+           quantity_named(stem.substr(0, std::min(row, stem.find('@')))).has_value();
   }
 
   /// "Druck 1", "Druck 2", ...: the names that most columns share.

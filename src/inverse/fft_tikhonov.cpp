@@ -212,7 +212,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
       const std::vector<double> kernel =
-          surface_kernel(all[c], traction_components[u], material, surface).lags;
+          surface_kernel(all[c], line_tractions[u], material, surface).lags;
       transform_kernel(plan.padded, kernel);
       Spectrum spectrum(plan.padded.bins().begin(), plan.padded.bins().end());
       for (Complex& bin : spectrum) bin /= static_cast<double>(plan.padded.size());

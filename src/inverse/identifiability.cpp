@@ -104,7 +104,7 @@ TractionMode Describer::describe(const Eigen::VectorXd& mode) const {
   result.normal_share = unknowns_ == 1 ? 1.0 : std::min(mode.head(count_).squaredNorm(), 1.0);
   const bool normal = result.normal_share >= 0.5;
   if (std::max(result.normal_share, 1.0 - result.normal_share) >= pure)
-    result.unknown = normal ? Traction::normal : Traction::tangential;
+    result.unknown = normal ? Traction::normal : Traction::tangential_y;
   result.parity = parity_of(normal ? mode.head(count_) : mode.tail(count_));
   result.alternating = strongest > 0 && strongest + 1 >= count_;
   return result;

@@ -35,8 +35,7 @@ void add_lags(const SensorArray& array, const Material& material, const ProblemO
     const double weight = options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[c];
     ++c;
     for (std::size_t u = 0; u < problem.unknowns; ++u) {
-      const SurfaceKernel kernel =
-          surface_kernel(channel, traction_components[u], material, surface);
+      const SurfaceKernel kernel = surface_kernel(channel, line_tractions[u], material, surface);
       problem.kernel_error = std::hypot(problem.kernel_error, weight * kernel.error);
       for (std::size_t i = 0; i < channel.count; ++i) {
         const std::size_t row = channel.first + i;
@@ -61,7 +60,7 @@ void add_hats(const Material& material, InverseProblem& problem) {
         apertures.try_emplace({site.width, site.depth}, site.width, site.depth).first->second;
     for (std::size_t u = 0; u < problem.unknowns; ++u) {
       const auto [kernel, is_new] =
-          made.try_emplace({site.quantity, u, site.depth}, site.quantity, traction_components[u],
+          made.try_emplace({site.quantity, u, site.depth}, site.quantity, line_tractions[u],
                            material, site.depth, surface.spacing);
       const HatKernel& hat = kernel->second;
       const auto error = [&](double y) { return hat.error_bound(y); };

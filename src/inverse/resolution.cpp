@@ -79,7 +79,7 @@ std::vector<Complex> columns_of(const SensorArray& array, const Material& materi
   const bool constant = options.unknown_offsets && wavenumber == 0.0;
   for (std::size_t u = 0; u < options.unknowns; ++u)
     for (const Row& row : rows) {
-      const Traction component = traction_components[u];
+      const Traction component = line_tractions[u];
       const bool odd = is_odd(row.quantity, component);
       columns.push_back(
           (odd && on_grid) || constant

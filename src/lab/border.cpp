@@ -25,7 +25,7 @@ std::vector<std::size_t> holes(const SkinSceneProblem& problem, const std::vecto
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < solved.sites.size(); ++i) {
     if (solved.weights[i] != 0.0) continue;
-    const SkinSite& site = solved.sites[i];
+    const Site& site = solved.sites[i];
     const auto nearest = [sight](double at, double first, double spacing, std::size_t count) {
       return std::pair(nearest_place(at - sight, first, spacing, count),
                        nearest_place(at + sight, first, spacing, count));
@@ -76,7 +76,7 @@ std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,
   std::vector<std::size_t> cells = holes(problem, unseen, sight);
   for (std::size_t i = 0; i < solved.sites.size(); ++i) {
     if (solved.weights[i] == 0.0) continue;
-    const SkinSite& site = solved.sites[i];
+    const Site& site = solved.sites[i];
     const std::size_t row = nearest_place(site.y, grid.y(0), grid.spacing_y, grid.rows);
     const std::size_t column = nearest_place(site.z, grid.z(0), grid.spacing_z, grid.columns);
     const auto down = one_row ? 0 : static_cast<std::ptrdiff_t>(reach / grid.spacing_y);

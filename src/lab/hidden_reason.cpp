@@ -44,8 +44,8 @@ std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice&
       reasons.emplace_back(hidden_reason::Proportional{});
   }
   if (offsets) reasons.emplace_back(hidden_reason::UnknownOffsets{});
-  for (const Traction component : {Traction::normal, Traction::tangential}) {
-    if (own.unknowns == 1 && component == Traction::tangential) break;
+  for (const Traction component : {Traction::normal, Traction::tangential_y}) {
+    if (own.unknowns == 1 && component == Traction::tangential_y) break;
     if (offsets || !hides_mean(own, component)) continue;
     if (only_odd(own, component))
       reasons.emplace_back(hidden_reason::OddKernels{component});

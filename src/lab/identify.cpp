@@ -87,7 +87,7 @@ SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t tax
   choice.resolutions = resolutions(array, scene.material, options);
   choice.normal = resolvable_wavelength(choice.resolutions, Traction::normal, traction);
   if (choice.unknowns == 2)
-    choice.tangential = resolvable_wavelength(choice.resolutions, Traction::tangential, traction);
+    choice.tangential = resolvable_wavelength(choice.resolutions, Traction::tangential_y, traction);
 
   choice.unseen =
       unseen_width(array, scene.material, options.channel_rms, scene.dead_taxels, traction);
@@ -126,14 +126,14 @@ class SensorComparison {
   /// Every quantity and every pair at the scene's first depth, every quantity at two depths.
   void in_place() {
     const double depth = scene_.sensor.depths.front();
-    for (const Quantity quantity : quantities) add({quantity}, {depth});
-    for (std::size_t i = 0; i < quantities.size(); ++i)
-      for (std::size_t j = i + 1; j < quantities.size(); ++j)
-        add({quantities[i], quantities[j]}, {depth});
+    for (const Quantity quantity : line_quantities) add({quantity}, {depth});
+    for (std::size_t i = 0; i < line_quantities.size(); ++i)
+      for (std::size_t j = i + 1; j < line_quantities.size(); ++j)
+        add({line_quantities[i], line_quantities[j]}, {depth});
     const std::vector<double> two = depths_of(scene_.sensor).size() == 2
                                         ? scene_.sensor.depths
                                         : std::vector<double>{0.5 * depth, depth};
-    for (const Quantity quantity : quantities) add({quantity}, two);
+    for (const Quantity quantity : line_quantities) add({quantity}, two);
   }
 
   /// The two best pairs at other depths.

@@ -44,7 +44,7 @@ InteriorKernels interior_kernels(const Scene& scene, std::size_t rows, bool tang
       all.insert(all.end(), row.begin(), row.end());
     };
     append(kernels.of_normal, Traction::normal);
-    if (tangential) append(kernels.of_tangential, Traction::tangential);
+    if (tangential) append(kernels.of_tangential, Traction::tangential_y);
   }
   return kernels;
 }

@@ -33,7 +33,7 @@ namespace tactile_net::lab {
   remark::OffsetsFound found{.units = scene.units};
   if (offsets.empty()) return found;
   for (const auto& channel : channels(scene.sensor)) {
-    const QuantityKind kind = traits(SkinQuantity(SignalQuantity(channel.quantity))).kind;
+    const QuantityKind kind = traits(channel.quantity).kind;
     found.channels.push_back({.channel = channel.name,
                               .value = offsets[found.channels.size()],
                               .dimension = dimension_of(kind)});

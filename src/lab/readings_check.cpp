@@ -22,7 +22,7 @@ std::size_t most_groups_of(std::size_t readings) {
 /// Of each reading whether its taxel lives, by the scene.
 std::vector<bool> living_of(const CheckedSensor& sensor) {
   std::vector<bool> living;
-  for (const SignalReading& reading : sensor.layout.readings)
+  for (const Site& reading : sensor.layout.readings)
     living.push_back(std::find(sensor.dead_taxels.begin(), sensor.dead_taxels.end(),
                                reading.taxel) == sensor.dead_taxels.end());
   return living;
@@ -175,7 +175,7 @@ void ReadingsChecker::Parts::say_frames(ReadingsCheck& check) const {
   if (missing.count() > 0) {
     finding::ValuesMissing found{.frames = missing};
     std::vector<std::size_t> most(sensor.layout.taxels);
-    for (std::size_t i = 0; const SignalReading& reading : sensor.layout.readings)
+    for (std::size_t i = 0; const Site& reading : sensor.layout.readings)
       most[reading.taxel] = std::max(most[reading.taxel], tracks[i++].missing());
     for (std::size_t taxel = 0; taxel < most.size(); ++taxel)
       if (2 * most[taxel] > frames) found.taxels.push_back(taxel);
@@ -186,7 +186,7 @@ void ReadingsChecker::Parts::say_frames(ReadingsCheck& check) const {
 }
 
 void ReadingsChecker::Parts::say_channels(const Evidence& evidence, ReadingsCheck& check) const {
-  for (std::size_t c = 0; const SignalChannel& channel : evidence.channels()) {
+  for (std::size_t c = 0; const Channel& channel : evidence.channels()) {
     CheckedChannel found{
         .name = sensor.names[c], .stated = sensor.stated[c], .threshold = thresholds.threshold(c)};
     ++c;

@@ -17,7 +17,7 @@ RecordingSolver::RecordingSolver(SceneProblem problem, Method method,
                                  RecordingSolverOptions options)
     : problem_(std::move(problem)),
       method_(method),
-      sites_(SignalLayout(problem_.scene().sensor).readings),
+      sites_(sites(problem_.scene().sensor)),
       missing_(options.missing),
       solver_(options.share_alpha ? make_sharing_solver(problem_, method, *options.share_alpha)
                                   : make_solver(problem_, method)),

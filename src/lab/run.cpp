@@ -218,7 +218,7 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
 /// The frame's taxels at the end of their range, and whether an answer can do without them.
 remark::Clipped clipped_in(const SceneProblem& problem, std::span<const double> readings) {
   const Scene& scene = problem.scene();
-  const ClippedTaxels found = clipped_taxels(scene, SignalLayout(scene.sensor).readings, readings);
+  const ClippedTaxels found = clipped_taxels(scene, sites(scene.sensor), readings);
   ProblemOptions rest = problem.options();
   rest.dead_taxels.insert(rest.dead_taxels.end(), found.taxels.begin(), found.taxels.end());
   return {.taxels = found.taxels,

@@ -10,7 +10,7 @@ namespace {
 
 bool hides_a_mean(const SensorChoice& choice) {
   return hides_mean(choice, Traction::normal) ||
-         (choice.unknowns == 2 && hides_mean(choice, Traction::tangential));
+         (choice.unknowns == 2 && hides_mean(choice, Traction::tangential_y));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ SkinPadModel::SkinPadModel(SkinScene scene)
             .values = std::vector<double>(problem.kernel.values.size())};
   for (std::size_t i = 0; i < table_.rows; ++i)
     for (std::size_t j = 0; j < table_.columns; ++j) table_(i, j) = problem.kernel(j, i);
-  for (const SkinSite& site : sites_) kernels_.try_emplace(site.depth, scene_.material, site.depth);
+  for (const Site& site : sites_) kernels_.try_emplace(site.depth, scene_.material, site.depth);
 }
 
 void SkinPadModel::readings(std::span<const SampledPatch> patches,
@@ -78,7 +78,7 @@ void SkinPadModel::readings(std::span<const SampledPatch> patches,
 void SkinPadModel::add_beyond(double y, double z, const std::array<double, 3>& tractions,
                               std::span<double> readings) const {
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    const SkinSite& site = sites_[k];
+    const Site& site = sites_[k];
     const SkinKernel& kernel = kernels_.at(site.depth);
     for (std::size_t c = 0; c < tractions.size(); ++c)
       if (tractions[c] != 0.0)

@@ -106,7 +106,7 @@ bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> 
       strongest = i;
     }
   if (!(most > deviations * noise)) return false;
-  const SkinSite& site = solved.sites[strongest];
+  const Site& site = solved.sites[strongest];
   const SkinGrid& grid = problem.grid();
   const double reach =
       std::max(grid.spacing_y, grid.spacing_z) + least_depth(problem.scene().sensor);
@@ -212,17 +212,10 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
   return answer;
 }
 
-std::vector<SignalReading> signal_readings(const SkinProblem& problem) {
-  std::vector<SignalReading> all;
-  for (const SkinSite& site : problem.sites)
-    all.push_back({site.quantity, site.taxel, site.channel});
-  return all;
-}
-
 }  // namespace
 
 std::span<const double> component(std::span<const double> values, const SkinGrid& grid,
-                                  SkinTraction which) {
+                                  Traction which) {
   const std::size_t first = static_cast<std::size_t>(which) * grid.count();
   return first < values.size() ? values.subspan(first, grid.count()) : std::span<const double>{};
 }
@@ -232,7 +225,7 @@ SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readin
   const SkinScene& scene = problem.scene();
   if (readings.size() != problem.layout().sites.size())
     return solve_as_read(problem, readings, choose);  // which refuses them
-  const ClippedTaxels clipped = clipped_taxels(scene, signal_readings(problem.layout()), readings);
+  const ClippedTaxels clipped = clipped_taxels(scene, problem.layout().sites, readings);
   if (clipped.taxels.empty()) return solve_as_read(problem, readings, choose);
   std::vector<std::size_t> dead = scene.dead_taxels;
   dead.insert(dead.end(), clipped.taxels.begin(), clipped.taxels.end());

@@ -57,7 +57,7 @@ SkinCrop strongest_part(const SkinSceneProblem& problem, std::span<const double>
     if (rows.has(dead / columns) && across.has(dead % columns))
       crop.scene.dead_taxels.push_back((dead / columns - rows.first) * across.count +
                                        dead % columns - across.first);
-  for (const SkinChannel& channel : channels(whole.sensor))
+  for (const Channel& channel : channels(whole.sensor))
     for (std::size_t row = rows.first; row < rows.first + rows.count; ++row)
       for (std::size_t column = across.first; column < across.first + across.count; ++column)
         crop.readings.push_back(readings[channel.first + row * columns + column]);

@@ -10,7 +10,7 @@ namespace tactile_net::lab {
 namespace {
 
 /// What strains the pad by 1 [the quantity's unit].
-double largest_reading(const SkinSite& site, const Material& material) {
+double largest_reading(const Site& site, const Material& material) {
   switch (traits(site.quantity).kind) {
     case QuantityKind::strain:
       return 1.0;
@@ -28,7 +28,7 @@ DataLimits data_limits(const SkinSceneProblem& problem) {
   DataLimits limits{.noise_rms = problem.stated_noise(),
                     .friction_limit = scene.reconstruct.friction_limit,
                     .largest_traction = scene.material.youngs_modulus};
-  for (const SkinSite& site : sites(scene.sensor))
+  for (const Site& site : sites(scene.sensor))
     limits.largest_readings.push_back(largest_reading(site, scene.material));
   return limits;
 }

@@ -25,7 +25,7 @@ namespace tactile_net::lab {
 namespace {
 
 /// With what a converter's steps add to it; 0: it is not stated.
-double known_noise(const SkinScene& scene, SkinQuantity quantity) {
+double known_noise(const SkinScene& scene, Quantity quantity) {
   const auto stated = scene.noise->rms.find(quantity);
   const double rms = stated == scene.noise->rms.end() ? 0.0 : stated->second;
   if (!(rms > 0.0) || !scene.quantization) return rms;
@@ -42,7 +42,7 @@ SkinProblemOptions options_of(const SkinScene& scene) {
                              .grid = scene.reconstruct.grid,
                              .unknown_offsets = scene.reconstruct.offset};
   if (scene.noise && scene.noise->weights_rows)
-    for (const SkinChannel& channel : channels(scene.sensor))
+    for (const Channel& channel : channels(scene.sensor))
       options.channel_rms.push_back(known_noise(scene, channel.quantity));
   return options;
 }
@@ -186,8 +186,8 @@ std::optional<double> SkinSceneProblem::stated_noise() const {
   if (!scene.noise) return std::nullopt;
   if (scene.noise->weights_rows) return 1.0;
   double squares = 0.0;
-  const std::vector<SkinChannel> all = channels(scene.sensor);
-  for (const SkinChannel& channel : all)
+  const std::vector<Channel> all = channels(scene.sensor);
+  for (const Channel& channel : all)
     squares += std::pow(known_noise(scene, channel.quantity), 2) / static_cast<double>(all.size());
   return squares > 0.0 ? std::optional(std::sqrt(squares)) : std::nullopt;
 }

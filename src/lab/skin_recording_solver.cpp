@@ -43,7 +43,7 @@ struct SkinRecordingSolver::Parts {
   /// left.
   std::optional<SkinSceneProblem> rest(std::span<double> readings) {
     const SkinScene& scene = problem.scene();
-    const std::vector<SkinSite>& sites = problem.layout().sites;
+    const std::vector<Site>& sites = problem.layout().sites;
     const std::vector<std::size_t> dead = dead_with_missing(scene.dead_taxels, sites, readings);
     if (!is_measured(scene.sensor, dead, scene.reconstruct.offset)) return std::nullopt;
     for (std::size_t i = 0; i < readings.size(); ++i)

@@ -16,9 +16,9 @@ constexpr double least_difference = 1e-9;  // what lies just as far is as near i
 /// How far apart taxels lie that are nowhere in rows: the mean distance to the third nearest place,
 /// which of a square lattice and of a triangular one is their pitch. The nearest ones lie closer
 /// the less even a skin is, though it leaves no gaps.
-double mean_spacing(std::span<const SkinSite> sites) {
+double mean_spacing(std::span<const Site> sites) {
   std::vector<std::pair<double, double>> places;
-  for (const SkinSite& site : sites) places.emplace_back(site.y, site.z);
+  for (const Site& site : sites) places.emplace_back(site.y, site.z);
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   constexpr std::size_t third = 3;  // the first is the place itself
@@ -44,7 +44,7 @@ bool is_surrounded(double y, double z, const SkinProblem& problem) {
       150.0 / 180.0 * std::numbers::pi + least_difference;  // between neighbours
   std::vector<double> directions;
   for (std::size_t i = 0; i < problem.sites.size(); ++i) {
-    const SkinSite& site = problem.sites[i];
+    const Site& site = problem.sites[i];
     if (problem.weights[i] != 0.0 && std::hypot(site.y - y, site.z - z) <= near * site.depth)
       directions.push_back(std::atan2(site.z - z, site.y - y));
   }
@@ -81,7 +81,7 @@ std::vector<bool> unseen_cells(const SkinSceneProblem& problem) {
   };
   for (std::size_t i = 0; i < solved.sites.size(); ++i) {
     if (solved.weights[i] == 0.0) continue;
-    const SkinSite& site = solved.sites[i];
+    const Site& site = solved.sites[i];
     const auto [row, last_row] = near(site.y, grid.y(0), grid.spacing_y, reach, grid.rows);
     const auto [column, last_column] = near(site.z, grid.z(0), grid.spacing_z, reach, grid.columns);
     for (std::size_t m = row; m < last_row; ++m)

@@ -33,13 +33,13 @@ std::size_t compared_side(std::size_t count) {
 /// The largest reading that a ripple of normal traction of unit amplitude causes, whatever its
 /// wave. A channel that a layer's base keeps from reading anything has the half space's, so that
 /// its rounding is not taken for a signal.
-double largest_response(const SkinArray& skin, const Material& material, SkinQuantity quantity,
+double largest_response(const SkinArray& skin, const Material& material, Quantity quantity,
                         double depth) {
   const auto largest = [&](const Material& body) {
     double most = 0.0;
     const auto take = [&](double k_y, double k_z) {
-      most = std::max(
-          most, std::abs(skin_transform(quantity, SkinTraction::normal, body, depth, k_y, k_z)));
+      most = std::max(most,
+                      std::abs(skin_transform(quantity, Traction::normal, body, depth, k_y, k_z)));
     };
     const double length = std::max(static_cast<double>(skin.rows) * skin.pitch_y,
                                    static_cast<double>(skin.columns) * skin.pitch_z);
@@ -68,7 +68,7 @@ double peak_skin_traction(const SkinScene& scene) {
 
 /// As the templates of survey_assumptions.hpp take it.
 auto response_of(const SkinScene& scene) {
-  return [&scene](const SkinChannel& channel) {
+  return [&scene](const Channel& channel) {
     return largest_response(scene.sensor, scene.material, channel.quantity, channel.depth);
   };
 }
@@ -83,7 +83,7 @@ SkinArray compared(SkinArray skin, std::size_t rows, std::size_t columns) {
 
 /// Taxels that all read the same, at each of the depths; uneven ones in their places and as much
 /// deeper than the least depth as they are.
-SkinArray reading(const SkinArray& skin, const std::vector<SkinQuantity>& reads,
+SkinArray reading(const SkinArray& skin, const std::vector<Quantity>& reads,
                   const std::vector<double>& factors) {
   SkinArray other = skin;
   const double least = least_depth(skin);
@@ -112,22 +112,22 @@ class SkinComparison {
   void own() {
     observer_.step({Step::Kind::sensors});
     survey_.own = *study(scene_.sensor, true);
-    const std::vector<SkinChannel> all = channels(scene_.sensor);
+    const std::vector<Channel> all = channels(scene_.sensor);
     const SkinProblemOptions options = options_of(scene_.sensor, survey_.own.components);
     const double k = 2.0 * pi / survey_.wave;
     const double c = std::cos(wave_angle);
     const double s = std::sin(wave_angle);
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const auto of = [&](SkinTraction component) {
+      const auto of = [&](Traction component) {
         return survey_.traction / options.channel_rms[i] *
                skin_transform(all[i].quantity, component, scene_.material, all[i].depth, k * c,
                               k * s);
       };
       WaveShare share{all[i].quantity, all[i].depth, {}};
-      share.signal[0] = std::abs(of(SkinTraction::normal));
+      share.signal[0] = std::abs(of(Traction::normal));
       if (survey_.own.components == 3) {
-        const std::complex<double> y = of(SkinTraction::tangential_y);
-        const std::complex<double> z = of(SkinTraction::tangential_z);
+        const std::complex<double> y = of(Traction::tangential_y);
+        const std::complex<double> z = of(Traction::tangential_z);
         share.signal[1] = std::abs(c * y + s * z);
         share.signal[2] = std::abs(c * z - s * y);
       }
@@ -141,14 +141,14 @@ class SkinComparison {
   /// The scene's own quantities and depths apart, then what skins read elsewhere, at its least
   /// depth, and what pressure alone tells at several depths.
   void in_place() {
-    using enum SkinQuantity;
-    const std::vector<SkinQuantity>& reads = scene_.sensor.reads;
+    using enum Quantity;
+    const std::vector<Quantity>& reads = scene_.sensor.reads;
     const std::vector<double> own_depths = factors();
     if (reads.size() > 1)
-      for (const SkinQuantity quantity : reads) add({quantity}, own_depths);
+      for (const Quantity quantity : reads) add({quantity}, own_depths);
     if (own_depths.size() > 1)
       for (const double factor : own_depths) add(reads, {factor});
-    const std::vector<std::vector<SkinQuantity>> sets = {
+    const std::vector<std::vector<Quantity>> sets = {
         {stress_x},
         {stress_x, shear_xy},
         {shear_xy, shear_xz},
@@ -174,7 +174,7 @@ class SkinComparison {
       if (choice.depths.size() == 1 || !is_even(scene_.sensor)) order.push_back(&choice);
     if (factors().size() == 1) order.push_back(&survey_.own);
     std::stable_sort(order.begin(), order.end(), [](auto a, auto b) { return tells_more(*a, *b); });
-    std::vector<std::vector<SkinQuantity>> best;
+    std::vector<std::vector<Quantity>> best;
     for (std::size_t i = 0; i < std::min<std::size_t>(order.size(), 2); ++i)
       best.push_back(order[i]->reads);
     for (const auto& reads : best)
@@ -193,7 +193,7 @@ class SkinComparison {
 
   [[nodiscard]] SkinProblemOptions options_of(const SkinArray& skin, std::size_t components) const {
     SkinProblemOptions options{.components = components};
-    for (const SkinChannel& channel : channels(skin))
+    for (const Channel& channel : channels(skin))
       options.channel_rms.push_back(
           assumed_rms(scene_, survey_.noise, channel, survey_.traction, response_of(scene_)));
     return options;
@@ -236,7 +236,7 @@ class SkinComparison {
     return choice;
   }
 
-  void add(const std::vector<SkinQuantity>& reads, const std::vector<double>& depth_factors) {
+  void add(const std::vector<Quantity>& reads, const std::vector<double>& depth_factors) {
     const SkinArray skin = reading(scene_.sensor, reads, depth_factors);
     const auto is_there = [&](const SkinSensorChoice& choice) {
       if (!same(choice.reads, skin.reads) || choice.depths.size() != skin.depths.size())

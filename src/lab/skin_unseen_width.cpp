@@ -20,7 +20,7 @@ constexpr std::size_t nearest_taxels = 12;  // of a place: one of them sees most
 
 std::vector<SkinPlace> places_of(const SkinArray& skin) {
   std::vector<SkinPlace> places(taxel_count(skin));
-  for (const SkinSite& site : sites(skin)) places[site.taxel] = {site.y, site.z};
+  for (const Site& site : sites(skin)) places[site.taxel] = {site.y, site.z};
   return places;
 }
 
@@ -43,7 +43,7 @@ bool lies_among(const SkinPlace& place, const std::vector<SkinPlace>& taxels) {
 /// One reading near the hole, of the normal traction.
 struct NearReading {
   SkinPlace at;
-  SkinQuantity quantity;
+  Quantity quantity;
   const SkinKernel* kernel;
   double depth;
   double rms;
@@ -61,7 +61,7 @@ double circle_reading(const NearReading& one, double radius, const SkinPlace& mi
     const double weight = std::cos(t) * std::cos(t) * std::sin(t);
     for (int j = 0; j < spokes; ++j) {
       const double angle = 2.0 * pi * (j + 0.5 * (i % 2)) / spokes;
-      sum += weight * (*one.kernel)(one.quantity, SkinTraction::normal,
+      sum += weight * (*one.kernel)(one.quantity, Traction::normal,
                                     one.at.y - middle.y - r * std::cos(angle),
                                     one.at.z - middle.z - r * std::sin(angle));
     }
@@ -115,18 +115,18 @@ std::optional<double> skin_unseen_width(const SkinArray& skin, const Material& m
                                         std::span<const std::size_t> dead_taxels, double traction) {
   const std::optional<SkinPlace> hole = widest_hole(skin, dead_taxels);
   if (!hole) return std::nullopt;
-  std::vector<SkinSite> near;
-  for (const SkinSite& site : sites(skin))
+  std::vector<Site> near;
+  for (const Site& site : sites(skin))
     if (std::find(dead_taxels.begin(), dead_taxels.end(), site.taxel) == dead_taxels.end())
       near.push_back(site);
-  const auto away = [&](const SkinSite& site) { return distance({site.y, site.z}, *hole); };
+  const auto away = [&](const Site& site) { return distance({site.y, site.z}, *hole); };
   std::stable_sort(near.begin(), near.end(),
                    [&](const auto& a, const auto& b) { return away(a) < away(b); });
   const SkinPlace next{near.front().y, near.front().z};
   near.resize(std::min(near.size(), nearest_taxels * channel_count(skin)));
   std::map<double, SkinKernel> kernels;
   std::vector<NearReading> readings;
-  for (const SkinSite& site : near)
+  for (const Site& site : near)
     readings.push_back({{site.y, site.z},
                         site.quantity,
                         &kernels.try_emplace(site.depth, material, site.depth).first->second,

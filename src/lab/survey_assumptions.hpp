@@ -17,7 +17,7 @@
 namespace tactile_net::lab {
 
 /// 0 where none is stated.
-inline double stated_rms(const SensorEffects& scene, const SignalQuantity& quantity) {
+inline double stated_rms(const SensorEffects& scene, Quantity quantity) {
   if (!scene.noise) return 0.0;
   const auto stated = scene.noise->rms.find(quantity);
   return stated == scene.noise->rms.end() ? 0.0 : stated->second;
@@ -70,8 +70,7 @@ double traction_of(const auto& scene, std::span<const double> largest, const aut
 }
 
 /// In whatever order.
-template <class Quantity>
-bool same(std::vector<Quantity> a, std::vector<Quantity> b) {
+inline bool same(std::vector<Quantity> a, std::vector<Quantity> b) {
   std::sort(a.begin(), a.end());
   std::sort(b.begin(), b.end());
   return a == b;

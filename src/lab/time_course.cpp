@@ -16,7 +16,7 @@ Resultant pressed(const Scene& scene, const Surface& surface, double time,
   Resultant exact;
   for (const Contact& contact : contacts_at(scene, time)) {
     exact.normal += resultant(contact, Traction::normal);
-    exact.tangential += resultant(contact, Traction::tangential);
+    exact.tangential += resultant(contact, Traction::tangential_y);
   }
   exact.moment = sampled.centre().value_or(0.0) * exact.normal;
   return exact;

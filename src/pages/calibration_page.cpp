@@ -31,7 +31,7 @@ using drawing::Plot;
 Figure press_figure(const lab::SceneCalibration& found, std::size_t p, std::size_t c,
                     const std::string& name, const std::string& words) {
   const PressFit& fit = found.fit;
-  const PressChannel& channel = found.channels[c];
+  const Channel& channel = found.channels[c];
   const double noise = found.log.unloaded.rms[c];
   std::vector<double> y, measured, before, after;
   for (std::size_t j = 0; j < found.sites.size(); ++j) {
@@ -158,7 +158,7 @@ std::vector<Figure> figures_of(const lab::SceneCalibration& found) {
     return found.fit.presses[a].rms < found.fit.presses[b].rms;
   });
   std::vector<Figure> figures{gains_figure(found)};
-  const std::vector<PressChannel>& all = found.channels;
+  const std::vector<Channel>& all = found.channels;
   const auto add = [&](std::size_t p, const std::string& name, const std::string& words) {
     for (std::size_t c = 0; c < all.size(); ++c)
       figures.push_back(press_figure(found, p, c, all.size() == 1 ? name : name + '-' + all[c].name,

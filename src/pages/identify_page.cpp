@@ -158,8 +158,8 @@ Plot sight_plot(const Scene& scene, const std::vector<const lab::SensorChoice*>&
   const PlotAxis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
   Plot plot{"", along.label, "standard deviation / ripple", along(wavelengths), {}};
   for (const lab::SensorChoice* choice : choices)
-    for (const Traction component : {Traction::normal, Traction::tangential}) {
-      if (component == Traction::tangential && choice->unknowns == 1) continue;
+    for (const Traction component : {Traction::normal, Traction::tangential_y}) {
+      if (component == Traction::tangential_y && choice->unknowns == 1) continue;
       Curve curve{in_words(*choice, scene.units) +
                       (component == Traction::normal ? ", normal" : ", tangential"),
                   {}};
@@ -191,7 +191,7 @@ Figure sight_figure(const Scene& scene, const lab::Survey& survey) {
         "<svg viewBox=\"0 0 1000 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"" +
         drawing::escaped(in_words(*choice, scene.units) + ": " + told) + "\">" +
         sight(*choice, Traction::normal, survey.traction, spectrum, 0.0, two ? 46.0 : 100.0) +
-        (two ? sight(*choice, Traction::tangential, survey.traction, spectrum, 54.0, 46.0) : "") +
+        (two ? sight(*choice, Traction::tangential_y, survey.traction, spectrum, 54.0, 46.0) : "") +
         "</svg>\n";
   }
   html += "<div class=\"scale\">" + element("span", "wavelength " + length(spectrum.shortest)) +
@@ -231,7 +231,7 @@ std::vector<Figure> figures_of(const Scene& scene, const lab::Survey& survey) {
       {"resolution-normal", "others", ripples, deviation_plot(scene, survey, Traction::normal)}};
   if (survey.own.unknowns == 2)
     figures.push_back({"resolution-tangential", "others", "The same for the tangential traction.",
-                       deviation_plot(scene, survey, Traction::tangential)});
+                       deviation_plot(scene, survey, Traction::tangential_y)});
   std::erase_if(figures, [](const Figure& figure) {
     return figure.plot.x.empty() && figure.picture.empty();
   });
@@ -252,7 +252,7 @@ std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey,
     const bool two = choice.unknowns == 2;
     std::vector<std::string> means;
     if (lab::hides_mean(choice, Traction::normal)) means.emplace_back("normal");
-    if (two && lab::hides_mean(choice, Traction::tangential)) means.emplace_back("tangential");
+    if (two && lab::hides_mean(choice, Traction::tangential_y)) means.emplace_back("tangential");
     rows.push_back(
         {in_words(choice, units) + mark, std::to_string(choice.unknowns),
          condition_in_words(choice.identifiability),

@@ -106,9 +106,9 @@ std::string heat_maps(const RecordingOverview& overview) {
   if (!overview.tangential()) return html;
   return html + element("h2", "Tangential traction, y over time") +
          figure_over_time(overview, y, unit, "Heat map of the tangential traction over time", "low",
-                          map_of(overview, Traction::tangential),
+                          map_of(overview, Traction::tangential_y),
                           "Orange drags along +y, purple along -y; full colour at " +
-                              traction(Traction::tangential) + ".");
+                              traction(Traction::tangential_y) + ".");
 }
 
 double double_or_nan(const FrameGroup& group, double NoiseEstimate::*which) {

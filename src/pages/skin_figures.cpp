@@ -28,8 +28,8 @@ double largest_finite(std::span<const double> values) {
 }
 
 double largest_drag(const Values& values, const SkinGrid& grid) {
-  const auto y = lab::component(values, grid, SkinTraction::tangential_y);
-  const auto z = lab::component(values, grid, SkinTraction::tangential_z);
+  const auto y = lab::component(values, grid, Traction::tangential_y);
+  const auto z = lab::component(values, grid, Traction::tangential_z);
   double most = 0.0;
   for (std::size_t i = 0; i < y.size(); ++i) most = std::max(most, std::hypot(y[i], z[i]));
   return most;
@@ -38,7 +38,7 @@ double largest_drag(const Values& values, const SkinGrid& grid) {
 }  // namespace
 
 void take(Scales& scales, const Values& values, const SkinGrid& grid) {
-  const auto p = lab::component(values, grid, SkinTraction::normal);
+  const auto p = lab::component(values, grid, Traction::normal);
   scales.pressure = std::max(scales.pressure, largest_finite(p));
   scales.drag = std::max(scales.drag, largest_drag(values, grid));
   scales.negative =
@@ -49,22 +49,22 @@ std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const
                          const std::vector<std::size_t>& cells, const Scales& scales,
                          const std::string& title) {
   const MapGrid grid = map_grid(cells_of);
-  const auto of = [&](SkinTraction which) { return lab::component(values, cells_of, which); };
+  const auto of = [&](Traction which) { return lab::component(values, cells_of, which); };
   std::string svg =
-      map_image(grid, of(SkinTraction::normal), scales.pressure, MapColours::signed_values) +
+      map_image(grid, of(Traction::normal), scales.pressure, MapColours::signed_values) +
       map_taxels(grid, scene.sensor, scene.dead_taxels);
   std::vector<bool> touches(cells_of.count());
   for (const std::size_t cell : cells) touches[cell] = true;
-  const auto drag = [&](SkinTraction which) {
+  const auto drag = [&](Traction which) {
     const auto values_of = of(which);
     Values shown(values_of.begin(), values_of.end());
     for (std::size_t k = 0; k < shown.size() && !cells.empty(); ++k)
       if (!touches[k]) shown[k] = 0.0;
     return shown;
   };
-  if (scales.drag > least_drag * scales.pressure && !of(SkinTraction::tangential_y).empty())
-    svg += map_arrows(grid, drag(SkinTraction::tangential_y), drag(SkinTraction::tangential_z),
-                      scales.drag);
+  if (scales.drag > least_drag * scales.pressure && !of(Traction::tangential_y).empty())
+    svg +=
+        map_arrows(grid, drag(Traction::tangential_y), drag(Traction::tangential_z), scales.drag);
   svg += map_outline(grid, touches);
   return map_picture(scene.units, grid, title, "Map of the tractions, " + title, svg);
 }
@@ -98,7 +98,7 @@ std::string readings_figure(const lab::SkinExperiment& experiment) {
   const MapGrid grid = map_grid(scene.sensor);
   std::string pictures;
   const std::string dead = map_dead_taxels(grid, scene.sensor, scene.dead_taxels);
-  for (const SkinChannel& channel : channels(scene.sensor)) {
+  for (const Channel& channel : channels(scene.sensor)) {
     const auto values =
         std::span<const double>(experiment.frame.readings).subspan(channel.first, channel.count);
     const double most = largest_finite(values);
@@ -173,11 +173,10 @@ std::string errors_figure(const lab::SkinExperiment& experiment) {
         colour_bar(colours, report::axis_unit(units, Dimension::stress, most), most, true, ""));
   };
   add("How far p may be off: one standard deviation",
-      lab::component(experiment.answer->deviations, cells, SkinTraction::normal),
-      MapColours::sizes);
+      lab::component(experiment.answer->deviations, cells, Traction::normal), MapColours::sizes);
   if (experiment.has_truth()) {
-    const auto p = lab::component(experiment.answer->tractions, cells, SkinTraction::normal);
-    const auto truth = lab::component(experiment.frame.truth, cells, SkinTraction::normal);
+    const auto p = lab::component(experiment.answer->tractions, cells, Traction::normal);
+    const auto truth = lab::component(experiment.frame.truth, cells, Traction::normal);
     Values off(p.size());
     for (std::size_t i = 0; i < p.size(); ++i) off[i] = p[i] - truth[i];
     add("How far p is off: found minus true", off, MapColours::signed_values);

@@ -200,7 +200,7 @@ std::string at_taxels(const SkinArray& skin, std::span<const std::size_t> dead, 
                       const auto& draw) {
   std::set<std::pair<double, double>> drawn;
   std::string svg;
-  for (const SkinSite& site : sites(skin)) {
+  for (const Site& site : sites(skin)) {
     const bool is_dead = std::find(dead.begin(), dead.end(), site.taxel) != dead.end();
     if (is_dead == of_dead && drawn.emplace(site.y, site.z).second) svg += draw(site.y, site.z);
   }

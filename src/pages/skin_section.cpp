@@ -22,7 +22,7 @@ using drawing::element;
 
 /// One component along a line of cells.
 std::vector<double> along_line(const std::vector<double>& values, const SkinGrid& grid,
-                               SkinTraction which, Axis along, const PeakCell& peak) {
+                               Traction which, Axis along, const PeakCell& peak) {
   const auto all = lab::component(values, grid, which);
   std::vector<double> line;
   if (all.empty()) return line;
@@ -90,13 +90,13 @@ SampledPatch patch_of(const lab::SkinExperiment& experiment) {
                      .z = grid.centre_z,
                      .spacing_y = grid.spacing_y,
                      .spacing_z = grid.spacing_z};
-  const auto take = [&](SkinTraction which) {
+  const auto take = [&](Traction which) {
     const auto all = lab::component(shown(experiment), grid, which);
     return std::vector(all.begin(), all.end());
   };
-  patch.normal = take(SkinTraction::normal);
-  patch.tangential_y = take(SkinTraction::tangential_y);
-  patch.tangential_z = take(SkinTraction::tangential_z);
+  patch.normal = take(Traction::normal);
+  patch.tangential_y = take(Traction::tangential_y);
+  patch.tangential_z = take(Traction::tangential_z);
   return patch;
 }
 
@@ -114,7 +114,7 @@ Interior interior_of(const lab::SkinExperiment& experiment, double bottom, doubl
                 centred(j, interior.columns) * width / static_cast<double>(interior.columns),
            .z = z,
            .depth = bottom * (static_cast<double>(i) + 0.5) / static_cast<double>(interior.rows),
-           .reads = {SkinQuantity::stress_x}});
+           .reads = {Quantity::stress_x}});
   const SkinLoad load = patch_of(experiment);
   interior.stress =
       exact_readings(uneven_skin(std::move(points)), scene.material, std::span(&load, 1));
@@ -126,7 +126,7 @@ Interior interior_of(const lab::SkinExperiment& experiment, double bottom, doubl
 PeakCell peak_of(const lab::SkinExperiment& experiment) {
   const SkinGrid& grid = experiment.grid;
   const auto& values = experiment.answer ? experiment.answer->tractions : experiment.frame.truth;
-  const auto p = lab::component(values, grid, SkinTraction::normal);
+  const auto p = lab::component(values, grid, Traction::normal);
   const auto at = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
   return {at / grid.columns, at % grid.columns};
 }
@@ -134,17 +134,16 @@ PeakCell peak_of(const lab::SkinExperiment& experiment) {
 std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
   const SkinGrid& grid = experiment.grid;
   const PeakCell peak = peak_of(experiment);
-  const auto line = [&](SkinTraction which) {
+  const auto line = [&](Traction which) {
     const auto of = [&](const std::vector<double>& values) {
       return along_line(values, grid, which, along, peak);
     };
     return Line{of(experiment.answer->tractions), of(experiment.answer->deviations),
                 of(experiment.frame.truth), false};
   };
-  Line normal = line(SkinTraction::normal);
+  Line normal = line(Traction::normal);
   normal.pushes_only = experiment.answer->cone.has_value();
-  const Line drag =
-      line(along == Axis::y ? SkinTraction::tangential_y : SkinTraction::tangential_z);
+  const Line drag = line(along == Axis::y ? Traction::tangential_y : Traction::tangential_z);
   Range range;
   normal.widen(range);
   if (!drag.found.empty()) drag.widen(range);
@@ -181,7 +180,7 @@ std::string pad_picture(const lab::SkinExperiment& experiment) {
   const PeakCell peak = peak_of(experiment);
   const double deepest = [&] {
     double most = 0.0;
-    for (const SkinSite& site : sites(scene.sensor)) most = std::max(most, site.depth);
+    for (const Site& site : sites(scene.sensor)) most = std::max(most, site.depth);
     return most;
   }();
   const double bottom = scene.material.layer ? scene.material.layer->thickness : 2.0 * deepest;
@@ -193,7 +192,7 @@ std::string pad_picture(const lab::SkinExperiment& experiment) {
                     "\" role=\"img\" aria-label=\"Section of the pad along y through the peak\">\n";
   svg += "<rect class=\"pad\" x=\"0\" y=\"" + px(surface) + "\" width=\"1000\" height=\"" +
          px(thickness) + "\"/>\n";
-  const auto p = along_line(shown(experiment), grid, SkinTraction::normal, Axis::y, peak);
+  const auto p = along_line(shown(experiment), grid, Traction::normal, Axis::y, peak);
   const double most = *std::max_element(p.begin(), p.end());
   if (most > 0.0) {
     const Interior inside = interior_of(experiment, bottom, grid.z(peak.column));
@@ -207,7 +206,7 @@ std::string pad_picture(const lab::SkinExperiment& experiment) {
            "\"/>\n";
   }
   std::set<std::pair<double, double>> drawn;
-  for (const SkinSite& site : sites(scene.sensor))
+  for (const Site& site : sites(scene.sensor))
     if (drawn.emplace(site.y, site.depth).second)
       svg += "<circle class=\"taxel\" cx=\"" + px(at(site.y)) + "\" cy=\"" +
              px(surface + thickness * site.depth / bottom) + "\" r=\"5\"/>";
@@ -222,7 +221,7 @@ std::string pad_picture(const lab::SkinExperiment& experiment) {
     for (std::size_t i = 0; i < p.size(); ++i)
       area += 'L' + px(at(grid.y(i))) + ' ' + px(surface - 90.0 * std::max(p[i], 0.0) / most);
     svg += "<path class=\"pressure\" d=\"" + area + "L1000 " + px(surface) + "Z\"/>\n";
-    const auto q = along_line(shown(experiment), grid, SkinTraction::tangential_y, Axis::y, peak);
+    const auto q = along_line(shown(experiment), grid, Traction::tangential_y, Axis::y, peak);
     std::string arrows;
     for (std::size_t i = 0; i < q.size(); ++i) {
       const double length = 60.0 * q[i] / most;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 
 namespace tactile_net::pages {

@@ -27,14 +27,14 @@ using sweep::Table;
 using Rows = std::vector<const Row*>;
 
 /// What is drawn over an axis.
-struct Quantity {
+struct PlottedQuantity {
   std::string_view name;  ///< of its files
   std::string_view label;
   std::optional<double> Row::*of;
   std::optional<double> sweep::Group::*median;
 };
 
-constexpr Quantity quantities[] = {
+constexpr PlottedQuantity quantities[] = {
     {"error", "|f - truth| / |truth|, normal", &Row::error, &sweep::Group::median_error},
     {"alpha", "alpha", &Row::alpha, &sweep::Group::median_alpha},
 };
@@ -85,7 +85,7 @@ std::vector<Bundle> bundles(const Table& table, std::size_t axis) {
   return finest;
 }
 
-Curve points(const Rows& rows, std::size_t axis, const Quantity& quantity) {
+Curve points(const Rows& rows, std::size_t axis, const PlottedQuantity& quantity) {
   Curve curve{.label = "single rows", .y = {}, .dots = true};
   for (const Part& part : sweep::by_value(rows, axis))
     for (const Row* row : part.rows)
@@ -96,7 +96,7 @@ Curve points(const Rows& rows, std::size_t axis, const Quantity& quantity) {
   return curve;
 }
 
-Plot plot_over(const Table& table, std::size_t axis, const Quantity& quantity) {
+Plot plot_over(const Table& table, std::size_t axis, const PlottedQuantity& quantity) {
   Plot plot{.title = table.axes[axis],
             .x_label = report::axis_in_words(table, axis),
             .y_label = std::string(quantity.label),
@@ -136,7 +136,7 @@ Plot plot_over(const Table& table, std::size_t axis, const Quantity& quantity) {
 }
 
 /// Whether there is anything to see: an alpha that the scene gives is one number.
-bool varies(const Table& table, const Quantity& quantity) {
+bool varies(const Table& table, const PlottedQuantity& quantity) {
   std::optional<double> first;
   for (const Row& row : table.rows) {
     const auto value = row.*quantity.of;
@@ -148,7 +148,7 @@ bool varies(const Table& table, const Quantity& quantity) {
 
 std::vector<Figure> figures_of(const Table& table) {
   std::vector<Figure> figures;
-  for (const Quantity& quantity : quantities) {
+  for (const PlottedQuantity& quantity : quantities) {
     if (!varies(table, quantity)) continue;
     for (std::size_t axis = 0; axis < table.axes.size(); ++axis)
       if (can_be_drawn(table, axis))

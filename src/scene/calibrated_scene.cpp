@@ -105,8 +105,7 @@ std::string noise_of(const auto& nominal, const PressLog& log, const PressFit& f
         squares += std::pow(log.unloaded.rms[c] / fit.mean_gain[c].value, 2);
         count += 1.0;
       }
-    const Unit unit =
-        nominal.units ? unit_of(*nominal.units, traits(SignalQuantity(quantity)).kind) : Unit{};
+    const Unit unit = nominal.units ? unit_of(*nominal.units, traits(quantity).kind) : Unit{};
     const double number = unit.from_si(std::sqrt(squares / count));
     const std::string rms = rounded(number, 0.1 * number);
     if (nominal.sensor.reads.size() == 1) return rms;
@@ -219,9 +218,7 @@ SensorScale scale_of(const auto& nominal, const PressFit& fit) {
   const auto where = sites(nominal.sensor);
   for (std::size_t i = 0; i < fit.gains.size(); ++i) {
     const double to_si =
-        nominal.units
-            ? unit_of(*nominal.units, traits(SignalQuantity(where[i].quantity)).kind).to_si(1.0)
-            : 1.0;
+        nominal.units ? unit_of(*nominal.units, traits(where[i].quantity).kind).to_si(1.0) : 1.0;
     const double gain = nominal.calibration ? nominal.calibration->gain[i] : 1.0;
     const double own = nominal.calibration ? nominal.calibration->offset[i] : 0.0;
     const double baseline = nominal.calibration ? nominal.calibration->baseline[i] : 0.0;

@@ -28,7 +28,7 @@ struct CalibratedReadings {
   for (const auto quantity : sensor.reads) result.names.push_back(name(quantity));
   for (const auto& site : sites(sensor)) {
     result.quantities.push_back(name(site.quantity));
-    result.units.push_back(unit_of(units, traits(SignalQuantity(site.quantity)).kind));
+    result.units.push_back(unit_of(units, traits(site.quantity).kind));
   }
   return result;
 }

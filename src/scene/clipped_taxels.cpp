@@ -15,7 +15,7 @@ namespace {
 constexpr double of_rest = 0.05;  // of the larger end
 
 /// What a quantity's readings lie between; absent: nobody says.
-std::optional<Range> range_of(const SensorEffects& effects, SignalQuantity quantity) {
+std::optional<Range> range_of(const SensorEffects& effects, Quantity quantity) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   Range range{-infinite, infinite};
   const auto narrow = [&](const PerQuantity<Range>& stated) {
@@ -63,13 +63,13 @@ class Piles {
 
 }  // namespace
 
-ClippedTaxels clipped_taxels(const SensorEffects& effects, std::span<const SignalReading> sites,
+ClippedTaxels clipped_taxels(const SensorEffects& effects, std::span<const Site> sites,
                              std::span<const double> readings) {
   const std::set<std::size_t> dead(effects.dead_taxels.begin(), effects.dead_taxels.end());
   const auto is_live = [&](std::size_t i) {
     return std::isfinite(readings[i]) && !dead.contains(sites[i].taxel);
   };
-  std::map<SignalQuantity, std::optional<Range>> ranges;
+  std::map<Quantity, std::optional<Range>> ranges;
   std::map<std::size_t, Piles> piles;  // by channel
   ClippedTaxels clipped;
   for (std::size_t i = 0; i < readings.size(); ++i) {

@@ -59,6 +59,26 @@ Material read_material(Table table, std::span<const double> depths, const Units&
   return material;
 }
 
+bool read_quantities(const Value& value, std::span<const Quantity> all,
+                     std::vector<Quantity>& reads) {
+  const auto list = value.list("quantities, such as " + in_quotes(name(all.front())));
+  if (!list) return false;
+  if (list->empty()) value.problem("must name at least one quantity", "reads = [\"stress_x\"]");
+  bool complete = !list->empty();
+  std::vector<std::string_view> names;
+  for (const Quantity quantity : all) names.push_back(name(quantity));
+  for (const Value& item : *list) {
+    const auto index = item.one_of("quantity", names);
+    complete = complete && index;
+    if (!index) continue;
+    if (std::find(reads.begin(), reads.end(), all[*index]) == reads.end())
+      reads.push_back(all[*index]);
+    else
+      item.problem("names " + in_quotes(names[*index]) + " twice", "remove one");
+  }
+  return complete;
+}
+
 Timing read_time(Table table) {
   Timing timing;
   if (const auto rate = table.required("rate", "frames per second: rate = 100.0"))

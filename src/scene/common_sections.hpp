@@ -80,25 +80,10 @@ template <typename Enum, std::size_t size>
     const Value& value, const std::filesystem::path& folder);
 
 /// A list of quantities, each once. @return  it was understood as a whole
-template <typename Quantity, std::size_t size>
-[[nodiscard]] bool read_quantities(const Value& value, const std::array<Quantity, size>& all,
-                                   std::vector<Quantity>& reads) {
-  const auto list = value.list("quantities, such as " + in_quotes(name(all.front())));
-  if (!list) return false;
-  if (list->empty()) value.problem("must name at least one quantity", "reads = [\"stress_x\"]");
-  bool complete = !list->empty();
-  const auto names = names_of(all);
-  for (const Value& item : *list) {
-    const auto index = item.one_of("quantity", names);
-    complete = complete && index;
-    if (!index) continue;
-    if (std::find(reads.begin(), reads.end(), all[*index]) == reads.end())
-      reads.push_back(all[*index]);
-    else
-      item.problem("names " + in_quotes(names[*index]) + " twice", "remove one");
-  }
-  return complete;
-}
+///
+/// @param all  the quantities that it may name: a line's or a skin's
+[[nodiscard]] bool read_quantities(const Value& value, std::span<const Quantity> all,
+                                   std::vector<Quantity>& reads);
 
 /// A number, or the name of the rule that chooses it.
 ///

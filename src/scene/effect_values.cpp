@@ -126,7 +126,7 @@ std::optional<Numbers> EffectValues::spread(const Value& value, const Rule& rule
 
 void EffectValues::require_one_unit(const Value& value) const {
   const auto& reads = sensor_.reads;
-  const auto differs = [&](SignalQuantity quantity) {
+  const auto differs = [&](Quantity quantity) {
     const Unit one = unit_of(quantity);
     const Unit first = unit_of(reads.front());
     return one.to_si(1.0) != first.to_si(1.0);

@@ -23,8 +23,8 @@ namespace tactile_net {
 /// A sensor as these tables are compared with it.
 struct SensorOfEffects {
   Units units{};
-  std::vector<SignalQuantity> on_offer{};  ///< quantities that a table may name
-  std::vector<SignalQuantity> reads{};
+  std::vector<Quantity> on_offer{};  ///< quantities that a table may name
+  std::vector<Quantity> reads{};
   bool reads_complete = false;  ///< `reads` was understood as a whole
   std::size_t taxels = 0;       ///< 0: not known
   std::size_t most_neighbours = 2;
@@ -45,7 +45,7 @@ class EffectValues {
   template <typename T>
   PerQuantity<T> of_each(Table table, auto one) const {
     PerQuantity<T> result;
-    for (const SignalQuantity quantity : sensor_.on_offer) {
+    for (const Quantity quantity : sensor_.on_offer) {
       const bool is_read =
           std::find(sensor_.reads.begin(), sensor_.reads.end(), quantity) != sensor_.reads.end();
       const auto value = is_read && sensor_.reads_complete
@@ -68,7 +68,7 @@ class EffectValues {
   PerQuantity<T> per_quantity(const Value& value, auto one) const {
     if (value.is_table()) return of_each<T>(*value.table(), one);
     PerQuantity<T> result;
-    for (const SignalQuantity quantity : sensor_.reads)
+    for (const Quantity quantity : sensor_.reads)
       if (auto got = one(value, unit_of(quantity))) result[quantity] = std::move(*got);
     if (sensor_.reads.empty()) (void)one(value, Unit{});  // what is wrong with it is said anyway
     return result;
@@ -97,7 +97,7 @@ class EffectValues {
                                               const Indices& indices, const Unit& unit = {}) const;
 
  private:
-  [[nodiscard]] Unit unit_of(SignalQuantity quantity) const noexcept {
+  [[nodiscard]] Unit unit_of(Quantity quantity) const noexcept {
     return tactile_net::unit_of(sensor_.units, traits(quantity).kind);
   }
   [[nodiscard]] std::optional<std::size_t> taxel(const Value& item) const;

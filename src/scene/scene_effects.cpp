@@ -65,8 +65,7 @@ std::string each(const SensedScene& scene, const PerQuantity<double>& values) {
 
 /// Of the quantities read, how many of a whole creep.
 double creeping_share(const SensedScene& scene) {
-  const auto creeping = std::count_if(scene.reads.begin(), scene.reads.end(),
-                                      [](SignalQuantity quantity) { return quantity.creeps(); });
+  const auto creeping = std::count_if(scene.reads.begin(), scene.reads.end(), creeps);
   return static_cast<double>(creeping) / static_cast<double>(scene.reads.size());
 }
 

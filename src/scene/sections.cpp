@@ -258,8 +258,8 @@ void check_circuit_spacing(const Value& value, double spacing, const Unit& lengt
 
 SensorOfEffects effects_sensor(const Read& read, const SensorArray& array) {
   return {.units = read.units,
-          .on_offer = {quantities.begin(), quantities.end()},
-          .reads = {array.reads.begin(), array.reads.end()},
+          .on_offer = {line_quantities.begin(), line_quantities.end()},
+          .reads = array.reads,
           .reads_complete = read.reads_complete,
           .taxels = array.count,
           .timed = read.timed};

@@ -117,7 +117,7 @@ class EffectReader : private EffectValues {
   TemperatureDrift temperature(Table table) const {
     TemperatureDrift result;
     if (const auto gain = table.value("gain")) result.gain = gain->number(any_number).value_or(0.0);
-    for (const SignalQuantity quantity : sensor_.reads) result.offset[quantity] = 0.0;
+    for (const Quantity quantity : sensor_.reads) result.offset[quantity] = 0.0;
     if (const auto offset = table.value("offset"))
       result.offset = numbers_per_quantity(*offset, any_number);
     const auto trajectory = table.value("trajectory");

@@ -52,7 +52,7 @@ void read_even(Table& table, SensorArray& array, Read& read) {
       width->misfit("must be at most 10000 depths");
   }
   read.reads = table.required("reads", "what each taxel reads: reads = [\"strain_x\"]");
-  if (read.reads) read.reads_complete = read_quantities(*read.reads, quantities, array.reads);
+  if (read.reads) read.reads_complete = read_quantities(*read.reads, line_quantities, array.reads);
 }
 
 /// What the table says of every taxel of a list or a file.
@@ -67,10 +67,11 @@ struct Common {
 bool read_reads(const Value& value, bool may_differ, Common& common) {
   const auto list = value.list("quantities, such as \"strain_x\"");
   const bool differ = may_differ && list && !list->empty() && list->front().is_list();
-  if (!differ) return read_quantities(value, quantities, common.reads);
+  if (!differ) return read_quantities(value, line_quantities, common.reads);
   bool complete = true;
   for (const Value& item : *list)
-    complete = read_quantities(item, quantities, common.reads_of_each.emplace_back()) && complete;
+    complete =
+        read_quantities(item, line_quantities, common.reads_of_each.emplace_back()) && complete;
   return complete;
 }
 

@@ -93,10 +93,10 @@ void check_contact(const SkinContact& contact, const SkinScene& scene, const Val
   if (scene.sensor.rows == 0) return;
   const SkinSupport part = support(contact);
   SkinSupport skin{0.0, 0.0, 0.0, 0.0};
-  const std::vector<SkinSite> all = sites(scene.sensor);
+  const std::vector<Site> all = sites(scene.sensor);
   skin = {all.front().y, all.front().y, all.front().z, all.front().z};
   double reach = 0.0;
-  for (const SkinSite& site : all) {
+  for (const Site& site : all) {
     skin.from_y = std::min(skin.from_y, site.y);
     skin.to_y = std::max(skin.to_y, site.y);
     skin.from_z = std::min(skin.from_z, site.z);

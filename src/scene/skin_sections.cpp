@@ -49,7 +49,7 @@ SensorOfEffects effects_sensor(const Read& read, const SkinScene& scene) {
                          .timed = read.timed,
                          .skin = &scene.sensor};
   if (!is_whole(scene)) return sensor;
-  sensor.reads = {scene.sensor.reads.begin(), scene.sensor.reads.end()};
+  sensor.reads = scene.sensor.reads;
   sensor.reads_complete = true;
   sensor.taxels = taxel_count(scene.sensor);
   sensor.most_neighbours = signal_layout(scene.sensor).most_neighbours;
@@ -212,13 +212,13 @@ void check_reads(const Read& read, const SkinScene& scene) {
   if (!is_whole(scene) || !read.reads) return;
   refuse_at(*read.reads, "names what this pad does not give: ", "base = \"bonded\", or other reads",
             [&] {
-              for (const SkinQuantity quantity : scene.sensor.reads)
+              for (const Quantity quantity : scene.sensor.reads)
                 for (std::size_t c = 0; c < components(scene); ++c)
                   check_quantity(quantity, skin_tractions[c], scene.material);
             });
   const auto& reads = scene.sensor.reads;
   const bool weighted = scene.noise && scene.noise->weights_rows;
-  const auto alike = [&](SkinQuantity quantity) {
+  const auto alike = [&](Quantity quantity) {
     return traits(quantity).kind == traits(reads.front()).kind;
   };
   if (!weighted && !std::all_of(reads.begin(), reads.end(), alike))
@@ -240,9 +240,7 @@ bool speaks_of_a_skin(const toml::table& scene) {
   };
   const auto of_skins_alone = [](const toml::node& read) {
     const auto text = read.value<std::string>();
-    return text && skin_quantity_named(*text) &&
-           std::none_of(quantities.begin(), quantities.end(),
-                        [&](Quantity one) { return name(one) == *text; });
+    return text && quantity_named(*text) && !quantity_named(*text, line_quantities);
   };
   const auto has_place = [](const toml::node& contact) {
     const toml::table* table = contact.as_table();

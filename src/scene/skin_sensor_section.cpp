@@ -21,7 +21,7 @@ class Places {
                                     std::to_string(other->second) +
                                     " too: columns of recordings "
                                     "are called by it");
-    for (const SkinQuantity quantity : taxel.reads)
+    for (const Quantity quantity : taxel.reads)
       if (const auto [other, is_new] =
               readings_.try_emplace({taxel.y, taxel.z, taxel.depth, quantity}, line);
           !is_new && other->second != line)
@@ -33,7 +33,7 @@ class Places {
 
  private:
   std::map<std::string, std::size_t> names_{};
-  std::map<std::tuple<double, double, double, SkinQuantity>, std::size_t> readings_{};
+  std::map<std::tuple<double, double, double, Quantity>, std::size_t> readings_{};
 };
 
 std::vector<SkinTaxel> read_taxels(const std::filesystem::path& path, const SkinTaxel& missing,

@@ -21,7 +21,7 @@ std::vector<Taxel> read_taxel_file(const std::filesystem::path& path, const Taxe
     taxel.y = table.length(row, y);
     if (table.has(depth)) taxel.depth = table.length(row, depth);
     if (table.has(width)) taxel.width = table.length(row, width);
-    if (table.has(reads)) taxel.reads = table.quantities(row, reads, quantities);
+    if (table.has(reads)) taxel.reads = table.quantities(row, reads, line_quantities);
     if (!(taxel.depth > 0.0)) throw error_in_line(row.line, "depth is not > 0");
     if (!(taxel.width >= 0.0)) throw error_in_line(row.line, "width is below 0");
     if (!taxels.empty() && taxel.y < taxels.back().y)

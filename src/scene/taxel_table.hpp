@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "scene/csv_table.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/scene/units.hpp"
 
 namespace tactile_net {
@@ -46,9 +46,8 @@ class TaxelTable {
   [[nodiscard]] double length(const Row& row, std::size_t column) const;
 
   /// A list with blanks between.
-  template <typename Quantity, std::size_t size>
   [[nodiscard]] std::vector<Quantity> quantities(const Row& row, std::size_t column,
-                                                 const std::array<Quantity, size>& all) const {
+                                                 std::span<const Quantity> all) const {
     std::vector<Quantity> result;
     std::istringstream words(text(row, column));
     for (std::string word; words >> word;) {

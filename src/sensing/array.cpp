@@ -12,10 +12,12 @@ namespace {
 
 void check_reads(const std::vector<Quantity>& reads) {
   if (reads.empty()) throw std::invalid_argument("reads must hold at least one quantity");
-  for (auto read = reads.begin(); read != reads.end(); ++read)
+  for (auto read = reads.begin(); read != reads.end(); ++read) {
+    check_line(*read);
     if (std::find(reads.begin(), read, *read) != read)
       throw std::invalid_argument("reads must name a quantity once (got " +
                                   std::string(name(*read)) + " twice)");
+  }
 }
 
 bool contains(const auto& values, const auto& value) {
@@ -140,7 +142,12 @@ std::vector<Site> sites(const SensorArray& array) {
       const auto [depth, width] = is_even(array)
                                       ? std::pair(channel.depth, channel.width)
                                       : std::pair(array.taxels[i].depth, array.taxels[i].width);
-      result.push_back({position(array, i), depth, channel.quantity, i, c, width});
+      result.push_back({.y = position(array, i),
+                        .depth = depth,
+                        .quantity = channel.quantity,
+                        .taxel = i,
+                        .channel = c,
+                        .width = width});
     }
     ++c;
   }

@@ -118,7 +118,7 @@ struct Responses {
   /// @param width  what the kernel's constructor takes besides: a hat's half width, or nothing
   Responses(const Channel& channel, const Material& material, auto... width)
       : normal(channel.quantity, Traction::normal, material, channel.depth, width...),
-        tangential(channel.quantity, Traction::tangential, material, channel.depth, width...) {}
+        tangential(channel.quantity, Traction::tangential_y, material, channel.depth, width...) {}
   Kernel normal;
   Kernel tangential;
 };

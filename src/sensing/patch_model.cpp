@@ -41,7 +41,7 @@ void PatchModel::readings(std::span<const LoadPatch> patches,
   for (const Kind& kind : kinds_) {
     auto target = kind.targets.begin();
     for (const double y : kind.y) {
-      std::array<double, quantity_traits.size()> sums{};
+      std::array<double, line_quantities.size()> sums{};
       for (const LoadPatch& patch : patches)
         for (const auto& [offset, weight] : kind.aperture.nodes())
           kind.kernel.add(patch, y + offset, weight, sums);

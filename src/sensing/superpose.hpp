@@ -33,7 +33,7 @@ std::vector<double> superpose(const SensorArray& array, const TractionField& fie
     const auto block = std::span(readings).subspan(channel * count, count);
     add_block(channel, Traction::normal, std::span(field.normal), block);
     if (!field.tangential.empty())
-      add_block(channel, Traction::tangential, std::span(field.tangential), block);
+      add_block(channel, Traction::tangential_y, std::span(field.tangential), block);
   }
   return readings;
 }

@@ -33,7 +33,7 @@ TractionField sample(std::span<const Contact> contacts, const Surface& surface) 
     field.tangential.resize(surface.count);
   for (const Contact& contact : contacts) {
     add(contact, Traction::normal, surface, field.normal);
-    if (has_friction(contact)) add(contact, Traction::tangential, surface, field.tangential);
+    if (has_friction(contact)) add(contact, Traction::tangential_y, surface, field.tangential);
   }
   return field;
 }

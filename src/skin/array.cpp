@@ -20,7 +20,7 @@ bool contains(const auto& values, const auto& value) {
   return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-void check_reads(const std::vector<SkinQuantity>& reads, const std::string& what) {
+void check_reads(const std::vector<Quantity>& reads, const std::string& what) {
   if (reads.empty()) throw std::invalid_argument(what + " must hold at least one quantity");
   for (auto read = reads.begin(); read != reads.end(); ++read)
     if (std::find(reads.begin(), read, *read) != read)
@@ -42,7 +42,7 @@ void check_name(const std::string& text) {
 
 void check(const std::vector<SkinTaxel>& taxels) {
   std::map<std::string, std::size_t> named;
-  std::map<std::tuple<double, double, double, SkinQuantity>, std::size_t> read;
+  std::map<std::tuple<double, double, double, Quantity>, std::size_t> read;
   for (std::size_t i = 0; i < taxels.size(); ++i) {
     const SkinTaxel& taxel = taxels[i];
     check_name(taxel.name);
@@ -55,7 +55,7 @@ void check(const std::vector<SkinTaxel>& taxels) {
       throw std::invalid_argument("taxels " + std::to_string(same->second) + " and " +
                                   std::to_string(i) + " have one name, " + same->first +
                                   ": a reading must be told from another");
-    for (const SkinQuantity quantity : taxel.reads) {
+    for (const Quantity quantity : taxel.reads) {
       // -0 and 0 are one place.
       const auto place = std::tuple(taxel.y + 0.0, taxel.z + 0.0, taxel.depth, quantity);
       if (const auto [same, is_new] = read.emplace(place, i); !is_new)
@@ -88,9 +88,9 @@ double mean_distance(const std::vector<SkinTaxel>& taxels, double alone) {
   return count > 0 ? sum : alone;
 }
 
-std::vector<SkinChannel> even_channels(const SkinArray& skin) {
-  std::vector<SkinChannel> result;
-  for (const SkinQuantity quantity : skin.reads)
+std::vector<Channel> even_channels(const SkinArray& skin) {
+  std::vector<Channel> result;
+  for (const Quantity quantity : skin.reads)
     for (std::size_t i = 0; i < skin.depths.size(); ++i) {
       std::string label(name(quantity));
       if (skin.depths.size() > 1) label += '@' + std::to_string(i);
@@ -100,8 +100,7 @@ std::vector<SkinChannel> even_channels(const SkinArray& skin) {
   return result;
 }
 
-SkinSite site(const SkinArray& skin, std::size_t taxel, const SkinChannel& channel,
-              std::size_t index) {
+Site site(const SkinArray& skin, std::size_t taxel, const Channel& channel, std::size_t index) {
   if (!is_even(skin)) {
     const SkinTaxel& own = skin.taxels[taxel];
     return {own.y, own.z, own.depth, channel.quantity, taxel, index};
@@ -127,7 +126,7 @@ SkinArray uneven_skin(std::vector<SkinTaxel> taxels) {
   for (std::size_t i = 0; i < taxels.size(); ++i) {
     taxels[i].name = label(taxels[i], i);
     if (!contains(skin.depths, taxels[i].depth)) skin.depths.push_back(taxels[i].depth);
-    for (const SkinQuantity quantity : taxels[i].reads)
+    for (const Quantity quantity : taxels[i].reads)
       if (!contains(skin.reads, quantity)) skin.reads.push_back(quantity);
   }
   skin.pitch_y = skin.pitch_z = mean_distance(taxels, least_depth(skin));
@@ -179,11 +178,11 @@ std::size_t reading_count(const SkinArray& skin) noexcept {
   return count;
 }
 
-std::vector<SkinChannel> channels(const SkinArray& skin) {
+std::vector<Channel> channels(const SkinArray& skin) {
   if (is_even(skin)) return even_channels(skin);
-  std::vector<SkinChannel> result;
-  for (std::size_t first = 0; const SkinQuantity quantity : skin.reads) {
-    SkinChannel channel{.quantity = quantity, .name = std::string(name(quantity)), .first = first};
+  std::vector<Channel> result;
+  for (std::size_t first = 0; const Quantity quantity : skin.reads) {
+    Channel channel{.quantity = quantity, .name = std::string(name(quantity)), .first = first};
     for (const SkinTaxel& taxel : skin.taxels) {
       if (!contains(taxel.reads, quantity)) continue;
       channel.depth = channel.count++ == 0 ? taxel.depth : std::min(channel.depth, taxel.depth);
@@ -194,10 +193,10 @@ std::vector<SkinChannel> channels(const SkinArray& skin) {
   return result;
 }
 
-std::vector<SkinSite> sites(const SkinArray& skin) {
-  std::vector<SkinSite> result;
+std::vector<Site> sites(const SkinArray& skin) {
+  std::vector<Site> result;
   result.reserve(reading_count(skin));
-  for (std::size_t c = 0; const SkinChannel& channel : channels(skin)) {
+  for (std::size_t c = 0; const Channel& channel : channels(skin)) {
     for (std::size_t i = 0; i < taxel_count(skin); ++i)
       if (is_even(skin) || contains(skin.taxels[i].reads, channel.quantity))
         result.push_back(site(skin, i, channel, c));
@@ -216,9 +215,9 @@ std::string taxel_name(const SkinArray& skin, std::size_t taxel) {
 }
 
 std::vector<std::string> reading_names(const SkinArray& skin) {
-  const std::vector<SkinChannel> all = channels(skin);
+  const std::vector<Channel> all = channels(skin);
   std::vector<std::string> names;
-  for (const SkinSite& site : sites(skin))
+  for (const Site& site : sites(skin))
     names.push_back(all[site.channel].name + "_" + taxel_name(skin, site.taxel));
   return names;
 }

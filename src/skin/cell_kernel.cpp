@@ -11,9 +11,8 @@ namespace tactile_net {
 CellKernel::CellKernel(const Material& material, double depth, const SkinGrid& grid)
     : kernel_(material, depth), grid_(grid), depth_(depth) {}
 
-void CellKernel::operator()(SkinQuantity quantity, SkinTraction component,
-                            std::span<const double> y, std::span<const double> z,
-                            std::span<double> readings) const noexcept {
+void CellKernel::operator()(Quantity quantity, Traction component, std::span<const double> y,
+                            std::span<const double> z, std::span<double> readings) const noexcept {
   if (grid_.rectangles) {
     kernel_(quantity, component, Rectangle{grid_.spacing_y, grid_.spacing_z}, y, z, readings);
     return;
@@ -23,13 +22,13 @@ void CellKernel::operator()(SkinQuantity quantity, SkinTraction component,
   for (double& reading : readings) reading = reading * grid_.spacing_y * grid_.spacing_z;
 }
 
-double CellKernel::error_bound(SkinQuantity quantity) const noexcept {
+double CellKernel::error_bound(Quantity quantity) const noexcept {
   const double area = grid_.rectangles ? std::min(grid_.area(), depth_ * depth_) : grid_.area();
   return kernel_.error_bound(quantity) * area;
 }
 
-LatticeKernel::LatticeKernel(const CellKernel& kernel, SkinQuantity quantity,
-                             SkinTraction component, const SkinGrid& grid)
+LatticeKernel::LatticeKernel(const CellKernel& kernel, Quantity quantity, Traction component,
+                             const SkinGrid& grid)
     : columns_(grid.columns),
       odd_y_(is_odd(quantity, component, Axis::y)),
       odd_z_(is_odd(quantity, component, Axis::z)),
@@ -61,7 +60,7 @@ void check_sampled(const SkinArray& skin, const Material& material, std::size_t 
   require(components == 1 || components == 3, "components", "be 1 or 3", components);
   check(skin, material);
   for (std::size_t k = 0; k < components; ++k)
-    for (const SkinQuantity quantity : skin.reads)
+    for (const Quantity quantity : skin.reads)
       check_quantity(quantity, skin_tractions[k], material);
 }
 

@@ -20,11 +20,11 @@ class CellKernel {
   CellKernel(const Material& material, double depth, const SkinGrid& grid);
 
   /// [reading per Pa] of the cell's traction, at each (y, z) from its middle.
-  void operator()(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+  void operator()(Quantity quantity, Traction component, std::span<const double> y,
                   std::span<const double> z, std::span<double> readings) const noexcept;
 
   /// The largest error of an entry.
-  [[nodiscard]] double error_bound(SkinQuantity quantity) const noexcept;
+  [[nodiscard]] double error_bound(Quantity quantity) const noexcept;
 
  private:
   SkinKernel kernel_;
@@ -50,7 +50,7 @@ class CellKernels {
 /// Readings at all distances between cells' middles: what cells do to taxels on their lattice.
 class LatticeKernel {
  public:
-  LatticeKernel(const CellKernel& kernel, SkinQuantity quantity, SkinTraction component,
+  LatticeKernel(const CellKernel& kernel, Quantity quantity, Traction component,
                 const SkinGrid& grid);
 
   /// Of the cell (row, column) at the middle of the cell (at_row, at_column).

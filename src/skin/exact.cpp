@@ -23,7 +23,7 @@ constexpr double shallow = 1.0 / 64.0;
 
 /// About the largest reading of a contact at a depth.
 double scale(const SkinContact& contact, const Material& material, double depth,
-             SkinQuantity quantity) noexcept {
+             Quantity quantity) noexcept {
   const double b = contact.shape == SkinShape::ellipsoid ? contact.second_radius : contact.radius;
   const double r = std::hypot(std::sqrt(contact.radius) * std::sqrt(b), depth);
   const double force = std::abs(contact.force) * (1.0 + std::abs(contact.friction));
@@ -52,13 +52,13 @@ class ExactSkinModel::Summation {
         depth_(depth),
         readings_(readings),
         half_space_(
-            [this](SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+            [this](Quantity quantity, Traction component, std::span<const double> y,
                    std::span<const double> z, std::span<double> values) {
               half_space_kernel(quantity, component, model_.material_, depth_.depth, y, z, values);
             },
             depth.depth),
         base_(
-            [this](SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+            [this](Quantity quantity, Traction component, std::span<const double> y,
                    std::span<const double> z, std::span<double> values) {
               depth_.kernel.base_part(quantity, component, y, z, values);
             },
@@ -72,7 +72,7 @@ class ExactSkinModel::Summation {
     std::vector<double> sums;
     for (const Place& place : depth_.places) {
       tolerances.clear();
-      for (const SkinQuantity quantity : place.quantities)
+      for (const Quantity quantity : place.quantities)
         tolerances.push_back(tolerance * scale(contact, model_.material_, depth_.depth, quantity));
       sums.assign(place.quantities.size(), 0.0);
       for (const LoadPart& part : all)
@@ -89,7 +89,7 @@ class ExactSkinModel::Summation {
   void add(const SampledPatch& patch) {
     const SkinGrid grid = grid_of(patch);
     const Rectangle rectangle{patch.spacing_y, patch.spacing_z};
-    for (const SkinTraction component : skin_tractions) {
+    for (const Traction component : skin_tractions) {
       const std::vector<double>& own = values(patch, component);
       for (std::size_t i = 0; i < own.size(); ++i) {
         if (own[i] == 0.0) continue;
@@ -116,7 +116,7 @@ class ExactSkinModel::Summation {
   }
 
   void add_disc(const LoadPart& part, const Place& place, std::span<double> sums) const {
-    for (const SkinTraction component : skin_tractions) {
+    for (const Traction component : skin_tractions) {
       const double force = part.force[static_cast<std::size_t>(component)];
       if (force == 0.0) continue;
       const Disc disc{part.profile, part.a, force};
@@ -138,7 +138,7 @@ ExactSkinModel::ExactSkinModel(const SkinArray& skin, const Material& material)
   check(skin, material);
   std::map<double, std::size_t> depths;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> places;  // by depth and taxel
-  for (std::size_t reading = 0; const SkinSite& site : sites(skin)) {
+  for (std::size_t reading = 0; const Site& site : sites(skin)) {
     const auto [depth, is_new_depth] = depths.try_emplace(site.depth, depths_.size());
     if (is_new_depth) depths_.push_back({site.depth, SkinKernel(material, site.depth)});
     std::vector<Place>& own = depths_[depth->second].places;
@@ -152,10 +152,9 @@ ExactSkinModel::ExactSkinModel(const SkinArray& skin, const Material& material)
 std::vector<double> ExactSkinModel::readings(std::span<const SkinLoad> loads) const {
   for (const SkinLoad& load : loads) {
     check(load);
-    for (const SkinTraction component : skin_tractions)
+    for (const Traction component : skin_tractions)
       if (has_traction(load, component))
-        for (const SkinQuantity quantity : skin_.reads)
-          check_quantity(quantity, component, material_);
+        for (const Quantity quantity : skin_.reads) check_quantity(quantity, component, material_);
   }
   std::vector<double> all(reading_count(skin_));
   for (const Depth& depth : depths_) {

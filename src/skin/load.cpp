@@ -37,7 +37,7 @@ void check(const SkinContact& contact) {
   require_finite("torsion", contact.torsion);
 }
 
-double traction(const SkinContact& contact, SkinTraction component, double y, double z) noexcept {
+double traction(const SkinContact& contact, Traction component, double y, double z) noexcept {
   double sum = 0.0;
   for (const LoadPart& part : parts(contact)) sum += part.traction(component, y, z);
   return sum;
@@ -53,8 +53,8 @@ SkinSupport support(const SkinContact& contact) noexcept {
   return parts(contact).front().support();
 }
 
-bool has_traction(const SkinContact& contact, SkinTraction component) noexcept {
-  if (component == SkinTraction::normal) return contact.force != 0.0;
+bool has_traction(const SkinContact& contact, Traction component) noexcept {
+  if (component == Traction::normal) return contact.force != 0.0;
   return contact.torsion != 0.0 ||
          parts(contact).front().force[static_cast<std::size_t>(component)] != 0.0;
 }
@@ -69,17 +69,17 @@ void check(const SampledPatch& patch) {
   require_positive("spacing_y", patch.spacing_y);
   require_positive("spacing_z", patch.spacing_z);
   const std::size_t count = patch.rows * patch.columns;
-  for (const SkinTraction component : skin_tractions) {
+  for (const Traction component : skin_tractions) {
     const std::vector<double>& own = values(patch, component);
     const std::string what(name(component));
-    require(own.size() == count || (own.empty() && component != SkinTraction::normal), what,
+    require(own.size() == count || (own.empty() && component != Traction::normal), what,
             "hold one value for each rectangle, " + std::to_string(count), own.size());
     for (std::size_t i = 0; i < own.size(); ++i)
       require_finite(what + "[" + std::to_string(i) + "]", own[i]);
   }
 }
 
-double traction(const SampledPatch& patch, SkinTraction component, double y, double z) noexcept {
+double traction(const SampledPatch& patch, Traction component, double y, double z) noexcept {
   const std::vector<double>& own = values(patch, component);
   const double row =
       std::floor((y - patch.y) / patch.spacing_y + 0.5 * static_cast<double>(patch.rows));
@@ -116,7 +116,7 @@ SkinSupport support(const SampledPatch& patch) noexcept {
   return {patch.y - half_y, patch.y + half_y, patch.z - half_z, patch.z + half_z};
 }
 
-bool has_traction(const SampledPatch& patch, SkinTraction component) noexcept {
+bool has_traction(const SampledPatch& patch, Traction component) noexcept {
   const std::vector<double>& own = values(patch, component);
   return std::any_of(own.begin(), own.end(), [](double value) { return value != 0.0; });
 }
@@ -135,7 +135,7 @@ void check(const SkinLoad& load) {
   std::visit([](const auto& own) { check(own); }, load);
 }
 
-double traction(const SkinLoad& load, SkinTraction component, double y, double z) noexcept {
+double traction(const SkinLoad& load, Traction component, double y, double z) noexcept {
   return of_kind(load, [&](const auto& own) { return traction(own, component, y, z); });
 }
 
@@ -179,13 +179,12 @@ SkinSupport support(const SkinLoad& load) noexcept {
   return of_kind(load, [](const auto& own) { return support(own); });
 }
 
-bool has_traction(const SkinLoad& load, SkinTraction component) noexcept {
+bool has_traction(const SkinLoad& load, Traction component) noexcept {
   return of_kind(load, [&](const auto& own) { return has_traction(own, component); });
 }
 
 bool drags(const SkinLoad& load) noexcept {
-  return has_traction(load, SkinTraction::tangential_y) ||
-         has_traction(load, SkinTraction::tangential_z);
+  return has_traction(load, Traction::tangential_y) || has_traction(load, Traction::tangential_z);
 }
 
 }  // namespace tactile_net

@@ -61,13 +61,13 @@ SurfaceVector LoadPart::twist(double u, double v) const noexcept {
   return {-(per_length * (r.z / a) / b), per_length * (r.y / a) / b};
 }
 
-double LoadPart::traction(SkinTraction component, double at_y, double at_z) const noexcept {
+double LoadPart::traction(Traction component, double at_y, double at_z) const noexcept {
   const auto [u, v] = inside(at_y, at_z);
   const double s = std::hypot(u, v);
   if (!(s <= 1.0)) return 0.0;
   double own = force[static_cast<std::size_t>(component)];
-  if (torsion != 0.0 && component != SkinTraction::normal)
-    own = component == SkinTraction::tangential_y ? twist(u, v).y : twist(u, v).z;
+  if (torsion != 0.0 && component != Traction::normal)
+    own = component == Traction::tangential_y ? twist(u, v).y : twist(u, v).z;
   return own == 0.0 ? 0.0 : tactile_net::traction(Disc{profile, 1.0, own}, s) / a / b;
 }
 

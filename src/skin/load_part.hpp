@@ -25,7 +25,7 @@ class LoadPart {
   LoadPart(DiscProfile own_profile, const SkinContact& contact, double scale,
            const std::array<double, 3>& own_force, double own_torsion) noexcept;
 
-  [[nodiscard]] double traction(SkinTraction component, double y, double z) const noexcept;
+  [[nodiscard]] double traction(Traction component, double y, double z) const noexcept;
   [[nodiscard]] SkinWrench resultant() const noexcept;
   [[nodiscard]] SkinSupport support() const noexcept;
 

@@ -24,10 +24,10 @@ Mirrors mirrors(const SkinProblem& problem, Axis along) {
   // Kernels change by a rounding where places do.
   const double rounding = 1e-12 * (std::abs(centre) + spacing);
   std::map<std::tuple<std::size_t, double, double>, std::vector<std::size_t>> lines;
-  const auto key = [&](const SkinSite& site) {
+  const auto key = [&](const Site& site) {
     return std::tuple(site.channel, site.depth, along == Axis::y ? site.z : site.y);
   };
-  const auto place = [&](const SkinSite& site) {
+  const auto place = [&](const Site& site) {
     return (along == Axis::y ? site.y : site.z) - centre;
   };
   for (std::size_t row = 0; row < problem.sites.size(); ++row)
@@ -50,8 +50,8 @@ Mirrors mirrors(const SkinProblem& problem, Axis along) {
 }
 
 /// Whether a reading that the reflection leaves alone or exchanges is of a class: +1 even, -1 odd.
-double parity(const SkinSite& site, Axis along, bool normal_is_odd) {
-  return is_odd(site.quantity, SkinTraction::normal, along) != normal_is_odd ? -1.0 : 1.0;
+double parity(const Site& site, Axis along, bool normal_is_odd) {
+  return is_odd(site.quantity, Traction::normal, along) != normal_is_odd ? -1.0 : 1.0;
 }
 
 SkinClass class_of(const SkinProblem& problem, const Mirrors& y, const Mirrors& z, bool odd_y,
@@ -88,9 +88,9 @@ SkinClass class_of(const SkinProblem& problem, const Mirrors& y, const Mirrors& 
       for (std::size_t n = 0; n < grid.columns; ++n, ++wave) {
         // The tangential traction along an axis is odd where the normal one is even.
         const bool of_y =
-            !y || (m % 2 == 1) == (odd_y != (skin_tractions[u] == SkinTraction::tangential_y));
+            !y || (m % 2 == 1) == (odd_y != (skin_tractions[u] == Traction::tangential_y));
         const bool of_z =
-            !z || (n % 2 == 1) == (odd_z != (skin_tractions[u] == SkinTraction::tangential_z));
+            !z || (n % 2 == 1) == (odd_z != (skin_tractions[u] == Traction::tangential_z));
         if (of_y && of_z) one.waves.push_back(wave);
       }
   return one;

@@ -71,7 +71,7 @@ struct PartQuadrature::Taxel {
   const LoadPart& part;
   double y, z;  // from the middle [m]
   double s;     // of the ring below
-  std::span<const SkinQuantity> quantities;
+  std::span<const Quantity> quantities;
   std::span<const double> tolerances;
 
   /// Whether every difference is at most a share of its tolerance.
@@ -111,16 +111,15 @@ void PartQuadrature::add_ring_points(const Taxel& taxel, double s, std::size_t l
     if (twists) twist_[i] = part.twist(s * own[i].y, s * own[i].z);
   }
   for (std::size_t q = 0; q < taxel.quantities.size(); ++q)
-    for (const SkinTraction component : skin_tractions) {
+    for (const Traction component : skin_tractions) {
       const double force = part.force[static_cast<std::size_t>(component)];
-      const bool is_normal = component == SkinTraction::normal;
+      const bool is_normal = component == Traction::normal;
       if (force == 0.0 && (!twists || is_normal)) continue;
       kernel_(taxel.quantities[q], component, y_, z_, values_);
       double own_sum = 0.0;
       if (twists)
         for (std::size_t i = 0; i < count; ++i)
-          own_sum +=
-              values_[i] * (component == SkinTraction::tangential_y ? twist_[i].y : twist_[i].z);
+          own_sum += values_[i] * (component == Traction::tangential_y ? twist_[i].y : twist_[i].z);
       else
         for (const double value : values_) own_sum += value;
       sum[q] += twists ? own_sum : own_sum * force;
@@ -191,9 +190,8 @@ void PartQuadrature::panel(const Taxel& taxel, double from, double to, int halvi
   panel(taxel, centre, to, halvings - 1, sum);
 }
 
-bool PartQuadrature::add(const LoadPart& part, double y, double z,
-                         std::span<const SkinQuantity> wanted, std::span<const double> tolerances,
-                         std::span<double> readings) {
+bool PartQuadrature::add(const LoadPart& part, double y, double z, std::span<const Quantity> wanted,
+                         std::span<const double> tolerances, std::span<double> readings) {
   const auto [u, v] = part.inside(y, z);
   const Taxel taxel{part, y - part.y, z - part.z, std::hypot(u, v), wanted, tolerances};
   points_ = 0;

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "skin/load_part.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 
 /// A kernel: readings at places (y, z) [m] from a unit point force.
-using PointLoads = std::function<void(SkinQuantity, SkinTraction, std::span<const double> y,
+using PointLoads = std::function<void(Quantity, Traction, std::span<const double> y,
                                       std::span<const double> z, std::span<double> readings)>;
 
 /// The sum over rings s = constant around the contact's middle.
@@ -33,9 +33,8 @@ class PartQuadrature {
   /// @param tolerances  of each; each disagreement of rules stays below a share of it
   /// @return  false: the disagreements may exceed the tolerances, with as many point loads as are
   ///          allowed; nothing is added
-  [[nodiscard]] bool add(const LoadPart& part, double y, double z,
-                         std::span<const SkinQuantity> wanted, std::span<const double> tolerances,
-                         std::span<double> readings);
+  [[nodiscard]] bool add(const LoadPart& part, double y, double z, std::span<const Quantity> wanted,
+                         std::span<const double> tolerances, std::span<double> readings);
 
  private:
   static constexpr std::size_t most = skin_quantities.size();

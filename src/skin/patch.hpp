@@ -10,10 +10,10 @@ namespace tactile_net {
 
 /// Empty: 0.
 [[nodiscard]] inline const std::vector<double>& values(const SampledPatch& patch,
-                                                       SkinTraction component) noexcept {
-  return component == SkinTraction::normal         ? patch.normal
-         : component == SkinTraction::tangential_y ? patch.tangential_y
-                                                   : patch.tangential_z;
+                                                       Traction component) noexcept {
+  return component == Traction::normal         ? patch.normal
+         : component == Traction::tangential_y ? patch.tangential_y
+                                               : patch.tangential_z;
 }
 
 /// Its rectangles as cells.

@@ -23,7 +23,7 @@ namespace {
 /// Of taxels on the grid's lattice.
 void add_lattice(const SkinArray& skin, CellKernels& kernels, SkinProblem& problem) {
   const SkinGrid& grid = problem.grid;
-  for (const SkinChannel& channel : channels(skin))
+  for (const Channel& channel : channels(skin))
     for (std::size_t u = 0; u < problem.components; ++u) {
       const LatticeKernel kernel(kernels(channel.depth), channel.quantity, skin_tractions[u], grid);
       for (std::size_t i = 0; i < channel.count; ++i) {
@@ -43,7 +43,7 @@ void add_places(CellKernels& kernels, SkinProblem& problem) {
   const std::size_t cells = grid.count();
   std::vector<double> y(cells), z(cells);
   for (std::size_t row = 0; row < problem.sites.size(); ++row) {
-    const SkinSite& site = problem.sites[row];
+    const Site& site = problem.sites[row];
     for (std::size_t i = 0; i < cells; ++i) {
       y[i] = site.y - grid.y(i / grid.columns);
       z[i] = site.z - grid.z(i % grid.columns);
@@ -58,10 +58,10 @@ void add_places(CellKernels& kernels, SkinProblem& problem) {
 
 /// Of K in the 2-norm, at most: that of the errors of its entries.
 double kernel_error(CellKernels& kernels, const SkinProblem& problem) {
-  std::map<std::pair<double, SkinQuantity>, double> bounds;
+  std::map<std::pair<double, Quantity>, double> bounds;
   double square = 0.0;
   for (std::size_t row = 0; row < problem.sites.size(); ++row) {
-    const SkinSite& site = problem.sites[row];
+    const Site& site = problem.sites[row];
     const auto [bound, is_new] = bounds.try_emplace({site.depth, site.quantity});
     if (is_new) bound->second = kernels(site.depth).error_bound(site.quantity);
     square = std::hypot(square, problem.weights[row] * bound->second);
@@ -83,9 +83,9 @@ double area_ratio(const SkinArray& skin, const SkinGrid& grid) {
          (grid.spacing_z / (skin.columns > 1 ? skin.pitch_z : other));
 }
 
-double mean_depth(const std::vector<SkinSite>& sites) {
+double mean_depth(const std::vector<Site>& sites) {
   return std::accumulate(sites.begin(), sites.end(), 0.0,
-                         [](double sum, const SkinSite& site) { return sum + site.depth; }) /
+                         [](double sum, const Site& site) { return sum + site.depth; }) /
          static_cast<double>(sites.size());
 }
 
@@ -100,11 +100,11 @@ void check(const SkinArray& skin, const Material& material, const SkinProblemOpt
           "smoothing_length must be >= 0 and finite");
   require(options.tangential_weight > 0.0 && std::isfinite(options.tangential_weight),
           "tangential_weight must be > 0 and finite");
-  const std::vector<SkinChannel> all = channels(skin);
+  const std::vector<Channel> all = channels(skin);
   if (options.channel_rms.empty()) {
-    const auto kind = [](const SkinChannel& channel) { return traits(channel.quantity).kind; };
+    const auto kind = [](const Channel& channel) { return traits(channel.quantity).kind; };
     require(std::all_of(all.begin(), all.end(),
-                        [&](const SkinChannel& one) { return kind(one) == kind(all.front()); }),
+                        [&](const Channel& one) { return kind(one) == kind(all.front()); }),
             "stresses, strains and displacements read together need channel_rms: the sum of their "
             "squares has no unit");
   } else {
@@ -115,7 +115,7 @@ void check(const SkinArray& skin, const Material& material, const SkinProblemOpt
   for (const std::size_t taxel : options.dead_taxels)
     require(taxel < taxel_count(skin), "dead taxel " + std::to_string(taxel) + " is not < " +
                                            std::to_string(taxel_count(skin)));
-  for (const SkinChannel& channel : all)
+  for (const Channel& channel : all)
     for (std::size_t u = 0; u < options.components; ++u)
       check_quantity(channel.quantity, skin_tractions[u], material);
 }
@@ -133,7 +133,7 @@ SkinProblem problem_without_kernel(const SkinArray& skin, const Material& materi
   problem.smoothing_length = options.smoothing_length.value_or(mean_depth(problem.sites));
   std::vector<bool> dead(problem.taxels);
   for (const std::size_t taxel : options.dead_taxels) dead[taxel] = true;
-  for (const SkinSite& site : problem.sites)
+  for (const Site& site : problem.sites)
     problem.weights.push_back(dead[site.taxel] ? 0.0
                               : options.channel_rms.empty()
                                   ? 1.0
@@ -172,7 +172,7 @@ bool is_measured(const SkinArray& skin, std::span<const std::size_t> dead_taxels
   std::vector<bool> dead(taxel_count(skin));
   for (const std::size_t taxel : dead_taxels) dead[taxel] = true;
   std::vector<std::size_t> living(channel_count(skin));
-  for (const SkinSite& site : sites(skin))
+  for (const Site& site : sites(skin))
     if (!dead[site.taxel]) ++living[site.channel];
   return *std::max_element(living.begin(), living.end()) >= (unknown_offsets ? 2 : 1);
 }

@@ -96,8 +96,8 @@ std::vector<SkinResolution> skin_resolutions(const SkinArray& skin, const Materi
   return all;
 }
 
-std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all,
-                                            SkinTraction component, double limit) {
+std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all, Traction component,
+                                            double limit) {
   return shortest_known(all, [&](const SkinResolution& one) {
     return one.deviations[static_cast<std::size_t>(component)] <= limit;
   });

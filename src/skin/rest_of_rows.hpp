@@ -17,7 +17,7 @@ namespace tactile_net {
 /// Of a problem, what says which readings there are.
 struct RowLayout {
   std::vector<double> weights{};
-  std::vector<SkinSite> sites{};
+  std::vector<Site> sites{};
   bool unknown_offsets = false;
 };
 

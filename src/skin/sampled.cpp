@@ -29,7 +29,7 @@ Matrix kernels_of_places(const SkinArray& skin, CellKernels& kernels, const Skin
   all.values.resize(all.rows * all.columns);
   std::vector<double> y(count);
   std::vector<double> z(count);
-  for (std::size_t reading = 0; const SkinSite& site : sites(skin)) {
+  for (std::size_t reading = 0; const Site& site : sites(skin)) {
     for (std::size_t i = 0; i < count; ++i) {
       y[i] = site.y - grid.y(i / grid.columns);
       z[i] = site.z - grid.z(i % grid.columns);
@@ -50,7 +50,7 @@ SampledSkinModel::SampledSkinModel(const SkinArray& skin, const Material& materi
   Kernels made{.skin = skin, .grid = grid, .components = components};
   CellKernels kernels(material, grid);
   if (is_lattice(skin, grid)) {
-    for (const SkinChannel& channel : channels(skin))
+    for (const Channel& channel : channels(skin))
       for (std::size_t k = 0; k < components; ++k)
         made.lattice.emplace_back(kernels(channel.depth), channel.quantity, skin_tractions[k],
                                   grid);
@@ -69,7 +69,7 @@ std::vector<double> SampledSkinModel::readings(std::span<const double> tractions
       for (std::size_t j = 0; j < places.columns; ++j) readings[i] += places(i, j) * tractions[j];
     return readings;
   }
-  for (std::size_t c = 0; const SkinChannel& channel : channels(skin)) {
+  for (std::size_t c = 0; const Channel& channel : channels(skin)) {
     for (std::size_t k = 0; k < components; ++k) {
       const LatticeKernel& kernel = lattice[c * components + k];
       const auto own = tractions.subspan(k * grid.count(), grid.count());

@@ -26,7 +26,7 @@ std::vector<Neighbours> on_lattice(const SkinArray& skin) {
 }
 
 /// Of a channel of an uneven one.
-std::vector<Neighbours> nearby(std::span<const SkinSite> sites, double pitch) {
+std::vector<Neighbours> nearby(std::span<const Site> sites, double pitch) {
   const NearPlaces places(sites);
   std::vector<Neighbours> all;
   std::vector<std::size_t> later;
@@ -49,19 +49,17 @@ std::vector<Neighbours> nearby(std::span<const SkinSite> sites, double pitch) {
 SignalLayout signal_layout(const SkinArray& skin) {
   SignalLayout layout;
   layout.taxels = taxel_count(skin);
-  const std::vector<SkinSite> all = sites(skin);
-  std::vector<std::size_t> neighbours(all.size());
-  for (const SkinChannel& channel : channels(skin)) {
-    layout.channels.push_back({channel.quantity, channel.first, channel.count});
-    const auto own = std::span(all).subspan(channel.first, channel.count);
+  layout.channels = channels(skin);
+  layout.readings = sites(skin);
+  std::vector<std::size_t> neighbours(layout.readings.size());
+  for (const Channel& channel : layout.channels) {
+    const auto own = std::span(layout.readings).subspan(channel.first, channel.count);
     for (const auto& [i, j] : is_even(skin) ? on_lattice(skin) : nearby(own, skin.pitch_y)) {
       layout.neighbours.push_back({channel.first + i, channel.first + j});
       ++neighbours[channel.first + i];
       ++neighbours[channel.first + j];
     }
   }
-  for (const SkinSite& site : all)
-    layout.readings.push_back({site.quantity, site.taxel, site.channel});
   const std::size_t most = *std::max_element(neighbours.begin(), neighbours.end());
   layout.most_neighbours = std::max<std::size_t>(most, 1);
   return layout;

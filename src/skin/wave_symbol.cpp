@@ -20,12 +20,12 @@ WaveSymbol::WaveSymbol(const SkinArray& skin, const Material& material,
     return options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[channel];
   };
   if (is_even(skin)) {
-    for (const SkinChannel& channel : channels(skin))
+    for (const Channel& channel : channels(skin))
       rows_.push_back({channel.quantity, channel.depth, weight(rows_.size())});
     return;
   }
-  std::map<std::tuple<SkinQuantity, double, double>, double> readings;  // how many alike
-  for (const SkinSite& site : sites(skin))
+  std::map<std::tuple<Quantity, double, double>, double> readings;  // how many alike
+  for (const Site& site : sites(skin))
     readings[{site.quantity, site.depth, weight(site.channel)}] += 1.0;
   const auto taxels = static_cast<double>(taxel_count(skin));
   for (const auto& [row, count] : readings)
@@ -39,7 +39,7 @@ Eigen::MatrixXcd WaveSymbol::operator()(double k_y, double k_z, bool at_nyquist_
   for (Index i = 0; i < matrix.rows(); ++i)
     for (Index u = 0; u < components_; ++u) {
       const auto& [quantity, depth, weight] = rows_[static_cast<std::size_t>(i)];
-      const SkinTraction component = skin_tractions[static_cast<std::size_t>(u)];
+      const Traction component = skin_tractions[static_cast<std::size_t>(u)];
       const bool vanishes = (at_nyquist_y && is_odd(quantity, component, Axis::y)) ||
                             (at_nyquist_z && is_odd(quantity, component, Axis::z));
       matrix(i, u) =

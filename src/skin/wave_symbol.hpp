@@ -28,7 +28,7 @@ class WaveSymbol {
 
  private:
   struct Row {
-    SkinQuantity quantity;
+    Quantity quantity;
     double depth;
     double weight;
   };

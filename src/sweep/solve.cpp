@@ -43,7 +43,7 @@ Row row_at(const Point& point) {
 /// mean |p - truth| [Pa]
 double mean_error(const lab::SkinExperiment& experiment) {
   const auto found =
-      lab::component(experiment.answer->tractions, experiment.grid, SkinTraction::normal);
+      lab::component(experiment.answer->tractions, experiment.grid, Traction::normal);
   double sum = 0.0;
   for (std::size_t i = 0; i < found.size(); ++i)
     sum += std::abs(found[i] - experiment.frame.truth[i]);

@@ -19,9 +19,8 @@ namespace tactile_net {
 class NextSkinPressTrial final : public PressTrial<SimulatedSkinLog> {
  public:
   explicit NextSkinPressTrial(unsigned seed)
-      : PressTrial(
-            simulated_skin_log(seed, {.reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy}}),
-            seed),
+      : PressTrial(simulated_skin_log(seed, {.reads = {Quantity::stress_x, Quantity::shear_xy}}),
+                   seed),
         exact_(made_.truth, made_.pad) {
     std::mt19937_64 random(seed);
     NextSkinPressTrial::press({.radius = small, .force = largest}, random);

@@ -15,7 +15,7 @@ SensorArray array_of(std::vector<Quantity> reads, double depth = 1.5e-3) {
   return {.count = 41, .pitch = 0.5e-3, .depths = {depth}, .reads = std::move(reads)};
 }
 
-const std::vector<Quantity> all_quantities(quantities.begin(), quantities.end());
+const std::vector<Quantity> all_quantities(line_quantities.begin(), line_quantities.end());
 
 const std::vector<PressState> line_presses{
     {Shape::cylinder, std::log(200.0), 1.3e-3, std::log(1.1e-3), 0.0},
@@ -36,7 +36,7 @@ RigidContact contact_of(const PressState& press) {
 TEST_CASE("readings under rigid indenters are the exact integrals") {
   const int kind = GENERATE(0, 1, 2);
   const Material pad = pad_of(kind);
-  for (const Quantity quantity : quantities) {
+  for (const Quantity quantity : line_quantities) {
     const SensorArray array = array_of({quantity});
     const PressModel model(array, pad);
     const PressReadings readings = model.readings(model.nominal(), line_presses, false);

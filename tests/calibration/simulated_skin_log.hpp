@@ -19,7 +19,7 @@ struct SkinLogOptions {
   std::size_t side = 5;  ///< taxels along y and z
   double noise = 0.01;   ///< of a channel's largest reading
   std::size_t presses = 12;
-  std::vector<SkinQuantity> reads{SkinQuantity::stress_x};
+  std::vector<Quantity> reads{Quantity::stress_x};
   bool layer = false;
   bool at_one_place = false;
   bool states_force = true;
@@ -104,7 +104,7 @@ inline SimulatedSkinLog simulated_skin_log(unsigned seed, const SkinLogOptions& 
       press.half_width.value = a;
     result.log.presses.push_back(press);
   }
-  const std::vector<SkinSite> where = sites(result.truth);
+  const std::vector<Site> where = sites(result.truth);
   std::vector<double>& rms = result.rms;
   rms.resize(channel_count(result.truth));
   for (const std::vector<double>& readings : clean)

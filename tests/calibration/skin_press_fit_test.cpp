@@ -17,8 +17,7 @@
 namespace tactile_net {
 namespace {
 
-const std::vector<SkinQuantity> three{SkinQuantity::stress_x, SkinQuantity::shear_xy,
-                                      SkinQuantity::shear_xz};
+const std::vector<Quantity> three{Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz};
 
 bool is_hidden(const PressFit& fit, PadParameter parameter) {
   return fit.at(parameter).verdict == ValueVerdict::not_identifiable;
@@ -28,7 +27,7 @@ bool is_hidden(const PressFit& fit, PadParameter parameter) {
 
 namespace {
 void check_log_without_noise(std::size_t side, std::size_t presses, std::vector<double> starts) {
-  using enum SkinQuantity;
+  using enum Quantity;
   SimulatedSkinLog made = simulated_skin_log(3, {.side = side,
                                                  .noise = 1e-9,
                                                  .presses = presses,
@@ -65,7 +64,7 @@ TEST_CASE("a larger skin's log without noise tells the same from every start", "
 }
 
 TEST_CASE("over many logs of skins the truth lies where the standard deviations say") {
-  using enum SkinQuantity;
+  using enum Quantity;
   const bool layer = GENERATE(false, true);
   const unsigned logs = layer ? 8 : 24;
   double pulls2 = 0.0, count = 0.0, within = 0.0, rms = 0.0, gains2 = 0.0, gains_within = 0.0,
@@ -151,7 +150,7 @@ TEST_CASE("what a skin's log cannot tell is said, and keeps its value") {
           3.0 * fit.at(PadParameter::depth).sd);
   }
   SECTION("strains and displacements under known contacts scale with E as their gains do") {
-    using enum SkinQuantity;
+    using enum Quantity;
     const PressFit fit =
         fit_of({.presses = 16, .reads = {strain_x, displacement_x}, .states_radius = false});
     CHECK(is_hidden(fit, PadParameter::youngs_modulus));

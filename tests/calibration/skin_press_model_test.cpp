@@ -12,7 +12,7 @@
 namespace tactile_net {
 namespace {
 
-SkinArray array_of(std::vector<SkinQuantity> reads, double depth = 1.5e-3) {
+SkinArray skin_of(std::vector<Quantity> reads, double depth = 1.5e-3) {
   return {.rows = 5,
           .columns = 4,
           .pitch_y = 1.5e-3,
@@ -21,14 +21,14 @@ SkinArray array_of(std::vector<SkinQuantity> reads, double depth = 1.5e-3) {
           .reads = std::move(reads)};
 }
 
-const std::vector<SkinQuantity> all_skin_quantities(skin_quantities.begin(), skin_quantities.end());
+const std::vector<Quantity> all_skin_quantities(skin_quantities.begin(), skin_quantities.end());
 
 /// What a base that slips holds under a drag, too.
-std::vector<SkinQuantity> finite_under_drags(int kind) {
-  std::vector<SkinQuantity> quantities = all_skin_quantities;
+std::vector<Quantity> finite_under_drags(int kind) {
+  std::vector<Quantity> quantities = all_skin_quantities;
   if (kind == 2)
-    std::erase_if(quantities, [](SkinQuantity one) {
-      return one == SkinQuantity::displacement_y || one == SkinQuantity::displacement_z;
+    std::erase_if(quantities, [](Quantity one) {
+      return one == Quantity::displacement_y || one == Quantity::displacement_z;
     });
   return quantities;
 }
@@ -77,8 +77,8 @@ TEST_CASE("a skin's readings under rigid indenters are those of the exact forwar
   const bool drags = GENERATE(false, true);
   const Material pad = pad_of(kind);
   const std::vector<PressState> done = drags ? dragged() : disc_presses;
-  for (const SkinQuantity quantity : drags ? finite_under_drags(kind) : all_skin_quantities) {
-    const SkinArray skin = array_of({quantity});
+  for (const Quantity quantity : drags ? finite_under_drags(kind) : all_skin_quantities) {
+    const SkinArray skin = skin_of({quantity});
     const PressModel model(skin, pad);
     const PressReadings readings = model.readings(model.nominal(), done, false);
     for (std::size_t p = 0; p < done.size(); ++p) {
@@ -111,7 +111,7 @@ TEST_CASE("derivatives of a skin's readings are those of central differences") {
   const int kind = GENERATE(0, 1, 2);
   const bool drags = GENERATE(false, true);
   const std::vector<PressState> done = drags ? dragged() : disc_presses;
-  const PressModel model(array_of(drags ? finite_under_drags(kind) : all_skin_quantities),
+  const PressModel model(skin_of(drags ? finite_under_drags(kind) : all_skin_quantities),
                          pad_of(kind));
   PadState pad = model.nominal();
   pad.log_depth = 0.1;
@@ -175,7 +175,7 @@ TEST_CASE("a press that turns over a skin's diagonal turns its readings with it"
                        .pitch_y = 1.5e-3,
                        .pitch_z = 1.5e-3,
                        .depths = {1.5e-3},
-                       .reads = {SkinQuantity::shear_xy, SkinQuantity::shear_xz}};
+                       .reads = {Quantity::shear_xy, Quantity::shear_xz}};
   const PressModel model(skin, pad_of(1));
   PressState one = disc_presses[0];
   one.friction = 0.4;
@@ -192,8 +192,7 @@ TEST_CASE("a press that turns over a skin's diagonal turns its readings with it"
 }
 
 TEST_CASE("a drag of what would be infinite under it is refused") {
-  const PressModel model(array_of({SkinQuantity::stress_x, SkinQuantity::displacement_y}),
-                         pad_of(2));
+  const PressModel model(skin_of({Quantity::stress_x, Quantity::displacement_y}), pad_of(2));
   CHECK(!model.holds_drags());
   CHECK_NOTHROW(model.readings(model.nominal(), disc_presses, true));
   CHECK_THROWS_WITH(model.readings(model.nominal(), dragged(), false),
@@ -201,8 +200,7 @@ TEST_CASE("a drag of what would be infinite under it is refused") {
 }
 
 TEST_CASE("at a skin's base one derivative moves depth and thickness together") {
-  const PressModel model(array_of({SkinQuantity::stress_x, SkinQuantity::shear_xy}, 3e-3),
-                         pad_of(1));
+  const PressModel model(skin_of({Quantity::stress_x, Quantity::shear_xy}, 3e-3), pad_of(1));
   const PadState state = model.nominal();
   const PressReadings at = model.readings(state, disc_presses, true, true);
   const auto value = [&](double by) {

@@ -31,8 +31,8 @@ inline Skin skin_of(const std::string& name, const SkinArray& array,
   return skin;
 }
 
-inline const std::vector<SkinQuantity> three_stresses{
-    SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz};
+inline const std::vector<Quantity> three_stresses{Quantity::stress_x, Quantity::shear_xy,
+                                                  Quantity::shear_xz};
 
 inline Skin rectangle(std::size_t rows, std::size_t columns, std::vector<std::size_t> dead = {},
                       std::size_t components = 3) {
@@ -59,8 +59,8 @@ inline Skin two_depths(std::size_t size) {
                                 .pitch_y = 2e-3,
                                 .pitch_z = 2e-3,
                                 .depths = {3e-3, 5e-3},
-                                .reads = {SkinQuantity::stress_y, SkinQuantity::stress_x,
-                                          SkinQuantity::shear_yz, SkinQuantity::stress_z}});
+                                .reads = {Quantity::stress_y, Quantity::stress_x,
+                                          Quantity::shear_yz, Quantity::stress_z}});
 }
 
 /// Two cells from taxel to taxel.
@@ -81,7 +81,7 @@ inline Skin uneven(std::size_t count, double depth = 3e-3) {
     taxels.push_back({.y = 14e-3 * random(),
                       .z = 12e-3 * random(),
                       .depth = depth,
-                      .reads = i % 3 == 0 ? std::vector{SkinQuantity::stress_x} : three_stresses});
+                      .reads = i % 3 == 0 ? std::vector{Quantity::stress_x} : three_stresses});
   }
   return skin_of("uneven", uneven_skin(taxels), {.grid = {.spacing = 2e-3}});
 }

@@ -48,7 +48,7 @@ const SampledTractions ramp{
 
 TEST_CASE("the force is the integral of the traction", "[contact][property]") {
   const RigidContact contact = indenter(GENERATE(0, 1, 2, 3, 4));
-  const Traction component = GENERATE(Traction::normal, Traction::tangential);
+  const Traction component = GENERATE(Traction::normal, Traction::tangential_y);
   CAPTURE(static_cast<int>(contact.shape), contact.edge);
   const double borders[] = {-1.4, -0.3, 0.2, 0.5, 0.9, 2.4};
   for (int i = 0; i + 1 < 6; ++i) {
@@ -87,9 +87,9 @@ TEST_CASE("the resultant is P, but for the part that an edge cuts away", "[conta
 TEST_CASE("friction is the same fraction of the pressure everywhere", "[contact][property]") {
   const RigidContact contact = indenter(GENERATE(0, 1, 3));
   for (const double y : {-3.0, -1.2, 0.1, 0.6, 2.4})
-    CHECK_THAT(traction(contact, Traction::tangential, y),
+    CHECK_THAT(traction(contact, Traction::tangential_y, y),
                WithinRel(-0.4 * traction(contact, Traction::normal, y), 1e-15));
-  CHECK_THAT(resultant(contact, Traction::tangential),
+  CHECK_THAT(resultant(contact, Traction::tangential_y),
              WithinRel(-0.4 * resultant(contact, Traction::normal), 1e-15));
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("the traction is infinite at the singular points and nowhere else", "[
             .shape = shape, .center = center, .half_width = half_width, .friction = -0.5};
         for (const double y : singular_points(contact)) {
           CHECK(traction(contact, Traction::normal, y) == infinity);
-          CHECK(traction(contact, Traction::tangential, y) == -infinity);
+          CHECK(traction(contact, Traction::tangential_y, y) == -infinity);
         }
       }
 }
@@ -134,7 +134,7 @@ TEST_CASE("no force is no traction, at singular points too", "[contact]") {
   const RigidContact idle{.shape = Shape::wedge, .force = 0.0, .friction = 0.5};
   CHECK(traction(idle, Traction::normal, 0.0) == 0.0);
   const RigidContact smooth{.shape = Shape::wedge};
-  CHECK(traction(smooth, Traction::tangential, 0.0) == 0.0);
+  CHECK(traction(smooth, Traction::tangential_y, 0.0) == 0.0);
   CHECK_FALSE(has_friction(idle));
   CHECK_FALSE(has_friction(smooth));
   CHECK(has_friction(indenter(0)));
@@ -143,7 +143,7 @@ TEST_CASE("no force is no traction, at singular points too", "[contact]") {
 TEST_CASE("sampled tractions pass through their values", "[contact]") {
   CHECK(traction(ramp, Traction::normal, -1.0) == 2.0);
   CHECK(traction(ramp, Traction::normal, 0.0) == 5.0);
-  CHECK(traction(ramp, Traction::tangential, -0.5) == 3.0);
+  CHECK(traction(ramp, Traction::tangential_y, -0.5) == 3.0);
   CHECK(traction(ramp, Traction::normal, -1.25) == 1.0);  // half way to nothing
   CHECK(traction(ramp, Traction::normal, -0.125) == 3.75);
   CHECK(traction(ramp, Traction::normal, 0.25) == 2.5);
@@ -161,7 +161,7 @@ TEST_CASE("a value comes back to the bit, however its place is rounded", "[conta
 
 TEST_CASE("the resultant of sampled tractions is pitch times their sum", "[contact]") {
   CHECK_THAT(resultant(ramp, Traction::normal), WithinRel(0.5 * 7.0, 1e-15));
-  CHECK_THAT(resultant(ramp, Traction::tangential), WithinRel(0.5 * 2.0, 1e-15));
+  CHECK_THAT(resultant(ramp, Traction::tangential_y), WithinRel(0.5 * 2.0, 1e-15));
   const auto [from, to] = support(ramp);
   CHECK(from == -1.5);
   CHECK(to == 0.5);
@@ -170,7 +170,7 @@ TEST_CASE("the resultant of sampled tractions is pitch times their sum", "[conta
 
 TEST_CASE("between two points sampled tractions add up their trapezoids", "[contact][property]") {
   // Trapezoids of a piecewise linear function are exact between its corners.
-  for (const Traction component : {Traction::normal, Traction::tangential}) {
+  for (const Traction component : {Traction::normal, Traction::tangential_y}) {
     const double borders[] = {-1.5, -1.3, -1.0, -0.8, -0.5, -0.2, 0.0, 0.1, 0.5};
     for (int i = 0; i + 1 < 9; ++i) {
       const double from = borders[i];
@@ -186,8 +186,8 @@ TEST_CASE("between two points sampled tractions add up their trapezoids", "[cont
 TEST_CASE("tangential values may be left out or be zero: no friction", "[contact]") {
   const SampledTractions normal_only{.normal = {1.0, 2.0}, .tangential = {}};
   CHECK_FALSE(has_friction(normal_only));
-  CHECK(traction(normal_only, Traction::tangential, 0.5) == 0.0);
-  CHECK(resultant(normal_only, Traction::tangential) == 0.0);
+  CHECK(traction(normal_only, Traction::tangential_y, 0.5) == 0.0);
+  CHECK(resultant(normal_only, Traction::tangential_y) == 0.0);
   CHECK_FALSE(has_friction(SampledTractions{.normal = {1.0, 2.0}, .tangential = {0.0, 0.0}}));
   CHECK(has_friction(ramp));
 }

@@ -28,7 +28,7 @@ double over_surface(Quantity quantity, Traction load, const Material& material, 
 }
 
 bool is_even(Quantity quantity, Traction load) {
-  return (quantity == Quantity::shear_xy) == (load == Traction::tangential);
+  return (quantity == Quantity::shear_xy) == (load == Traction::tangential_y);
 }
 
 constexpr Material rubber{.youngs_modulus = 3.0, .poisson_ratio = 0.4};
@@ -40,11 +40,11 @@ TEST_CASE("every depth carries the whole load", "[half_plane][property]") {
   CAPTURE(depth);
   CHECK_THAT(over_surface(Quantity::stress_x, Traction::normal, rubber, depth),
              WithinRel(1.0, 1e-13));
-  CHECK_THAT(over_surface(Quantity::shear_xy, Traction::tangential, rubber, depth),
+  CHECK_THAT(over_surface(Quantity::shear_xy, Traction::tangential_y, rubber, depth),
              WithinRel(1.0, 1e-13));
   CHECK_THAT(over_surface(Quantity::shear_xy, Traction::normal, rubber, depth),
              WithinAbs(0.0, 1e-14));
-  CHECK_THAT(over_surface(Quantity::stress_x, Traction::tangential, rubber, depth),
+  CHECK_THAT(over_surface(Quantity::stress_x, Traction::tangential_y, rubber, depth),
              WithinAbs(0.0, 1e-14));
 }
 
@@ -65,12 +65,12 @@ TEST_CASE("a quarter circle around the load carries half of it", "[half_plane][p
         0.0, 0.5 * pi, 0, 0.0);
   };
   CHECK_THAT(pull(Traction::normal, true), WithinRel(0.5, 1e-14));
-  CHECK_THAT(pull(Traction::tangential, false), WithinRel(0.5, 1e-14));
+  CHECK_THAT(pull(Traction::tangential_y, false), WithinRel(0.5, 1e-14));
 }
 
 TEST_CASE("the stress balances at every point", "[half_plane][property]") {
   // d stress_x / dx + d shear / dy = 0 and d shear / dx + d stress_y / dy = 0.
-  const Traction load = GENERATE(Traction::normal, Traction::tangential);
+  const Traction load = GENERATE(Traction::normal, Traction::tangential_y);
   const double y = GENERATE(-2.0, -0.3, 0.0, 0.7, 4.0);
   const double x = 1.3;
   const double h = 1e-4;
@@ -88,8 +88,8 @@ TEST_CASE("the stress balances at every point", "[half_plane][property]") {
 }
 
 TEST_CASE("kernels are even or odd, to the bit", "[half_plane][property]") {
-  for (const Quantity quantity : quantities)
-    for (const Traction load : {Traction::normal, Traction::tangential})
+  for (const Quantity quantity : line_quantities)
+    for (const Traction load : {Traction::normal, Traction::tangential_y})
       for (const double y : {1e-3, 0.4, 1.0, 30.0}) {
         const double right = half_plane_kernel(quantity, load, rubber, 0.8, y);
         const double left = half_plane_kernel(quantity, load, rubber, 0.8, -y);
@@ -98,8 +98,8 @@ TEST_CASE("kernels are even or odd, to the bit", "[half_plane][property]") {
 }
 
 TEST_CASE("a drag along +y compresses what lies ahead", "[half_plane]") {
-  CHECK(half_plane_kernel(Quantity::stress_y, Traction::tangential, rubber, 1.0, 1.0) > 0.0);
-  CHECK(half_plane_kernel(Quantity::stress_x, Traction::tangential, rubber, 1.0, 1.0) > 0.0);
+  CHECK(half_plane_kernel(Quantity::stress_y, Traction::tangential_y, rubber, 1.0, 1.0) > 0.0);
+  CHECK(half_plane_kernel(Quantity::stress_x, Traction::tangential_y, rubber, 1.0, 1.0) > 0.0);
 }
 
 TEST_CASE("a push turned by a right angle is a drag", "[half_plane][property]") {
@@ -110,7 +110,7 @@ TEST_CASE("a push turned by a right angle is a drag", "[half_plane][property]") 
       return half_plane_kernel(quantity, Traction::normal, rubber, x, y);
     };
     const auto drag = [&](Quantity quantity) {
-      return half_plane_kernel(quantity, Traction::tangential, rubber, y, x);
+      return half_plane_kernel(quantity, Traction::tangential_y, rubber, y, x);
     };
     CHECK_THAT(drag(Quantity::stress_y), WithinRel(push(Quantity::stress_x), 1e-14));
     CHECK_THAT(drag(Quantity::stress_x), WithinRel(push(Quantity::stress_y), 1e-14));
@@ -120,7 +120,7 @@ TEST_CASE("a push turned by a right angle is a drag", "[half_plane][property]") 
 
 TEST_CASE("Hooke's inverse gives the stress back", "[half_plane][property]") {
   const double nu = GENERATE(0.0, 0.2, 0.45, 0.49);
-  const Traction load = GENERATE(Traction::normal, Traction::tangential);
+  const Traction load = GENERATE(Traction::normal, Traction::tangential_y);
   CAPTURE(nu);
   const Material material{.youngs_modulus = 7.0, .poisson_ratio = nu};
   const double stiffness = 7.0 / ((1.0 + nu) * (1.0 - 2.0 * nu));
@@ -141,7 +141,7 @@ TEST_CASE("Hooke's inverse gives the stress back", "[half_plane][property]") {
 
 TEST_CASE("an incompressible pad keeps its volume, to the bit", "[half_plane][property]") {
   const Material rubber{.youngs_modulus = 2.0, .poisson_ratio = 0.5};
-  for (const Traction load : {Traction::normal, Traction::tangential})
+  for (const Traction load : {Traction::normal, Traction::tangential_y})
     for (const double y : {0.0, 0.3, 1.0, 8.0})
       CHECK(half_plane_kernel(Quantity::strain_y, load, rubber, 1.0, y) ==
             -half_plane_kernel(Quantity::strain_x, load, rubber, 1.0, y));
@@ -164,9 +164,9 @@ TEST_CASE("far away the stress decays with its power of the distance", "[half_pl
   CHECK_THAT(power(Quantity::stress_x, Traction::normal), WithinAbs(4.0, 1e-6));
   CHECK_THAT(power(Quantity::stress_y, Traction::normal), WithinAbs(2.0, 1e-6));
   CHECK_THAT(power(Quantity::shear_xy, Traction::normal), WithinAbs(3.0, 1e-6));
-  CHECK_THAT(power(Quantity::stress_x, Traction::tangential), WithinAbs(3.0, 1e-6));
-  CHECK_THAT(power(Quantity::stress_y, Traction::tangential), WithinAbs(1.0, 1e-6));
-  CHECK_THAT(power(Quantity::shear_xy, Traction::tangential), WithinAbs(2.0, 1e-6));
+  CHECK_THAT(power(Quantity::stress_x, Traction::tangential_y), WithinAbs(3.0, 1e-6));
+  CHECK_THAT(power(Quantity::stress_y, Traction::tangential_y), WithinAbs(1.0, 1e-6));
+  CHECK_THAT(power(Quantity::shear_xy, Traction::tangential_y), WithinAbs(2.0, 1e-6));
 }
 
 TEST_CASE("a unit of length or modulus scales the kernel and nothing else",
@@ -176,8 +176,8 @@ TEST_CASE("a unit of length or modulus scales the kernel and nothing else",
   CAPTURE(unit, stiffness);
   const Material scaled{.youngs_modulus = rubber.youngs_modulus * stiffness,
                         .poisson_ratio = rubber.poisson_ratio};
-  for (const Quantity quantity : quantities)
-    for (const Traction load : {Traction::normal, Traction::tangential})
+  for (const Quantity quantity : line_quantities)
+    for (const Traction load : {Traction::normal, Traction::tangential_y})
       for (const double y : {-2.0, 0.5, 40.0}) {
         const double factor = is_strain(quantity) ? stiffness : 1.0;
         CHECK_THAT(half_plane_kernel(quantity, load, scaled, 1.5 * unit, y * unit) * unit * factor,
@@ -195,8 +195,8 @@ TEST_CASE("the transform is the kernel's transform", "[half_plane][property]") {
   const double depth = 1.7;
   const double k = GENERATE(-2.1, -0.4, 0.3, 1.0, 2.5);
   CAPTURE(k);
-  for (const Quantity quantity : quantities)
-    for (const Traction load : {Traction::normal, Traction::tangential}) {
+  for (const Quantity quantity : line_quantities)
+    for (const Traction load : {Traction::normal, Traction::tangential_y}) {
       CAPTURE(name(quantity), load == Traction::normal);
       const double h = 0.2;
       const auto damped = [&](double e) {
@@ -221,8 +221,8 @@ TEST_CASE("the transform is the kernel's transform", "[half_plane][property]") {
 }
 
 TEST_CASE("at k = 0 the transform is the resultant", "[half_plane]") {
-  for (const Quantity quantity : quantities)
-    for (const Traction load : {Traction::normal, Traction::tangential}) {
+  for (const Quantity quantity : line_quantities)
+    for (const Traction load : {Traction::normal, Traction::tangential_y}) {
       const std::complex<double> mean = half_plane_transform(quantity, load, rubber, 1.3, 0.0);
       CHECK(mean.imag() == 0.0);
       if (is_even(quantity, load))
@@ -240,8 +240,8 @@ TEST_CASE("two stresses tell both loads apart as the determinants say", "[half_p
       return half_plane_transform(quantity, load, rubber, depth, k);
     };
     const auto determinant = [&](Quantity first, Quantity second) {
-      return t(first, Traction::normal) * t(second, Traction::tangential) -
-             t(first, Traction::tangential) * t(second, Traction::normal);
+      return t(first, Traction::normal) * t(second, Traction::tangential_y) -
+             t(first, Traction::tangential_y) * t(second, Traction::normal);
     };
     const double decay = std::exp(-2.0 * std::abs(k) * depth);
     const double sign = k > 0.0 ? 1.0 : -1.0;
@@ -261,7 +261,7 @@ TEST_CASE("two stresses tell both loads apart as the determinants say", "[half_p
 TEST_CASE("a short wave dies before it arrives, without NaN", "[half_plane]") {
   const double k = GENERATE(-1e3, 1e3, 1e200, 1e308, std::numeric_limits<double>::infinity());
   const double depth = GENERATE(1.0, 1e10);
-  for (const Quantity quantity : quantities)
-    for (const Traction load : {Traction::normal, Traction::tangential})
+  for (const Quantity quantity : line_quantities)
+    for (const Traction load : {Traction::normal, Traction::tangential_y})
       CHECK(half_plane_transform(quantity, load, rubber, depth, k) == 0.0);
 }

@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "elasticity/layer.hpp"
@@ -83,8 +84,9 @@ FiftyDigits reading(Quantity quantity, Traction component, const Material& mater
       return (1 + nu) * ((1 - nu) * x - nu * y) / material.youngs_modulus;
     case Quantity::strain_y:
       return (1 + nu) * ((1 - nu) * y - nu * x) / material.youngs_modulus;
+    default:
+      throw std::invalid_argument("no quantity of a line");
   }
-  return 0;
 }
 
 Material half_plane_of(double nu) { return {.youngs_modulus = 3.0, .poisson_ratio = nu}; }
@@ -106,8 +108,8 @@ double peak(Quantity quantity, Traction component, const Material& material, dou
 }
 
 void for_every_kernel(const auto& check) {
-  for (const Quantity quantity : quantities)
-    for (const Traction component : traction_components) {
+  for (const Quantity quantity : line_quantities)
+    for (const Traction component : line_tractions) {
       CAPTURE(name(quantity), name(component));
       check(quantity, component);
     }
@@ -205,7 +207,7 @@ TEST_CASE("a grid of hats is a plateau, which a pad carries as it carries a unif
     const Material pad = half_plane_of(0.45);  // the ends are (depth / distance)^3 away
     CHECK_THAT(plateau(Quantity::stress_x, Traction::normal, pad, 0.01, 0.1, 800, u),
                WithinAbs(1.0, 1e-11));
-    CHECK_THAT(plateau(Quantity::stress_x, Traction::tangential, pad, 0.01, 0.1, 800, 0.0),
+    CHECK_THAT(plateau(Quantity::stress_x, Traction::tangential_y, pad, 0.01, 0.1, 800, 0.0),
                WithinAbs(0.0, 1e-13));
   }
   SECTION("a bonded layer is in uniaxial strain, and sheared throughout") {
@@ -218,7 +220,7 @@ TEST_CASE("a grid of hats is a plateau, which a pad carries as it carries a unif
                  WithinAbs(nu / (1.0 - nu), 2e-12));
       CHECK_THAT(plateau(Quantity::strain_y, Traction::normal, pad, depth, 0.5, 160, u),
                  WithinAbs(0.0, 2e-12));
-      CHECK_THAT(plateau(Quantity::shear_xy, Traction::tangential, pad, depth, 0.5, 160, u),
+      CHECK_THAT(plateau(Quantity::shear_xy, Traction::tangential_y, pad, depth, 0.5, 160, u),
                  WithinAbs(1.0, 2e-12));
     }
   }

@@ -66,10 +66,10 @@ TEST_CASE("a patch's reading is the integral of its tractions' line loads", "[el
                         .normal = 2.0,
                         .tangential = -0.7,
                         .moment = form == LoadPatch::Form::linear ? 0.5 * half_width : 0.0};
-  for (const Quantity quantity : quantities) {
+  for (const Quantity quantity : line_quantities) {
     const PatchKernel kernel(std::array{quantity}, material, taxel_depth);
     const PadKernel normal(quantity, Traction::normal, material, taxel_depth);
-    const PadKernel tangential(quantity, Traction::tangential, material, taxel_depth);
+    const PadKernel tangential(quantity, Traction::tangential_y, material, taxel_depth);
     const double scale = is_strain(quantity) ? 1.0 / material.youngs_modulus : 1.0;
     const double tolerance = (material.layer ? 1e-11 : 1e-13) * scale * 2.7;
     const double precision = material.layer ? 1e-12 : 1e-13;

@@ -46,8 +46,9 @@ Real reading(Quantity quantity, const Stresses& s, const Material& material) {
       return (s.x - nu * (s.y + out_of_plane)) / Real(material.youngs_modulus);
     case Quantity::strain_y:
       return (s.y - nu * (s.x + out_of_plane)) / Real(material.youngs_modulus);
+    default:
+      throw std::invalid_argument("no quantity of a line");
   }
-  return 0;
 }
 
 /// Kolosov and Muskhelishvili on the half plane Im z > 0, z = y + i x: Phi = A / z, and the Psi
@@ -222,7 +223,7 @@ RealMatrix reference_hat_matrix(const SensorArray& array, const Material& materi
   RealMatrix matrix{all.size(), options.unknowns * n, {}};
   for (const Site& site : all)
     for (std::size_t u = 0; u < options.unknowns; ++u) {
-      const Traction load = u == 0 ? Traction::normal : Traction::tangential;
+      const Traction load = u == 0 ? Traction::normal : Traction::tangential_y;
       const Real weight =
           options.channel_rms.empty() ? Real(1) : 1 / Real(options.channel_rms[site.channel]);
       Reals distances;
@@ -261,7 +262,7 @@ RealMatrix reference_matrix(const SensorArray& array, const Material& material,
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < options.unknowns; ++u) {
       const Reals kernel = reference_kernel(
-          all[c], u == 0 ? Traction::normal : Traction::tangential, material, n, array.pitch);
+          all[c], u == 0 ? Traction::normal : Traction::tangential_y, material, n, array.pitch);
       for (std::size_t i = 0; i < n; ++i) {
         Real weight = options.channel_rms.empty() ? Real(1) : 1 / Real(options.channel_rms[c]);
         for (const std::size_t dead : options.dead_taxels)

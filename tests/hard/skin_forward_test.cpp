@@ -18,7 +18,7 @@ using test::Vector;
 
 namespace {
 
-const std::vector<SkinQuantity> all_quantities(skin_quantities.begin(), skin_quantities.end());
+const std::vector<Quantity> all_quantities(skin_quantities.begin(), skin_quantities.end());
 
 constexpr SkinContact twisted{.shape = SkinShape::ellipsoid,
                               .y = 0.2,
@@ -32,7 +32,7 @@ constexpr SkinContact twisted{.shape = SkinShape::ellipsoid,
                               .torsion = 0.5};
 
 std::vector<double> at(const SkinLoad& load, const Material& material, double depth, double y,
-                       double z, const std::vector<SkinQuantity>& reads = all_quantities) {
+                       double z, const std::vector<Quantity>& reads = all_quantities) {
   return exact_readings(uneven_skin({{"", y, z, depth, reads}}), material, std::span(&load, 1));
 }
 
@@ -95,7 +95,7 @@ std::vector<double> summed(const SkinContact& c, const test::Real& nu, double x,
                  std::sin(t));
     }
   std::vector<double> readings;
-  for (const SkinQuantityTraits& row : skin_quantity_traits) {
+  for (const QuantityTraits& row : quantity_traits) {
     const auto a = static_cast<std::size_t>(row.first);
     const auto b = static_cast<std::size_t>(row.second);
     test::Real value = row.kind == QuantityKind::displacement ? displacement[a] : stress[a][b];
@@ -148,7 +148,7 @@ TEST_CASE("contacts on thin layers keep their digits, at the base too", "[hard]"
     return Material{.youngs_modulus = 1.0, .poisson_ratio = nu, .layer = Layer{0.25, kind}};
   };
   // Nothing moves down there; aside there is no displacement to speak of.
-  const std::vector<SkinQuantity> defined(all_quantities.begin(), all_quantities.begin() + 12);
+  const std::vector<Quantity> defined(all_quantities.begin(), all_quantities.begin() + 12);
   CHECK(error(at(slipping, layer(0.5, Base::frictionless), 0.25, 0.9, 0.5, defined), base) < 1e-10);
   CHECK(error(at(slipping, layer(0.0, Base::bonded), 0.2, -0.5, -0.7), inside) < 1e-10);
 }
@@ -159,13 +159,12 @@ TEST_CASE("units of any size scale exact and sampled readings and nothing else",
       {.y = 0.1, .radius = 0.9, .force = 1.5, .friction = 0.3, .stick = 0.5},
       {.shape = SkinShape::cone, .radius = 0.7, .force = -1.0, .torsion = 0.1},
       {.shape = SkinShape::punch, .z = 0.3, .radius = 0.6, .friction = 1.0}};
-  const SkinArray skin{
-      .rows = 1,
-      .columns = 3,
-      .pitch_y = 0.0,
-      .pitch_z = 0.7,
-      .depths = {0.6},
-      .reads = {SkinQuantity::stress_x, SkinQuantity::strain_y, SkinQuantity::displacement_z}};
+  const SkinArray skin{.rows = 1,
+                       .columns = 3,
+                       .pitch_y = 0.0,
+                       .pitch_z = 0.7,
+                       .depths = {0.6},
+                       .reads = {Quantity::stress_x, Quantity::strain_y, Quantity::displacement_z}};
   for (const double unit : {1e-150, 1e-30, 1e30, 1e150})
     for (const bool has_base : {false, true}) {
       Material material{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
@@ -216,7 +215,7 @@ TEST_CASE("one row, one column and one taxel read what they do among others", "[
                        .pitch_y = 0.5,
                        .pitch_z = 0.8,
                        .depths = {1.0},
-                       .reads = {SkinQuantity::stress_y}};
+                       .reads = {Quantity::stress_y}};
   // In the corner, half of it beyond.
   SkinContact corner = twisted;
   corner.y = 0.5;

@@ -65,7 +65,7 @@ struct OddSkin {
   std::vector<std::size_t> dead{};
 };
 
-std::vector<OddSkin> odd_skins(const std::vector<SkinQuantity>& reads) {
+std::vector<OddSkin> odd_skins(const std::vector<Quantity>& reads) {
   const auto even = [&](std::size_t rows, std::size_t columns) {
     return SkinArray{.rows = rows,
                      .columns = columns,
@@ -88,8 +88,7 @@ std::vector<OddSkin> odd_skins(const std::vector<SkinQuantity>& reads) {
 }  // namespace
 
 TEST_CASE("skins of any shape are solved to their condition, against 50 digits", "[hard][skin]") {
-  const std::vector<SkinQuantity> reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy,
-                                           SkinQuantity::shear_xz};
+  const std::vector<Quantity> reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz};
   const Material materials[] = {
       {.youngs_modulus = 1.0, .poisson_ratio = 0.0},
       {.youngs_modulus = 1.0, .poisson_ratio = 0.5},

@@ -17,7 +17,7 @@ inline std::vector<double> circular_readings(const SensorArray& array, const Mat
     std::vector<double> row(n);
     for (std::size_t u = 0; u < f.size() / n; ++u) {
       const std::vector<double> kernel = sampled_kernel(
-          channel, u == 0 ? Traction::normal : Traction::tangential, material, n, array.pitch);
+          channel, u == 0 ? Traction::normal : Traction::tangential_y, material, n, array.pitch);
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
           const std::size_t lag = (i + n - j) % n;

@@ -161,7 +161,7 @@ TEST_CASE("one wavelength that is not known hides all shorter ones", "[resolutio
                                        {2.0, 9.0, 1.0},
                                        {1.0, 1.0, 1.0}};
   CHECK(resolvable_wavelength(all, Traction::normal, 2.0) == 4.0);
-  CHECK_FALSE(resolvable_wavelength(all, Traction::tangential, 2.0).has_value());
+  CHECK_FALSE(resolvable_wavelength(all, Traction::tangential_y, 2.0).has_value());
 }
 
 TEST_CASE("the resolution does not depend on the units", "[resolution][property]") {

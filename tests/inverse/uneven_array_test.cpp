@@ -98,7 +98,7 @@ TEST_CASE("K of wide taxels is the mean of the hats' readings across them", "[un
     const Site& site = one.sites[row];
     for (std::size_t column = 0; column < one.kernel.columns; ++column) {
       const std::size_t i = column % one.surface.count;
-      const HatKernel hat(site.quantity, traction_components[column / one.surface.count], silicone,
+      const HatKernel hat(site.quantity, line_tractions[column / one.surface.count], silicone,
                           taxel_depth, one.surface.spacing);
       double mean = 0.0;
       for (int part = 0; part <= parts; ++part) {

@@ -52,7 +52,7 @@ TEST_CASE("two strains lose the tangential mean to odd kernels and a mode to the
   REQUIRE(survey.reasons.size() == 2);
   const auto* odd = find<hidden_reason::OddKernels>(survey);
   REQUIRE(odd != nullptr);
-  CHECK(odd->component == Traction::tangential);
+  CHECK(odd->component == Traction::tangential_y);
   const auto* symmetry = find<hidden_reason::Symmetry>(survey);
   REQUIRE(symmetry != nullptr);
   CHECK(symmetry->taxels == 15);

@@ -262,14 +262,14 @@ TEST_CASE("what presses on a large skin is what was put on it", "[lab][skin][lar
   const lab::SkinSceneProblem problem = without_matrix(scene);
   const lab::SkinAnswer answer = lab::solve(problem, readings);
   const SkinGrid& grid = problem.grid();
-  const auto sum = [&](SkinTraction which) {
+  const auto sum = [&](Traction which) {
     const auto f = lab::component(answer.tractions, grid, which);
     return std::accumulate(f.begin(), f.end(), 0.0) * grid.area();
   };
   const double drag = 0.5 * 0.4;
   const double direction = 30.0 * std::numbers::pi / 180.0;
-  CHECK_THAT(sum(SkinTraction::normal), WithinRel(0.5, 0.01));
+  CHECK_THAT(sum(Traction::normal), WithinRel(0.5, 0.01));
   // Of an even drag the readings tell least.
-  CHECK_THAT(sum(SkinTraction::tangential_y), WithinAbs(drag * std::cos(direction), 0.1 * drag));
-  CHECK_THAT(sum(SkinTraction::tangential_z), WithinAbs(drag * std::sin(direction), 0.1 * drag));
+  CHECK_THAT(sum(Traction::tangential_y), WithinAbs(drag * std::cos(direction), 0.1 * drag));
+  CHECK_THAT(sum(Traction::tangential_z), WithinAbs(drag * std::sin(direction), 0.1 * drag));
 }

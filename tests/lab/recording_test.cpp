@@ -168,13 +168,13 @@ TEST_CASE("a picture of the pad reaches the base, or twice the deepest taxel", "
 TEST_CASE("a recording's components are cut out in one place", "[lab][recording]") {
   RecordingOverview overview = tapped_recording(5, 2).overview();
   CHECK(overview.largest(Traction::normal) == 7.0);
-  CHECK(overview.largest(Traction::tangential) == 0.0);
+  CHECK(overview.largest(Traction::tangential_y) == 0.0);
   CHECK_FALSE(overview.tangential());
   std::vector<double> both(42, 1.0);
   both[41] = -3.0;
   CHECK(overview.component(both, Traction::normal).size() == 21);
-  CHECK(overview.component(both, Traction::tangential).back() == -3.0);
-  CHECK(overview.component(std::span(both).first(21), Traction::tangential).empty());
+  CHECK(overview.component(both, Traction::tangential_y).back() == -3.0);
+  CHECK(overview.component(std::span(both).first(21), Traction::tangential_y).empty());
 }
 
 }  // namespace tactile_net::lab

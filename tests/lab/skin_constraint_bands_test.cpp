@@ -261,7 +261,7 @@ TEST_CASE("taxels here and there see what lies among them", "[lab][skin][edge]")
                         1.4 * (i + 0.5 * (j & 1)) + jitter(random),
                         1.4 * std::sqrt(0.75) * j + jitter(random),
                         1.0,
-                        {SkinQuantity::stress_x}});
+                        {Quantity::stress_x}});
   SkinScene scene = square_skin("8", "2.0", 0.0, 0.0, "tangential = false\n");
   scene.sensor = uneven_skin(taxels);
   const lab::SkinSceneProblem problem(scene);

@@ -35,7 +35,7 @@ SkinScene with_noise(SkinScene scene, double share, std::uint64_t seed) {
   for (const double reading : lab::simulate(scene).readings)
     peak = std::max(peak, std::abs(reading));
   scene.noise = NoiseModel{.rms = {}, .seed = seed};
-  for (const SkinQuantity quantity : scene.sensor.reads) scene.noise->rms[quantity] = share * peak;
+  for (const Quantity quantity : scene.sensor.reads) scene.noise->rms[quantity] = share * peak;
   return scene;
 }
 

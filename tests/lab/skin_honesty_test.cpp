@@ -72,7 +72,7 @@ TEST_CASE("taxels at the end of a skin's range are left out and named", "[lab][s
   const SkinScene honest = pressed_skin(1.0, -1.5);
   SkinScene scene = honest;
   scene.saturation.emplace();
-  for (const SkinQuantity quantity : scene.sensor.reads)
+  for (const Quantity quantity : scene.sensor.reads)
     scene.saturation->range[quantity] = {-5.0, 5.0};
   const lab::SkinAnswer answer = answer_of_skin(scene);
   CHECK(answer.verdict == lab::Verdict::clipped);
@@ -92,9 +92,9 @@ TEST_CASE("taxels at the end of a skin's range are left out and named", "[lab][s
   dead.dead_taxels = clipped->taxels;
   CHECK(answer.tractions == answer_of_skin(dead).tractions);
 
-  scene.saturation->range[SkinQuantity::stress_x] = {-500.0, 500.0};
-  scene.saturation->range[SkinQuantity::shear_xy] = {-500.0, 500.0};
-  scene.saturation->range[SkinQuantity::shear_xz] = {-500.0, 500.0};
+  scene.saturation->range[Quantity::stress_x] = {-500.0, 500.0};
+  scene.saturation->range[Quantity::shear_xy] = {-500.0, 500.0};
+  scene.saturation->range[Quantity::shear_xz] = {-500.0, 500.0};
   CHECK(answer_of_skin(scene).verdict == lab::Verdict::ok);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("a converter's steps are noise that is known", "[lab][skin][noise]") {
   const double alone = *lab::SkinSceneProblem(scene).stated_noise();
   CHECK(alone == 0.2);
   scene.quantization = Quantization{.bits = 4, .range = {}};
-  for (const SkinQuantity quantity : scene.sensor.reads)
+  for (const Quantity quantity : scene.sensor.reads)
     scene.quantization->range[quantity] = {-150.0, 150.0};
   const double step = 300.0 / 15.0;
   CHECK(std::abs(*lab::SkinSceneProblem(scene).stated_noise() -

@@ -129,7 +129,7 @@ TEST_CASE("what ngspice makes of a skin's scene is the digital answer, as far as
   skin.network.tolerance.reset();
   if (pressure_alone) {
     skin.sensor.rows = skin.sensor.columns = 8;
-    skin.sensor.reads = {SkinQuantity::stress_x};
+    skin.sensor.reads = {Quantity::stress_x};
   }
   const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
   REQUIRE(circuit.nodes() == (pressure_alone ? 64 : 48));

@@ -51,13 +51,13 @@ TEST_CASE("under a friction limit every cell obeys it", "[lab][skin]") {
   const lab::SkinExperiment experiment =
       lab::run(dragged_skin("[reconstruct]\nfriction_limit = 0.5\n"));
   REQUIRE(experiment.answer);
-  const auto of = [&](SkinTraction which) {
+  const auto of = [&](Traction which) {
     return lab::component(experiment.answer->tractions, experiment.grid, which);
   };
-  const auto p = of(SkinTraction::normal);
+  const auto p = of(Traction::normal);
   for (std::size_t i = 0; i < p.size(); ++i) {
     CHECK(p[i] >= 0.0);
-    CHECK(std::hypot(of(SkinTraction::tangential_y)[i], of(SkinTraction::tangential_z)[i]) <=
+    CHECK(std::hypot(of(Traction::tangential_y)[i], of(Traction::tangential_z)[i]) <=
           limit * p[i] * (1.0 + 1e-12) + 1e-15);
   }
   REQUIRE(experiment.answer->cone);
@@ -121,7 +121,7 @@ TEST_CASE("dead taxels read zero, and are not believed", "[lab][skin]") {
   SkinScene scene = dragged_skin("[dead_taxels]\nindices = [20, 21]\n");
   const lab::SkinExperiment experiment = lab::run(scene);
   REQUIRE(experiment.answer);
-  for (std::size_t i = 0; const SkinSite& site : sites(scene.sensor)) {
+  for (std::size_t i = 0; const Site& site : sites(scene.sensor)) {
     if (site.taxel == 20) CHECK(experiment.frame.readings[i] == 0.0);
     ++i;
   }

@@ -73,9 +73,8 @@ TEST_CASE("the narrowest circle that is seen causes just the noise, by the exact
   Material layer = pad;
   layer.layer = Layer{.thickness = 2.5};
   for (const Material& material : {pad, layer})
-    for (const std::vector<SkinQuantity>& reads :
-         {std::vector{SkinQuantity::stress_x},
-          std::vector{SkinQuantity::shear_xy, SkinQuantity::shear_xz}}) {
+    for (const std::vector<Quantity>& reads :
+         {std::vector{Quantity::stress_x}, std::vector{Quantity::shear_xy, Quantity::shear_xz}}) {
       const SkinArray skin{
           .rows = 6, .columns = 5, .pitch_y = 1.0, .pitch_z = 1.4, .depths = {0.7}, .reads = reads};
       const std::vector<double> rms(reads.size(), 0.02);
@@ -110,7 +109,7 @@ TEST_CASE("the widest hole is where taxels are missing", "[lab][skin][identify][
                        .pitch_y = 1.0,
                        .pitch_z = 1.0,
                        .depths = {1.0},
-                       .reads = {SkinQuantity::stress_x}};
+                       .reads = {Quantity::stress_x}};
   const auto middle = lab::widest_hole(even, {});
   REQUIRE(middle);
   CHECK_THAT(middle->y, WithinAbs(0.0, 1e-12));
@@ -123,15 +122,14 @@ TEST_CASE("the widest hole is where taxels are missing", "[lab][skin][identify][
   // An angle of taxels: its empty corner is not among them.
   std::vector<SkinTaxel> taxels;
   for (int i = 0; i < 6; ++i) {
-    taxels.push_back({"a" + std::to_string(i), 1.0 * i, 0.0, 1.0, {SkinQuantity::stress_x}});
-    if (i > 0)
-      taxels.push_back({"b" + std::to_string(i), 0.0, 1.0 * i, 1.0, {SkinQuantity::stress_x}});
+    taxels.push_back({"a" + std::to_string(i), 1.0 * i, 0.0, 1.0, {Quantity::stress_x}});
+    if (i > 0) taxels.push_back({"b" + std::to_string(i), 0.0, 1.0 * i, 1.0, {Quantity::stress_x}});
   }
   const auto inside = lab::widest_hole(uneven_skin(taxels), {});
   REQUIRE(inside);
   CHECK(inside->y + inside->z <= 5.0 + 1e-9);
   CHECK_FALSE(lab::widest_hole(
-      SkinArray{.rows = 1, .columns = 1, .depths = {1.0}, .reads = {SkinQuantity::stress_x}}, {}));
+      SkinArray{.rows = 1, .columns = 1, .depths = {1.0}, .reads = {Quantity::stress_x}}, {}));
 }
 
 TEST_CASE("a survey of a skin knows no units", "[lab][skin][identify][long]") {

@@ -176,7 +176,7 @@ TEST_CASE("a skin's controller finds in counts what solve finds in readings, and
           "[lab][units][skin]") {
   SkinScene raw = skin_of(sensor_of_counts());
   raw.quantization = Quantization{.bits = 12};
-  for (const SkinQuantity quantity : raw.sensor.reads) raw.quantization->range[quantity] = {-4, 9};
+  for (const Quantity quantity : raw.sensor.reads) raw.quantization->range[quantity] = {-4, 9};
   const SkinSceneProblem problem(raw);
   const PlannedController planned = plan_controller(problem, {.value = 1e-6}, {.accuracy = 1e-10});
   CHECK(planned.for_raw_numbers);

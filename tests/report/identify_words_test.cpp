@@ -11,7 +11,7 @@ using namespace tactile_net;
 using report::in_words;
 
 TEST_CASE("a mode is called by its traction, its wave and its parity", "[words]") {
-  TractionMode mode{.unknown = Traction::tangential};
+  TractionMode mode{.unknown = Traction::tangential_y};
   CHECK(in_words(mode) == "tangential traction, constant (k = 0)");
   mode.parity = Parity::even;
   mode.wavelength = 0.51234;

@@ -9,13 +9,13 @@ using namespace tactile_net;
 
 namespace {
 
-constexpr SkinQuantity pressure = SkinQuantity::stress_x;
-constexpr SkinQuantity shear = SkinQuantity::shear_xy;
+constexpr Quantity pressure = Quantity::stress_x;
+constexpr Quantity shear = Quantity::shear_xy;
 
-std::vector<SignalReading> channel(std::size_t count, SignalQuantity quantity = pressure,
-                                   std::size_t number = 0) {
-  std::vector<SignalReading> sites;
-  for (std::size_t i = 0; i < count; ++i) sites.push_back({quantity, i, number});
+std::vector<Site> channel(std::size_t count, Quantity quantity = pressure, std::size_t number = 0) {
+  std::vector<Site> sites;
+  for (std::size_t i = 0; i < count; ++i)
+    sites.push_back({.quantity = quantity, .taxel = i, .channel = number});
   return sites;
 }
 
@@ -50,8 +50,8 @@ TEST_CASE("an end that readings reach at rest is none", "[scene][clipped]") {
 TEST_CASE("a taxel is clipped where one of its readings is", "[scene][clipped]") {
   SensorEffects effects;
   effects.saturation = Saturation{.range = {{pressure, {-9.0, 9.0}}, {shear, {-2.0, 2.0}}}};
-  std::vector<SignalReading> sites = channel(3);
-  for (const SignalReading& site : channel(3, shear, 1)) sites.push_back(site);
+  std::vector<Site> sites = channel(3);
+  for (const Site& site : channel(3, shear, 1)) sites.push_back(site);
   const std::vector<double> readings = {9.0, 2.0, 1.0, 0.0, 1.0, -2.0};
   CHECK(clipped_taxels(effects, sites, readings).taxels == Taxels{0, 2});
 }

@@ -109,7 +109,7 @@ TEST_CASE("a skin's ranges are of each quantity, in its unit", "[scene][skin][ef
   const std::string ranges = "range = { stress_x = [-50, 50], displacement_y = [-1, 1] }\n";
   const auto scene = std::get<SkinScene>(parse_any_scene(
       mixed + "[saturation]\n" + ranges + "[quantization]\nbits = 1\n" + ranges, "skin.toml"));
-  CHECK(scene.saturation->range.at(SkinQuantity::displacement_y).high == 1e-3);
+  CHECK(scene.saturation->range.at(Quantity::displacement_y).high == 1e-3);
   SkinScene quiet = scene;
   quiet.noise.reset();
   SignalPath path = signal_path(quiet);
@@ -136,8 +136,8 @@ TEST_CASE("taxels are named by number, by row and column, or by name", "[scene][
   CHECK(dead("[[1, 2], \"1_3\"]") == std::vector<std::size_t>{6, 7});
   const SkinScene scene =
       skin_with(weights + "[taxel_noise]\nindices = [[2, 3], \"0_1\"]\nrms = [1.0, 2.0]\n", sensor);
-  CHECK(scene.taxel_noise->rms.at(SkinQuantity::strain_x)[11] == 1.0);
-  CHECK(scene.taxel_noise->rms.at(SkinQuantity::stress_y)[1] == 2.0);
+  CHECK(scene.taxel_noise->rms.at(Quantity::strain_x)[11] == 1.0);
+  CHECK(scene.taxel_noise->rms.at(Quantity::stress_y)[1] == 2.0);
 }
 
 TEST_CASE("what is wrong with a skin's effects is said once, at its place",

@@ -123,7 +123,7 @@ TEST_CASE("a skin's scene is read in SI, its contacts as they are at the last fr
   CHECK(std::get<SkinContact>(at_frame(scene, 1).contacts[0]).force == 1.0);
   CHECK(std::get<SampledPatch>(scene.contacts.at(1)).normal == std::vector{0.0, 1e3, 2e3, 3e3});
   CHECK(scene.noise->weights_rows);
-  CHECK(scene.noise->rms.at(SkinQuantity::shear_xy) == 50.0);
+  CHECK(scene.noise->rms.at(Quantity::shear_xy) == 50.0);
   CHECK(scene.reconstruct.alpha_rule == AlphaRule::gml);
   CHECK(components(scene) == 3);
   CHECK_THROWS_AS(at_frame(scene, 3), std::invalid_argument);

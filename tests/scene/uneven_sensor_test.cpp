@@ -173,6 +173,8 @@ TEST_CASE("a file of taxels that is not in order is refused with its line", "[sc
              ContainsSubstring("line 3: depth is not > 0"));
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,1,pressure\n"),
              ContainsSubstring("line 3: reads names something else"));
+  CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,1,stress_z\n"),  // a skin reads it
+             ContainsSubstring("line 3: reads names something else"));
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,1\n"),
              ContainsSubstring("line 3: it has 2 fields"));
   CHECK_THAT(said("x_mm,z_mm,type\n0,1,stress_x\n"),

@@ -43,7 +43,7 @@ TEST_CASE("a wide taxel's reading is as even or odd as a point's, to the bit",
           "[aperture][property]") {
   const Aperture wide(GENERATE(0.3, 1.7, 9.0), 0.6);
   const PadKernel even(Quantity::stress_x, Traction::normal, pad, 0.6);
-  const PadKernel odd(Quantity::stress_x, Traction::tangential, pad, 0.6);
+  const PadKernel odd(Quantity::stress_x, Traction::tangential_y, pad, 0.6);
   for (const double y : {0.1, 0.77, 5.0}) {
     CHECK(wide.mean(even, y) == wide.mean(even, -y));
     CHECK(wide.mean(odd, y) == -wide.mean(odd, -y));
@@ -70,7 +70,7 @@ TEST_CASE("two taxels side by side read as much as one across both", "[aperture]
   const double width = GENERATE(0.2, 1.9, 11.0);
   const Aperture whole(width, 0.7);
   const Aperture half(0.5 * width, 0.7);
-  for (const Quantity quantity : quantities) {
+  for (const Quantity quantity : line_quantities) {
     CAPTURE(name(quantity), width);
     const HatKernel hat(quantity, Traction::normal, material, 0.7, 0.3);
     const double left = half.mean(hat, 0.2 - 0.25 * width);

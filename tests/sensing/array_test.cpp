@@ -1,9 +1,12 @@
 #include "tactile_net/sensing/array.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "tactile_net/inverse/problem.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net;
@@ -84,6 +87,24 @@ TEST_CASE("a refusal names field, rule and value of an array", "[array]") {
   CHECK(refusal(with(&SensorArray::reads,
                      {Quantity::stress_x, Quantity::shear_xy, Quantity::stress_x})) ==
         "reads must name a quantity once (got stress_x twice)");
+}
+
+TEST_CASE("a line array reads the quantities of plane strain alone", "[array]") {
+  for (const Quantity quantity : skin_quantities) {
+    const bool is_own = std::find(line_quantities.begin(), line_quantities.end(), quantity) !=
+                        line_quantities.end();
+    const SensorArray even{.count = 3, .pitch = 0.5, .depths = {1.0}, .reads = {quantity}};
+    const std::vector<Taxel> taxels{{0.0, 1.0, {quantity}}, {0.5, 1.0, {quantity}}};
+    CAPTURE(name(quantity));
+    if (is_own) {
+      CHECK_NOTHROW(check(even));
+      CHECK_NOTHROW(uneven_array(taxels));
+    } else {
+      CHECK_THROWS_AS(check(even), std::invalid_argument);
+      CHECK_THROWS_AS(uneven_array(taxels), std::invalid_argument);
+      CHECK_THROWS_AS(make_problem(even, Material{}), std::invalid_argument);
+    }
+  }
 }
 
 TEST_CASE(

@@ -71,8 +71,10 @@ TEST_CASE("piecewise linear tractions on a layer tend to the contact they sample
   const Material pad_on_base{
       .youngs_modulus = 2.0, .poisson_ratio = 0.45, .layer = Layer{1.2, Base::bonded}};
   const RigidContact wide{.half_width = 2.0, .friction = 0.3};
-  const SensorArray array{
-      .count = 9, .pitch = 0.5, .depths = {0.6}, .reads = {quantities.begin(), quantities.end()}};
+  const SensorArray array{.count = 9,
+                          .pitch = 0.5,
+                          .depths = {0.6},
+                          .reads = {line_quantities.begin(), line_quantities.end()}};
   const auto exact = exact_readings(array, pad_on_base, std::array{Contact{wide}});
   const auto error = [&](std::size_t count) {
     SampledTractions samples{.first = -2.0,
@@ -82,7 +84,7 @@ TEST_CASE("piecewise linear tractions on a layer tend to the contact they sample
     for (std::size_t i = 0; i < count; ++i) {
       const double y = samples.first + static_cast<double>(i) * samples.pitch;
       samples.normal[i] = traction(wide, Traction::normal, y);
-      samples.tangential[i] = traction(wide, Traction::tangential, y);
+      samples.tangential[i] = traction(wide, Traction::tangential_y, y);
     }
     const auto readings = exact_readings(array, pad_on_base, std::array{Contact{samples}});
     double worst = 0.0;

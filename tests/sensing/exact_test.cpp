@@ -82,7 +82,7 @@ double closed_form(const Channel& channel, const Material& material, const Conta
     tangential = {rigid->friction * normal.c, rigid->friction * normal.derivative};
   } else {
     normal = cauchy(std::get<SampledTractions>(contact), Traction::normal, w);
-    tangential = cauchy(std::get<SampledTractions>(contact), Traction::tangential, w);
+    tangential = cauchy(std::get<SampledTractions>(contact), Traction::tangential_y, w);
   }
   const auto read = [&](Quantity quantity) {
     return stress(quantity, normal, tangential, channel.depth);
@@ -99,7 +99,7 @@ SensorArray line(std::size_t count, double pitch, std::vector<double> depths) {
   return {.count = count,
           .pitch = pitch,
           .depths = std::move(depths),
-          .reads = {quantities.begin(), quantities.end()}};
+          .reads = {line_quantities.begin(), line_quantities.end()}};
 }
 
 /// Largest deviation of any channel from the closed form, in units of the channel's peak.
@@ -244,7 +244,7 @@ TEST_CASE("a mirrored contact is read mirrored", "[exact][property]") {
   const auto a = exact_readings(array, pad, std::vector<Contact>{right});
   const auto b = exact_readings(array, pad, std::vector<Contact>{left});
   std::size_t i = 0;
-  for (const Quantity quantity : quantities)
+  for (const Quantity quantity : line_quantities)
     for (std::size_t j = 0; j < 12; ++j, ++i)
       CHECK_THAT(b[i], WithinAbs((quantity == Quantity::shear_xy ? -1.0 : 1.0) * a[i + 11 - 2 * j],
                                  1e-15));
@@ -265,7 +265,7 @@ TEST_CASE("units scale the exact readings and nothing else", "[exact][property]"
   const auto after =
       exact_readings(line(7, 0.3 * metre, {0.2 * metre}), stiff, std::vector<Contact>{scaled});
   std::size_t i = 0;
-  for (const Quantity quantity : quantities)
+  for (const Quantity quantity : line_quantities)
     for (std::size_t j = 0; j < 7; ++j, ++i)
       CHECK_THAT(after[i] / (is_strain(quantity) ? 1.0 : pascal), WithinAbs(before[i], 1e-13));
 }
@@ -285,7 +285,7 @@ TEST_CASE("a reading is kept to 1e-10 of its channel's peak or refused", "[exact
   const double depth = GENERATE(1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 2e-3);
   CAPTURE(static_cast<int>(shape), friction, depth);
   const RigidContact contact{.shape = shape, .half_width = 2.0, .friction = friction};
-  for (const Quantity quantity : quantities) {
+  for (const Quantity quantity : line_quantities) {
     SensorArray array = line(9, 0.5, {depth});
     array.reads = {quantity};
     CAPTURE(name(quantity));
@@ -332,7 +332,7 @@ TEST_CASE("sampled tractions far away are read as the line loads they amount to"
   for (const Channel& channel : channels(array))
     for (std::size_t j = 0; j < array.count; ++j) {
       double sum = 0.0;
-      for (const Traction component : traction_components) {
+      for (const Traction component : line_tractions) {
         const PadKernel kernel(channel.quantity, component, pad, channel.depth);
         const auto& values = component == Traction::normal ? away.normal : away.tangential;
         for (std::size_t i = 0; i < values.size(); ++i)

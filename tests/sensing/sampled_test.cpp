@@ -28,11 +28,11 @@ std::vector<double> wave(std::size_t count, double frequency) {
 
 TEST_CASE("the kernel's entries are k(m D) D", "[sampled]") {
   const Channel channel{Quantity::strain_x, 1.5, "strain_x"};
-  const auto kernel = sampled_kernel(channel, Traction::tangential, pad, 4, 0.25);
+  const auto kernel = sampled_kernel(channel, Traction::tangential_y, pad, 4, 0.25);
   REQUIRE(kernel.size() == 7);
   for (int m = -3; m <= 3; ++m)
     CHECK(kernel[static_cast<std::size_t>(m + 3)] ==
-          0.25 * half_plane_kernel(Quantity::strain_x, Traction::tangential, pad, 1.5, 0.25 * m));
+          0.25 * half_plane_kernel(Quantity::strain_x, Traction::tangential_y, pad, 1.5, 0.25 * m));
 }
 
 TEST_CASE("a convolution with three values, by hand", "[sampled]") {
@@ -57,8 +57,8 @@ TEST_CASE("a unit load at one taxel is read as that column of the kernel", "[sam
       const double expected =
           0.4 * (half_plane_kernel(channel.quantity, Traction::normal, pad, channel.depth,
                                    y - position(nine_taxels, 2)) -
-                 2.0 * half_plane_kernel(channel.quantity, Traction::tangential, pad, channel.depth,
-                                         y - position(nine_taxels, 6)));
+                 2.0 * half_plane_kernel(channel.quantity, Traction::tangential_y, pad,
+                                         channel.depth, y - position(nine_taxels, 6)));
       CAPTURE(channel.name, n);
       CHECK_THAT(*reading++, WithinAbs(expected, 1e-15));
     }

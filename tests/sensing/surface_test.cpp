@@ -113,7 +113,7 @@ TEST_CASE("K times the values is the exact forward model of the traction they ma
       std::size_t row = 0;
       for (const Channel& channel : channels(array)) {
         const auto normal = surface_kernel(channel, Traction::normal, material, surface).lags;
-        const auto drag = surface_kernel(channel, Traction::tangential, material, surface).lags;
+        const auto drag = surface_kernel(channel, Traction::tangential_y, material, surface).lags;
         for (std::size_t j = 0; j < array.count; ++j, ++row) {
           double sum = 0.0;
           for (std::size_t i = 0; i < surface.count; ++i) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tactile_net/sensing/array.hpp"
+#include "tactile_net/skin/signal_layout.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -18,9 +20,9 @@ const SkinArray two_by_three{.rows = 2,
                              .reads = press_and_drag};
 
 SkinArray palm() {
-  return uneven_skin({{"thumb", 1.0, 2.0, 0.5, {SkinQuantity::stress_x}},
+  return uneven_skin({{"thumb", 1.0, 2.0, 0.5, {Quantity::stress_x}},
                       {"", -1.0, 2.0, 0.25, press_and_drag},
-                      {"palm", 1.0, 2.0, 0.75, {SkinQuantity::stress_x, SkinQuantity::strain_z}}});
+                      {"palm", 1.0, 2.0, 0.75, {Quantity::stress_x, Quantity::strain_z}}});
 }
 
 }  // namespace
@@ -32,12 +34,12 @@ TEST_CASE("an even skin's readings: quantities, depths, rows, columns", "[skin]"
   REQUIRE(all.size() == channel_count(two_by_three));
   CHECK(all[1].name == "stress_x@1");
   CHECK(all[1].depth == 3.0);
-  CHECK(all[2].quantity == SkinQuantity::shear_xy);
+  CHECK(all[2].quantity == Quantity::shear_xy);
   const auto places = sites(two_by_three);
   REQUIRE(places.size() == 36);
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t i = 0; i < all[c].count; ++i) {
-      const SkinSite& site = places[all[c].first + i];
+      const Site& site = places[all[c].first + i];
       CHECK(site.channel == c);
       CHECK(site.taxel == i);
       CHECK(site.depth == all[c].depth);
@@ -48,6 +50,47 @@ TEST_CASE("an even skin's readings: quantities, depths, rows, columns", "[skin]"
   const auto names = reading_names(two_by_three);
   CHECK(names[0] == "stress_x@0_0_0");
   CHECK(names[11] == "stress_x@1_1_2");
+}
+
+TEST_CASE("a line array has the channels and the sites of a skin of one column", "[skin]") {
+  const SensorArray line{.count = 5,
+                         .pitch = 0.5,
+                         .depths = {1.0, 3.0},
+                         .reads = {line_quantities.begin(), line_quantities.end()}};
+  const SkinArray skin{.rows = line.count,
+                       .columns = 1,
+                       .pitch_y = line.pitch,
+                       .pitch_z = 2.0,
+                       .depths = line.depths,
+                       .reads = line.reads};
+  const auto of_line = channels(line);
+  const auto of_skin = channels(skin);
+  REQUIRE(of_line.size() == of_skin.size());
+  for (std::size_t c = 0; c < of_line.size(); ++c) {
+    CHECK(of_line[c].quantity == of_skin[c].quantity);
+    CHECK(of_line[c].depth == of_skin[c].depth);
+    CHECK(of_line[c].name == of_skin[c].name);
+    CHECK(of_line[c].first == of_skin[c].first);
+    CHECK(of_line[c].count == of_skin[c].count);
+  }
+  const auto on_line = sites(line);
+  const auto on_skin = sites(skin);
+  REQUIRE(on_line.size() == on_skin.size());
+  for (std::size_t i = 0; i < on_line.size(); ++i) {
+    CHECK(on_line[i].y == on_skin[i].y);
+    CHECK(on_line[i].z == on_skin[i].z);
+    CHECK(on_line[i].depth == on_skin[i].depth);
+    CHECK(on_line[i].quantity == on_skin[i].quantity);
+    CHECK(on_line[i].taxel == on_skin[i].taxel);
+    CHECK(on_line[i].channel == on_skin[i].channel);
+  }
+  const auto beside = SignalLayout(line).neighbours;
+  const auto beside_on_skin = signal_layout(skin).neighbours;
+  REQUIRE(beside.size() == beside_on_skin.size());
+  for (std::size_t i = 0; i < beside.size(); ++i) {
+    CHECK(beside[i].first == beside_on_skin[i].first);
+    CHECK(beside[i].second == beside_on_skin[i].second);
+  }
 }
 
 TEST_CASE("an uneven skin's readings: quantities, then taxels that have them", "[skin]") {
@@ -108,7 +151,7 @@ TEST_CASE("a skin that cannot be is refused with the rule and what to do", "[ski
                     "the name of a taxel must hold no comma, quotation mark or control character");
   CHECK_THROWS_WITH(refused([](auto& t) { t[0].reads.clear(); })(),
                     "reads of taxel thumb must hold at least one quantity");
-  CHECK_THROWS_WITH(refused([](auto& t) { t[0].reads.push_back(SkinQuantity::stress_x); })(),
+  CHECK_THROWS_WITH(refused([](auto& t) { t[0].reads.push_back(Quantity::stress_x); })(),
                     "reads of taxel thumb must name a quantity once (got stress_x twice)");
   CHECK_THROWS_WITH(refused([](auto& t) { t.clear(); })(), "taxels must hold at least one taxel");
 

@@ -187,7 +187,7 @@ TEST_CASE("constants that are not known change no verdict of a skin", "[skin][da
 
 TEST_CASE("readings that depend on no traction are judged, and nothing explains them",
           "[skin][data]") {
-  const SkinProblem problem = make_problem(square_skin(1, 2e-3, {SkinQuantity::shear_xy}), silicone,
+  const SkinProblem problem = make_problem(square_skin(1, 2e-3, {Quantity::shear_xy}), silicone,
                                            {.components = 1, .grid = {.margin = 0.0}});
   REQUIRE(problem.kernel.columns == 1);
   const SkinDataJudge judge(problem, {.noise_rms = 1.0});

@@ -17,14 +17,13 @@ constexpr Material firm_silicone{.youngs_modulus = 0.25e6, .poisson_ratio = 0.48
 constexpr double direct_alpha = 1e-4;
 
 SkinProblem problem_of(std::size_t rows, std::size_t columns, const SkinProblemOptions& options) {
-  return make_problem(
-      {.rows = rows,
-       .columns = columns,
-       .pitch_y = 2e-3,
-       .pitch_z = 3e-3,
-       .depths = {3e-3},
-       .reads = {SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz}},
-      firm_silicone, options);
+  return make_problem({.rows = rows,
+                       .columns = columns,
+                       .pitch_y = 2e-3,
+                       .pitch_z = 3e-3,
+                       .depths = {3e-3},
+                       .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}},
+                      firm_silicone, options);
 }
 
 /// Fewer readings than tractions, more, a dead taxel, offsets that are not known.

@@ -22,7 +22,7 @@ using namespace tactile_net;
 
 namespace {
 
-using enum SkinQuantity;
+using enum Quantity;
 
 const SkinArray three_by_four{.rows = 3,
                               .columns = 4,
@@ -57,8 +57,8 @@ TEST_CASE("a skin's layout: channels, taxels, and who lies beside whom", "[skin]
   CHECK(layout.neighbours.size() == 4 * (9 + 8));
   CHECK(layout.most_neighbours == 4);
   for (const auto& [first, second] : layout.neighbours) {
-    const SkinSite a = sites(three_by_four)[first];
-    const SkinSite b = sites(three_by_four)[second];
+    const Site a = sites(three_by_four)[first];
+    const Site b = sites(three_by_four)[second];
     CHECK(a.channel == b.channel);
     CHECK(std::abs(a.y - b.y) + 0.5 * std::abs(a.z - b.z) == 1.0);
   }
@@ -67,7 +67,7 @@ TEST_CASE("a skin's layout: channels, taxels, and who lies beside whom", "[skin]
   square.pitch_z = 1.0;
   square.depths = {1.0};
   std::vector<SkinTaxel> taxels;
-  for (const SkinSite& site : sites(square))
+  for (const Site& site : sites(square))
     if (site.channel == 0) taxels.push_back({"", site.y, site.z, 1.0, square.reads});
   const SignalLayout loose = signal_layout(uneven_skin(taxels));
   CHECK(loose.neighbours.size() == signal_layout(square).neighbours.size());

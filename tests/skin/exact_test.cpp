@@ -14,11 +14,11 @@ using std::numbers::pi;
 
 namespace {
 
-const std::vector<SkinQuantity> all_quantities(skin_quantities.begin(), skin_quantities.end());
+const std::vector<Quantity> all_quantities(skin_quantities.begin(), skin_quantities.end());
 
 /// All that one taxel can read of one load.
 std::vector<double> at(const SkinLoad& load, const Material& material, double depth, double y,
-                       double z, const std::vector<SkinQuantity>& reads = all_quantities) {
+                       double z, const std::vector<Quantity>& reads = all_quantities) {
   return exact_readings(uneven_skin({{"", y, z, depth, reads}}), material, std::span(&load, 1));
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("contacts are read as their transforms say", "[skin][reference]") {
         -0.16536576451006213, 0.520781957975821, -0.24193265337232878, -0.12318770002727386,
         0.2277072215500705, 0.19988297419651005, -0.14338680326306583}}};
   for (const Reference& r : references) {
-    const std::vector<SkinQuantity> reads(
+    const std::vector<Quantity> reads(
         all_quantities.begin(),
         all_quantities.begin() + static_cast<std::ptrdiff_t>(r.readings.size()));
     CAPTURE(name(r.contact.shape), r.material.poisson_ratio, r.depth);
@@ -183,7 +183,7 @@ TEST_CASE("very near below a contact readings are what Huber and the surface say
   const double peak = 1.5 / pi;
   for (const double x : {1.0 / 60.0, 1.0 / 100.0, 1.0 / 1000.0}) {
     const auto readings =
-        at(sphere, material_of(0.3), x, 0.0, 0.0, {SkinQuantity::stress_x, SkinQuantity::stress_y});
+        at(sphere, material_of(0.3), x, 0.0, 0.0, {Quantity::stress_x, Quantity::stress_y});
     CAPTURE(x);
     const double down = 1.0 / (1.0 + x * x);
     CHECK_THAT(readings[0], WithinAbs(peak * down, 1e-12));
@@ -192,10 +192,9 @@ TEST_CASE("very near below a contact readings are what Huber and the surface say
   }
   const SkinContact twist{.radius = 1.0, .force = 0.0, .torsion = 1.0};
   const double x = 1e-3;
-  const auto near = at(twist, material_of(0.3), x, 0.6, 0.0, {SkinQuantity::shear_xz});
-  CHECK_THAT(near[0],
-             WithinAbs(traction(SkinLoad(twist), SkinTraction::tangential_z, 0.6, 0.0), 1e-2));
-  CHECK_THROWS_WITH(at(twist, material_of(0.3), 1e-9, 0.6, 0.0, {SkinQuantity::shear_xz}),
+  const auto near = at(twist, material_of(0.3), x, 0.6, 0.0, {Quantity::shear_xz});
+  CHECK_THAT(near[0], WithinAbs(traction(SkinLoad(twist), Traction::tangential_z, 0.6, 0.0), 1e-2));
+  CHECK_THROWS_WITH(at(twist, material_of(0.3), 1e-9, 0.6, 0.0, {Quantity::shear_xz}),
                     "taxel 0 at the depth 1e-09 lies too near below a contact of radius 1 for an "
                     "exact reading: take deeper taxels, or sampled readings");
 }
@@ -208,7 +207,7 @@ TEST_CASE("far away a load is its resultants", "[skin][property]") {
     const double z = -7e3;
     std::vector<double> expected;
     const SkinKernel kernel(material, x);
-    for (const SkinQuantity q : all_quantities) {
+    for (const Quantity q : all_quantities) {
       double sum = 0.0;
       for (std::size_t k = 0; k < 3; ++k)
         sum += all.force[k] * kernel(q, skin_tractions[k], y - turned.y, z - turned.z);
@@ -229,8 +228,8 @@ TEST_CASE("a load that is turned turns its readings", "[skin][property]") {
     other.direction += 0.5 * pi;
     const auto a = at(turned, material, 0.7, 0.4, -0.9);
     const auto b = at(other, material, 0.7, 0.9, 0.4);
-    using enum SkinQuantity;
-    const auto of = [](const std::vector<double>& readings, SkinQuantity q) {
+    using enum Quantity;
+    const auto of = [](const std::vector<double>& readings, Quantity q) {
       return readings[static_cast<std::size_t>(q)];
     };
     for (const auto& [from, to, sign] :
@@ -249,7 +248,7 @@ TEST_CASE("readings add up, and a skin's are its taxels' one by one", "[skin]") 
                         .pitch_y = 0.8,
                         .pitch_z = 0.5,
                         .depths = {0.5, 0.9},
-                        .reads = {SkinQuantity::shear_xz, SkinQuantity::strain_x}};
+                        .reads = {Quantity::shear_xz, Quantity::strain_x}};
   const Material material = material_of(0.45, Layer{1.5, Base::bonded});
   const std::vector<SkinLoad> loads = {turned, dragged,
                                        SampledPatch{.rows = 1,
@@ -293,7 +292,7 @@ TEST_CASE("a patch that holds a contact's cells reads as the contact", "[skin]")
 
 TEST_CASE("a reading without a value is refused", "[skin]") {
   const Material slips = material_of(0.3, Layer{1.0, Base::frictionless});
-  const std::vector<SkinQuantity> slides = {SkinQuantity::displacement_y};
+  const std::vector<Quantity> slides = {Quantity::displacement_y};
   CHECK_THROWS_WITH(at(turned, slips, 0.5, 0.0, 0.0, slides),
                     ContainsSubstring("displacement_y under a tangential_y load is not defined"));
   CHECK_NOTHROW(at(SkinContact{}, slips, 0.5, 0.0, 0.0, slides));

@@ -15,7 +15,7 @@
 #include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
-using enum SkinQuantity;
+using enum Quantity;
 
 namespace {
 
@@ -207,7 +207,7 @@ TEST_CASE("units do not matter, however large or small", "[skin][family][propert
     }
   // Strains of a skin as hard as 1e150: gammas of 1e-150.
   const Material hard{.youngs_modulus = 1e150, .poisson_ratio = 0.45};
-  const std::vector<SkinQuantity> strains{strain_x, shear_strain_xy, shear_strain_xz};
+  const std::vector<Quantity> strains{strain_x, shear_strain_xy, shear_strain_xz};
   const SkinFamily small(make_problem(square_skin(4, 2e-3, strains), hard));
   const SkinFamily plain(
       make_problem(square_skin(4, 2e-3, strains), {.youngs_modulus = 1.0, .poisson_ratio = 0.45}));
@@ -269,7 +269,7 @@ TEST_CASE("no reading is lost: what no traction explains is left outside", "[ski
                       .pitch_y = 1.0,
                       .pitch_z = 1.0,
                       .depths = {1.0},
-                      .reads = {SkinQuantity::stress_x, SkinQuantity::shear_xz}};
+                      .reads = {Quantity::stress_x, Quantity::shear_xz}};
   const SkinProblem problem =
       make_problem(row, Material{}, {.components = 1, .grid = {.spacing = 1.0, .margin = 0.0}});
   std::vector<double> readings(12);

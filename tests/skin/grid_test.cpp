@@ -13,7 +13,7 @@ SkinArray even(std::size_t rows, std::size_t columns, double pitch_y, double pit
           .pitch_y = pitch_y,
           .pitch_z = pitch_z,
           .depths = {depth},
-          .reads = {SkinQuantity::stress_x}};
+          .reads = {Quantity::stress_x}};
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ TEST_CASE("taxels of a lattice lie on cells' middles, and the margin is kept", "
     const SkinArray skin = even(c.rows, c.columns, c.pitch_y, c.pitch_z, c.depth);
     const SkinGrid grid = grid_of(skin, c.options);
     CAPTURE(c.rows, c.columns, c.depth);
-    for (const SkinSite& site : sites(skin)) {
+    for (const Site& site : sites(skin)) {
       const std::size_t row = grid.margin_rows + site.taxel / c.columns * grid.stride_rows;
       const std::size_t column = grid.margin_columns + site.taxel % c.columns * grid.stride_columns;
       REQUIRE(row < grid.rows);
@@ -71,9 +71,9 @@ TEST_CASE("rectangles stand for cells that are near the taxels, as skin arrays m
 }
 
 TEST_CASE("the grid of an uneven skin reaches around all of it", "[skin]") {
-  const SkinArray skin = uneven_skin({{"", 1.0, -2.0, 0.5, {SkinQuantity::stress_x}},
-                                      {"", 4.0, 5.0, 0.7, {SkinQuantity::stress_x}},
-                                      {"", 2.0, 1.0, 0.5, {SkinQuantity::stress_x}}});
+  const SkinArray skin = uneven_skin({{"", 1.0, -2.0, 0.5, {Quantity::stress_x}},
+                                      {"", 4.0, 5.0, 0.7, {Quantity::stress_x}},
+                                      {"", 2.0, 1.0, 0.5, {Quantity::stress_x}}});
   const SkinGrid grid = grid_of(skin);
   CHECK(grid.stride_rows == 0);
   CHECK_THAT(grid.y(grid.margin_rows), WithinAbs(1.0, 1e-14));

@@ -15,9 +15,8 @@ namespace {
 
 /// Which an even drag is hardly seen by.
 SkinArray in_plane_skin(std::size_t side) {
-  return square_skin(side, 2e-3,
-                     {SkinQuantity::stress_x, SkinQuantity::stress_y, SkinQuantity::stress_z,
-                      SkinQuantity::shear_yz});
+  return square_skin(
+      side, 2e-3, {Quantity::stress_x, Quantity::stress_y, Quantity::stress_z, Quantity::shear_yz});
 }
 
 struct TiledSkin {
@@ -32,7 +31,7 @@ std::vector<TiledSkin> skins() {
           {oblong},
           {in_plane_skin(24), with_dead({0, 33, 34, 400})},
           {square_skin(15, 2e-3), with_dead({}, {.spacing = 0.5e-3})},
-          {square_skin(24, 2e-3, {SkinQuantity::stress_x}), {.components = 1}}};
+          {square_skin(24, 2e-3, {Quantity::stress_x}), {.components = 1}}};
 }
 
 }  // namespace

@@ -15,8 +15,8 @@
 using namespace tactile_net;
 
 TEST_CASE("products by FFT are those of the matrix, both ways", "[skin][large]") {
-  SkinArray mixed = square_skin(
-      9, 2e-3, {SkinQuantity::stress_x, SkinQuantity::stress_y, SkinQuantity::shear_yz});
+  SkinArray mixed =
+      square_skin(9, 2e-3, {Quantity::stress_x, Quantity::stress_y, Quantity::shear_yz});
   mixed.columns = 13;
   mixed.depths = {2e-3, 3e-3};
   for (const SkinArray& skin : {square_skin(8, 2e-3), square_skin(24, 2e-3), mixed})
@@ -62,8 +62,8 @@ struct Skin {
   SkinProblemOptions options{};
 };
 std::vector<Skin> small_skins() {
-  SkinArray oblong = square_skin(
-      9, 2e-3, {SkinQuantity::stress_x, SkinQuantity::stress_y, SkinQuantity::shear_yz});
+  SkinArray oblong =
+      square_skin(9, 2e-3, {Quantity::stress_x, Quantity::stress_y, Quantity::shear_yz});
   oblong.columns = 6;
   oblong.depths = {2e-3, 3e-3};
   return {{square_skin(9, 2e-3)},
@@ -72,7 +72,7 @@ std::vector<Skin> small_skins() {
           {oblong, thin, with_dead({5, 20})},
           {square_skin(7, 2e-3), silicone, with_dead({3}, {.spacing = 0.5e-3})},
           {oblong, silicone, with_dead({}, {.spacing = 1e-3 / 3.0})},
-          {square_skin(11, 2e-3, {SkinQuantity::stress_x}), silicone, {.components = 1}}};
+          {square_skin(11, 2e-3, {Quantity::stress_x}), silicone, {.components = 1}}};
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ constexpr SkinContact contacts[] = {
 
 /// The integral of the load's traction times `weight(y, z)`, in panels of s = sin(t) that shrink
 /// towards the middle, split at what sticks.
-double integral(const SkinContact& c, SkinTraction component, const auto& weight) {
+double integral(const SkinContact& c, Traction component, const auto& weight) {
   using Rule = boost::math::quadrature::gauss<double, 40>;
   const double b = c.shape == SkinShape::ellipsoid ? c.second_radius : c.radius;
   constexpr int directions = 64;
@@ -99,10 +99,10 @@ TEST_CASE("resultants are the tractions' integrals", "[skin]") {
       CHECK_THAT(all.force[k], WithinAbs(integral(c, skin_tractions[k], one), near));
     const auto y = [](double at, double) { return at; };
     const auto z = [](double, double at) { return at; };
-    CHECK_THAT(all.moment_y, WithinAbs(integral(c, SkinTraction::normal, y), near));
-    CHECK_THAT(all.moment_z, WithinAbs(integral(c, SkinTraction::normal, z), near));
-    CHECK_THAT(all.torque, WithinAbs(integral(c, SkinTraction::tangential_z, y) -
-                                         integral(c, SkinTraction::tangential_y, z),
+    CHECK_THAT(all.moment_y, WithinAbs(integral(c, Traction::normal, y), near));
+    CHECK_THAT(all.moment_z, WithinAbs(integral(c, Traction::normal, z), near));
+    CHECK_THAT(all.torque, WithinAbs(integral(c, Traction::tangential_z, y) -
+                                         integral(c, Traction::tangential_y, z),
                                      near));
     CHECK_THAT(all.centre().value().y, WithinAbs(c.y, 1e-15));
     CHECK_THAT(all.torsion().value(), WithinAbs(c.torsion, 1e-15));
@@ -169,10 +169,10 @@ TEST_CASE("a cell that holds all of a load has its mean, one aside has exactly n
 TEST_CASE("partial slip drags nowhere more than friction allows, and less inside", "[skin]") {
   const SkinLoad load = contacts[1];
   const auto q = [&](double y) {
-    return std::hypot(traction(load, SkinTraction::tangential_y, y, 0.0),
-                      traction(load, SkinTraction::tangential_z, y, 0.0));
+    return std::hypot(traction(load, Traction::tangential_y, y, 0.0),
+                      traction(load, Traction::tangential_z, y, 0.0));
   };
-  const auto p = [&](double y) { return traction(load, SkinTraction::normal, y, 0.0); };
+  const auto p = [&](double y) { return traction(load, Traction::normal, y, 0.0); };
   CHECK(q(0.0) < 0.5 * p(0.0));
   CHECK_THAT(q(0.5399), WithinRel(0.5 * p(0.5399), 0.02));
   CHECK_THAT(q(0.7), WithinRel(0.5 * p(0.7), 1e-14));
@@ -186,11 +186,11 @@ TEST_CASE("a circle's twist has the drag s sqrt(1 - s^2) and its torsion", "[ski
   const double torsion = 4.0 * pi / 15.0 * 12e3 * std::pow(2.5e-3, 3);
   CHECK_THAT(torsion, WithinRel(1.5708e-4, 1e-5));
   const SkinLoad load = SkinContact{.radius = 2.5e-3, .force = 0.1, .torsion = torsion};
-  CHECK_THAT(traction(load, SkinTraction::tangential_z, 1.5e-3, 0.0),
+  CHECK_THAT(traction(load, Traction::tangential_z, 1.5e-3, 0.0),
              WithinRel(12e3 * 0.6 * 0.8, 1e-13));
-  CHECK_THAT(traction(load, SkinTraction::tangential_y, 0.0, 1.5e-3),
+  CHECK_THAT(traction(load, Traction::tangential_y, 0.0, 1.5e-3),
              WithinRel(-12e3 * 0.6 * 0.8, 1e-13));
-  CHECK(traction(load, SkinTraction::tangential_y, 1.5e-3, 0.0) == 0.0);
+  CHECK(traction(load, Traction::tangential_y, 1.5e-3, 0.0) == 0.0);
 }
 
 TEST_CASE("an ellipsoid with equal radii is a sphere, a turned one has its support", "[skin]") {
@@ -199,7 +199,7 @@ TEST_CASE("an ellipsoid with equal radii is a sphere, a turned one has its suppo
   same.shape = SkinShape::ellipsoid;
   same.second_radius = 0.7;
   same.angle = 1.0;
-  for (const SkinTraction k : skin_tractions)
+  for (const Traction k : skin_tractions)
     CHECK_THAT(traction(SkinLoad(same), k, 0.2, -0.3),
                WithinRel(traction(SkinLoad(circle), k, 0.2, -0.3), 1e-14));
   const SkinSupport box = support(SkinContact{.shape = SkinShape::ellipsoid,
@@ -221,15 +221,15 @@ TEST_CASE("a patch is uniform over its rectangles, and shared out by area", "[sk
                            .normal = {1, 2, 3, 4, 5, 6},
                            .tangential_z = {0, 0, 0, 0, 0, -1}};
   const SkinLoad load = patch;
-  CHECK(traction(load, SkinTraction::normal, 0.6, 0.6) == 1.0);
-  CHECK(traction(load, SkinTraction::normal, 1.4, 2.0) == 5.0);
-  CHECK(traction(load, SkinTraction::normal, 1.6, 2.0) == 0.0);
-  CHECK(traction(load, SkinTraction::tangential_y, 0.6, 0.6) == 0.0);
+  CHECK(traction(load, Traction::normal, 0.6, 0.6) == 1.0);
+  CHECK(traction(load, Traction::normal, 1.4, 2.0) == 5.0);
+  CHECK(traction(load, Traction::normal, 1.6, 2.0) == 0.0);
+  CHECK(traction(load, Traction::tangential_y, 0.6, 0.6) == 0.0);
   const SkinWrench all = resultant(load);
   CHECK(all.force == std::array{10.5, 0.0, -0.5});
   CHECK_THAT(all.torque, WithinAbs(-0.5 * 1.25, 1e-15));
-  CHECK_FALSE(has_traction(load, SkinTraction::tangential_y));
-  CHECK(has_traction(load, SkinTraction::tangential_z));
+  CHECK_FALSE(has_traction(load, Traction::tangential_y));
+  CHECK(has_traction(load, Traction::tangential_z));
   // The grid that it is a patch of gives its values back; others its force.
   const SkinGrid own{.rows = 2,
                      .columns = 3,

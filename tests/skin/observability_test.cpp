@@ -9,11 +9,11 @@
 #include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
-using enum SkinQuantity;
+using enum Quantity;
 
 namespace {
 
-SkinArray skin_of(std::size_t count, std::vector<SkinQuantity> reads, std::vector<double> depths) {
+SkinArray skin_of(std::size_t count, std::vector<Quantity> reads, std::vector<double> depths) {
   return {.rows = count,
           .columns = count,
           .pitch_y = 0.5,
@@ -36,7 +36,7 @@ TEST_CASE("the symbol's condition is what was measured in another program",
           "[skin][observability]") {
   // A separate prototype, nu = 0.45: waves of k x = 0.25, 1, 2, 4 at 30 degrees.
   struct Row {
-    std::vector<SkinQuantity> reads;
+    std::vector<Quantity> reads;
     std::array<double, 4> condition;
   };
   const std::array sizes{0.25, 1.0, 2.0, 4.0};
@@ -71,7 +71,7 @@ TEST_CASE("what no reading sees is named, at any number of depths", "[skin][obse
     CHECK(mean->count() == 2);
     CHECK_FALSE(mean->normal);
   }
-  const auto told = [](std::vector<SkinQuantity> reads, double poisson_ratio = 0.45) {
+  const auto told = [](std::vector<Quantity> reads, double poisson_ratio = 0.45) {
     return observability(skin_of(6, std::move(reads), {1.0}),
                          {.youngs_modulus = 1.0, .poisson_ratio = poisson_ratio}, {});
   };
@@ -100,7 +100,7 @@ TEST_CASE("what no reading sees is named, at any number of depths", "[skin][obse
 
 TEST_CASE("what only the ends of an array decide is counted", "[skin][observability]") {
   // The three normal stresses: 10 = 9 + 1 of 243 hidden at 9 x 9, none at 8 x 8.
-  const std::vector<SkinQuantity> normal{stress_x, stress_y, stress_z};
+  const std::vector<Quantity> normal{stress_x, stress_y, stress_z};
   const FiniteSight odd = *observability(skin_of(9, normal, {1.0}), unit, {}).finite;
   CHECK(odd.tractions == 243);
   CHECK(odd.hidden == 10);
@@ -153,15 +153,15 @@ TEST_CASE("long ripples are known better than short ones", "[skin][observability
   const std::vector<SkinResolution> all = skin_resolutions(skin, unit, {});
   CHECK(all.size() == (256 - 4) / 2 + 4);
   CHECK_THAT(all[0].deviations[0], WithinRel(1.0 / 16.0, 1e-12));  // the mean: stress_x is p
-  const double rough = *resolvable_wavelength(all, SkinTraction::normal, 1.0);
-  const double fine = *resolvable_wavelength(all, SkinTraction::normal, 10.0);
+  const double rough = *resolvable_wavelength(all, Traction::normal, 1.0);
+  const double fine = *resolvable_wavelength(all, Traction::normal, 10.0);
   CHECK(fine < rough);
-  CHECK_FALSE(resolvable_wavelength(all, SkinTraction::normal, 1e-6));
+  CHECK_FALSE(resolvable_wavelength(all, Traction::normal, 1e-6));
   // What does not show is not resolved at any noise.
   const SkinArray blind = skin_of(16, {stress_x}, {1.0, 2.0});
   const std::vector<SkinResolution> half = skin_resolutions(blind, unit, {});
-  CHECK_FALSE(resolvable_wavelength(half, SkinTraction::tangential_y, 1e12));
-  CHECK(resolvable_wavelength(half, SkinTraction::normal, 1e3));
+  CHECK_FALSE(resolvable_wavelength(half, Traction::tangential_y, 1e12));
+  CHECK(resolvable_wavelength(half, Traction::normal, 1e3));
   // Of waves along an axis the drags along and across are those along y and z, and the other way
   // round; of an oblique one neither.
   for (const SkinResolution& one : all) {

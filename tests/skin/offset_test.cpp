@@ -28,8 +28,7 @@ std::vector<double> readings_of(const SkinArray& skin) {
 
 std::vector<double> with_offsets(std::vector<double> readings, const SkinArray& skin,
                                  const std::vector<double>& offsets) {
-  for (std::size_t i = 0; const SkinSite& site : sites(skin))
-    readings[i++] += offsets[site.channel];
+  for (std::size_t i = 0; const Site& site : sites(skin)) readings[i++] += offsets[site.channel];
   return readings;
 }
 
@@ -46,7 +45,7 @@ TEST_CASE("what a channel's readings are off by together moves no traction", "[s
   SECTION("of a lattice, in four classes") {}
   SECTION("of places anywhere, in one") {
     skin = uneven_skin({{"a", -1e-3, 0.2e-3, 2e-3, press_and_drag},
-                        {"b", 1.1e-3, 0.9e-3, 3e-3, {SkinQuantity::stress_x}},
+                        {"b", 1.1e-3, 0.9e-3, 3e-3, {Quantity::stress_x}},
                         {"c", 2.1e-3, -0.4e-3, 2e-3, press_and_drag},
                         {"d", 0.3e-3, -2e-3, 2e-3, press_and_drag}});
   }
@@ -76,7 +75,7 @@ TEST_CASE("what a channel's readings are off by together moves no traction", "[s
   const std::vector<double> rest = with_offsets(readings, skin, minus);
   const std::vector<double> explained = product(plain.kernel, f);
   std::vector<double> sums(3);
-  for (std::size_t i = 0; const SkinSite& site : plain.sites) {
+  for (std::size_t i = 0; const Site& site : plain.sites) {
     sums[site.channel] += explained[i] - rest[i];
     ++i;
   }

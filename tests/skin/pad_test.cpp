@@ -16,12 +16,12 @@ using std::numbers::pi;
 
 namespace {
 
-using enum SkinQuantity;
+using enum Quantity;
 
 /// In the order of the file's columns.
-const std::vector<SkinQuantity> file_columns = {stress_x,       shear_xy,       shear_xz,
-                                                stress_y,       stress_z,       shear_yz,
-                                                displacement_x, displacement_y, displacement_z};
+const std::vector<Quantity> file_columns = {stress_x,       shear_xy,       shear_xz,
+                                            stress_y,       stress_z,       shear_yz,
+                                            displacement_x, displacement_y, displacement_z};
 
 struct Pad {
   std::vector<SkinTaxel> taxels{};

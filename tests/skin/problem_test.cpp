@@ -23,12 +23,12 @@ TEST_CASE("a problem's kernel times a load's cell means is what the forward mode
   Material material{.youngs_modulus = 2e5, .poisson_ratio = 0.5};
   if (GENERATE(false, true)) material.layer = Layer{4e-3, Base::bonded};
   CAPTURE(depth, material.layer.has_value());
-  SkinArray skin = square_skin(4, depth, {SkinQuantity::stress_x, SkinQuantity::shear_yz});
+  SkinArray skin = square_skin(4, depth, {Quantity::stress_x, Quantity::shear_yz});
   SECTION("of a lattice") {}
   SECTION("of one row") { skin.rows = 1; }
   SECTION("of places anywhere") {
     skin = uneven_skin({{"a", -1e-3, 0.2e-3, depth, press_and_drag},
-                        {"b", 1.1e-3, 0.9e-3, 1.5 * depth, {SkinQuantity::stress_y}},
+                        {"b", 1.1e-3, 0.9e-3, 1.5 * depth, {Quantity::stress_y}},
                         {"c", 0.3e-3, -2e-3, depth, press_and_drag}});
   }
   const SkinProblem problem = make_problem(skin, material);
@@ -101,14 +101,13 @@ TEST_CASE("what a problem of a skin cannot be made of is refused with the rule",
   refused({.dead_taxels = all}, "every taxel is dead");
   refused({.grid = {.spacing = 4e-6}}, "choose a");
   CHECK_THROWS_WITH(
-      make_problem(square_skin(4, 2e-3, {SkinQuantity::stress_x, SkinQuantity::displacement_y}),
-                   silicone),
+      make_problem(square_skin(4, 2e-3, {Quantity::stress_x, Quantity::displacement_y}), silicone),
       ContainsSubstring("need channel_rms"));
   const Material slips{.poisson_ratio = 0.4, .layer = Layer{4e-3, Base::frictionless}};
-  CHECK_THROWS_WITH(make_problem(square_skin(4, 2e-3, {SkinQuantity::displacement_y}), slips),
+  CHECK_THROWS_WITH(make_problem(square_skin(4, 2e-3, {Quantity::displacement_y}), slips),
                     ContainsSubstring("slides without end"));
   CHECK_NOTHROW(
-      make_problem(square_skin(4, 2e-3, {SkinQuantity::displacement_y}), slips, {.components = 1}));
+      make_problem(square_skin(4, 2e-3, {Quantity::displacement_y}), slips, {.components = 1}));
   CHECK_THROWS_WITH(weighted(make_problem(skin, silicone), std::vector<double>(3)),
                     ContainsSubstring("3 values, the problem has 48"));
   CHECK_THROWS_WITH(normal_matrix(make_problem(skin, silicone), 0.0), ContainsSubstring("alpha"));
@@ -128,9 +127,9 @@ TEST_CASE("taxels anywhere have the pitch that a look at every pair of them find
   for (const double wide : {1.0, 1e-3, 0.0}) {
     std::vector<SkinTaxel> taxels(40);
     for (SkinTaxel& taxel : taxels)
-      taxel = {"", place(random), wide * place(random), 1e-2, {SkinQuantity::stress_x}};
+      taxel = {"", place(random), wide * place(random), 1e-2, {Quantity::stress_x}};
     taxels.push_back(taxels.front());  // one place, another quantity
-    taxels.back().reads = {SkinQuantity::stress_y};
+    taxels.back().reads = {Quantity::stress_y};
     const auto apart = [&](std::size_t i, std::size_t k) {
       return std::hypot(taxels[i].y - taxels[k].y, taxels[i].z - taxels[k].z);
     };

@@ -21,7 +21,7 @@ SkinArray square_lattice(std::size_t rows, std::size_t columns, double depth) {
 /// The same taxels, without a lattice.
 SkinArray loose(const SkinArray& skin) {
   std::vector<SkinTaxel> taxels;
-  for (const SkinSite& site : sites(skin))
+  for (const Site& site : sites(skin))
     if (site.channel == 0) taxels.push_back({"", site.y, site.z, site.depth, skin.reads});
   return uneven_skin(taxels);
 }
@@ -47,7 +47,7 @@ TEST_CASE("one cell's readings are its kernel", "[skin]") {
       const std::size_t cell = 2 * grid.columns + 1;
       tractions[k * grid.count() + cell] = 3.0;
       const auto readings = sampled_readings(skin, layer, grid, tractions);
-      for (std::size_t i = 0; const SkinSite& site : sites(skin)) {
+      for (std::size_t i = 0; const Site& site : sites(skin)) {
         const double y = site.y - grid.y(2);
         const double z = site.z - grid.z(1);
         const double expected =

@@ -13,13 +13,13 @@
 
 namespace tactile_net {
 
-inline const std::vector<SkinQuantity> press_and_drag{
-    SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz};
+inline const std::vector<Quantity> press_and_drag{Quantity::stress_x, Quantity::shear_xy,
+                                                  Quantity::shear_xz};
 inline const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
 
 /// Of a square lattice, 1 mm apart and `depth` deep.
 inline SkinArray square_skin(std::size_t count, double depth,
-                             std::vector<SkinQuantity> reads = press_and_drag) {
+                             std::vector<Quantity> reads = press_and_drag) {
   return {.rows = count,
           .columns = count,
           .pitch_y = 1e-3,

@@ -15,7 +15,7 @@ SkinArray oblong_lattice(std::size_t rows, std::size_t columns, std::vector<doub
           .pitch_y = 1.0,
           .pitch_z = 0.8,
           .depths = std::move(depths),
-          .reads = {SkinQuantity::stress_x, SkinQuantity::shear_yz, SkinQuantity::displacement_z}};
+          .reads = {Quantity::stress_x, Quantity::shear_yz, Quantity::displacement_z}};
 }
 
 /// Numbers without a pattern, between -1 and 1.
@@ -58,8 +58,8 @@ TEST_CASE("taxels beside the lattice are refused", "[skin]") {
   const char* const sentence =
       "the taxels must lie on the lattice of the grid's cells for an FFT: use sampled_readings";
   CHECK_THROWS_WITH(SpectralSkinModel(skin, Material{}, grid), sentence);
-  const SkinArray loose = uneven_skin({{"", 0.0, 0.0, 1.0, {SkinQuantity::stress_x}},
-                                       {"", 1.0, 0.3, 1.0, {SkinQuantity::stress_x}}});
+  const SkinArray loose = uneven_skin(
+      {{"", 0.0, 0.0, 1.0, {Quantity::stress_x}}, {"", 1.0, 0.3, 1.0, {Quantity::stress_x}}});
   CHECK_THROWS_WITH(SpectralSkinModel(loose, Material{}, grid_of(loose)), sentence);
   CHECK_THROWS_WITH(SpectralSkinModel(skin, Material{}, grid_of(skin), 2),
                     "components must be 1 or 3 (got 2)");

@@ -60,11 +60,11 @@ Chapter kernels() {
   plot("Stress under a normal line load, x = 1.5", {stress_x, stress_y, shear_xy}, Traction::normal,
        rubber);
   plot("Stress under a tangential line load, x = 1.5", {stress_x, stress_y, shear_xy},
-       Traction::tangential, rubber);
+       Traction::tangential_y, rubber);
   plot("Strain under a normal line load, x = 1.5, nu = 0.5", {strain_x, strain_y}, Traction::normal,
        rubber);
   plot("Strain under a tangential line load, x = 1.5, nu = 0.5", {strain_x, strain_y},
-       Traction::tangential, rubber);
+       Traction::tangential_y, rubber);
 
   // The transforms, and the DFT of 121 samples at the same wavenumbers.
   const SensorArray array = array_of(121, 0.5, {stress_x});

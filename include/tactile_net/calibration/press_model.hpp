@@ -31,8 +31,8 @@
 #include "tactile_net/calibration/rod_contact.hpp"
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/elasticity/space/disc.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/sensing/array.hpp"
 #include "tactile_net/sensing/effects/signal_layout.hpp"
@@ -70,19 +70,6 @@ struct PressReadings {
   std::array<Matrix, pad_parameter_count> by_pad{};  ///< by PadState's members, in their order
   Matrix by_log_force{}, by_center{}, by_log_half_width{}, by_friction{}, by_center_z{},
       by_friction_z{};
-};
-
-/// Where and what a reading is of, on a line or a skin.
-struct PressSite {
-  double y = 0.0, z = 0.0, depth = 0.0;  ///< [m]
-  SkinQuantity quantity = SkinQuantity::stress_x;
-  std::size_t taxel = 0;
-  std::size_t channel = 0;
-};
-
-struct PressChannel {
-  std::string name{};  ///< "stress_x"
-  SkinQuantity quantity = SkinQuantity::stress_x;
 };
 
 /// One array or one skin on one pad.
@@ -132,8 +119,8 @@ class PressModel {
 
   [[nodiscard]] bool is_skin() const noexcept { return is_skin_; }
   [[nodiscard]] const Material& material() const noexcept { return material_; }
-  [[nodiscard]] const std::vector<PressSite>& sites() const noexcept { return sites_; }
-  [[nodiscard]] const std::vector<PressChannel>& channels() const noexcept { return channels_; }
+  [[nodiscard]] const std::vector<Site>& sites() const noexcept { return layout_.readings; }
+  [[nodiscard]] const std::vector<Channel>& channels() const noexcept { return layout_.channels; }
   [[nodiscard]] double pitch() const noexcept { return pitch_; }  ///< of a skin the larger one [m]
   [[nodiscard]] double depth() const noexcept { return depth_; }  ///< the least, nominal [m]
 
@@ -142,8 +129,6 @@ class PressModel {
 
   Material material_;
   bool is_skin_;
-  std::vector<PressSite> sites_{};
-  std::vector<PressChannel> channels_{};
   SignalLayout layout_;
   double pitch_;
   double depth_ = 0.0;

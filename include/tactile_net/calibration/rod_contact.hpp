@@ -32,8 +32,4 @@ struct ContactForce {
 /// The half width [m] at which `rod_force` is `force` [N/m], > 0.
 [[nodiscard]] double rod_half_width(const Material& material, double force, double radius);
 
-/// The radius [m] of the rod whose contact is `half_width` [m] wide to each side under `force`
-/// [N/m], both > 0: `rod_force` goes with its inverse.
-[[nodiscard]] double rod_radius(const Material& material, double half_width, double force);
-
 }  // namespace tactile_net

@@ -47,8 +47,8 @@ using Contact = std::variant<RigidContact, SampledTractions>;
 void check(const Contact& contact);
 
 /// Traction [Pa] at y [m]; infinite, with the sign of the load, where the profile is singular; 0
-/// outside the contact and for NaN. A point that is the place of a sampled value but for rounding
-/// has exactly that value.
+/// outside the contact, for NaN and for tangential_z, which no line load has. A point that is the
+/// place of a sampled value but for rounding has exactly that value.
 [[nodiscard]] double traction(const Contact& contact, Traction component, double y) noexcept;
 
 /// Force [N/m] on the surface between `from` and `to` [m], from <= to, infinity allowed: the

@@ -14,8 +14,9 @@
 ///
 ///     strain_x = ((1 - nu^2) stress_x - nu (1 + nu) stress_y) / E,  strain_y with x, y exchanged.
 ///
-/// Preconditions (depth > 0, material in its range) are written here and checked by whoever builds
-/// a matrix of these, not in each call. Pure functions: thread-safe, no allocation.
+/// Preconditions (depth > 0, material in its range, a component out of `line_tractions`) are
+/// written here and checked by whoever builds a matrix of these, not in each call. A quantity that
+/// is none of `line_quantities` gives NaN. Pure functions: thread-safe, no allocation.
 #pragma once
 
 #include <complex>

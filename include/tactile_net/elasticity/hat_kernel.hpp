@@ -32,8 +32,7 @@ class HatKernel {
  public:
   /// O(1) on a half plane; about as much as a `PadKernel` in a layer.
   ///
-  /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
-  /// base; half_width [m] is not > 0
+  /// @throw std::invalid_argument  as `PadKernel`; or half_width [m] is not > 0
   HatKernel(Quantity quantity, Traction component, const Material& material, double depth,
             double half_width);
 

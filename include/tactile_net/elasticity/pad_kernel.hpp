@@ -36,7 +36,8 @@ class PadKernel {
   /// O(1) on a half plane; about 4 million multiplications in a layer.
   ///
   /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
-  /// base
+  ///                               base; a line array does not read that quantity, or a line's load
+  ///                               does not have that component
   PadKernel(Quantity quantity, Traction component, const Material& material, double depth);
 
   /// At the distance y [m] from the load [Pa / (N/m) for stress, 1 / (N/m) for strain], within

@@ -44,7 +44,7 @@ class PatchKernel {
   /// O(1) on a half plane; in a layer as a `PadKernel` for each quantity and component.
   ///
   /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
-  ///                               base
+  ///                               base; a line array does not read one of the quantities
   PatchKernel(std::span<const Quantity> reads, const Material& material, double depth);
   ~PatchKernel();
   PatchKernel(PatchKernel&& other) noexcept;

@@ -32,8 +32,8 @@ struct SceneCalibration {
   double spread = 0.0;  ///< of the presses' centres, the farthest two along y or z [m]
   bool forced = false;  ///< the fit failed, and its scene is written all the same
   std::vector<std::string> readings{};  ///< of each reading its column's name
-  std::vector<PressSite> sites{};       ///< of each reading
-  std::vector<PressChannel> channels{};
+  std::vector<Site> sites{};            ///< of each reading
+  std::vector<Channel> channels{};
 
   [[nodiscard]] bool is_skin() const noexcept { return std::holds_alternative<SkinScene>(scene); }
   [[nodiscard]] const std::string& file() const;

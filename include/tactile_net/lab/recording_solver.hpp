@@ -75,7 +75,7 @@ class RecordingSolver {
  private:
   SceneProblem problem_;
   Method method_;
-  std::vector<SignalReading> sites_;
+  std::vector<Site> sites_;
   Missing missing_;
   std::unique_ptr<FrameSolver> solver_;
   std::unique_ptr<IncompleteFrames> incomplete_;  // where taxels may be left out

@@ -49,7 +49,7 @@ class SkinPadModel {
   SkinScene scene_;
   SkinGrid grid_;
   Matrix table_;  // (three components x cells) x readings
-  std::vector<SkinSite> sites_;
+  std::vector<Site> sites_;
   std::map<double, SkinKernel> kernels_{};  // of each depth
 };
 

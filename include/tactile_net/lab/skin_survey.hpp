@@ -25,7 +25,7 @@ namespace tactile_net::lab {
 
 /// One choice of quantities and depths.
 struct SkinSensorChoice {
-  std::vector<SkinQuantity> reads{};
+  std::vector<Quantity> reads{};
   std::vector<double> depths{};  ///< [m]; of uneven skins of all taxels
   std::size_t components = 3;    ///< 1: p alone
   SkinObservability told{};
@@ -52,7 +52,7 @@ struct SkinSensorChoice {
 
 /// How strongly one quantity at one depth answers to the survey's wave.
 struct WaveShare {
-  SkinQuantity quantity = SkinQuantity::stress_x;
+  Quantity quantity = Quantity::stress_x;
   double depth = 0.0;  ///< [m]
   /// |reading| over its noise, of a ripple of the survey's traction in each `SkinRipple`; 0: none.
   std::array<double, 3> signal{};

@@ -27,7 +27,7 @@ struct ClippedTaxels {
 /// @param sites     of every reading
 /// @param readings  one for each; NaN: missing, and not clipped
 [[nodiscard]] ClippedTaxels clipped_taxels(const SensorEffects& effects,
-                                           std::span<const SignalReading> sites,
+                                           std::span<const Site> sites,
                                            std::span<const double> readings);
 
 }  // namespace tactile_net

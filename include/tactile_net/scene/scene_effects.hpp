@@ -28,7 +28,7 @@ struct SensedScene {
   const SensorEffects* effects;
   const Material* material;
   const std::optional<Units>* units;
-  std::vector<SignalQuantity> reads;
+  std::vector<Quantity> reads;
   std::size_t taxels;
   bool drags;  ///< a contact drags the surface at any time
 };

@@ -3,7 +3,7 @@
 /// data: what a scene's tables [noise], [saturation] and their like say.
 ///
 ///     SensorEffects effects;
-///     effects.saturation = Saturation{.range = {{SkinQuantity::stress_x, {0.0, 4e4}}}};
+///     effects.saturation = Saturation{.range = {{Quantity::stress_x, {0.0, 4e4}}}};
 ///     SignalPath path = signal_path(effects, signal_layout(skin));
 ///     path.apply(Instant{}, readings);
 #pragma once

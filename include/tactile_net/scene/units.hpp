@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 

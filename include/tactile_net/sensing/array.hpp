@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/quantity.hpp"
+#include "tactile_net/sensing/site.hpp"
 
 namespace tactile_net {
 
@@ -15,7 +16,7 @@ namespace tactile_net {
 struct Taxel {
   double y = 0.0;                 ///< along the surface [m]
   double depth = 0.0;             ///< below it [m], > 0
-  std::vector<Quantity> reads{};  ///< at least one, none twice
+  std::vector<Quantity> reads{};  ///< at least one of `line_quantities`, none twice
   double width = 0.0;             ///< along y [m], >= 0: it reads the mean over it (aperture.hpp)
 };
 
@@ -29,7 +30,7 @@ struct SensorArray {
   std::size_t count = 0;          ///< taxels along y, >= 2
   double pitch = 0.0;             ///< distance of neighbours [m], > 0; of an uneven array the mean
   std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one
-  std::vector<Quantity> reads{};  ///< at least one, none twice
+  std::vector<Quantity> reads{};  ///< at least one of `line_quantities`, none twice
   double width =
       0.0;  ///< of every taxel of an even array [m], >= 0; of an uneven one each has its own
   /// Of an uneven array, y never falling; the others follow from it. Empty: an even array.
@@ -42,35 +43,16 @@ struct SensorArray {
 ///
 /// @param taxels  two at least, at most one of them with the same y, depth and quantity
 /// @throw std::invalid_argument  y falls or is not finite, a depth is not > 0, a taxel reads
-///                               nothing or something twice, two at one place read the same
+///                               nothing, something twice or what is none of `line_quantities`,
+///                               two at one place read the same
 [[nodiscard]] SensorArray uneven_array(std::vector<Taxel> taxels);
 
 [[nodiscard]] inline bool is_even(const SensorArray& array) noexcept {
   return array.taxels.empty();
 }
 
-/// One quantity; in even arrays, at one depth.
-struct Channel {
-  Quantity quantity = Quantity::stress_x;
-  double depth = 0.0;  ///< [m]; of taxels at several depths the least
-  std::string name{};  ///< "stress_x"; of even arrays with several depths "stress_x@1" (index into
-                       ///< `depths`)
-  std::size_t first = 0;  ///< index of its first reading
-  std::size_t count = 0;  ///< readings
-  double width = 0.0;     ///< of the taxels of an even array [m]
-};
-
-/// Where and what one reading is of.
-struct Site {
-  double y = 0.0;      ///< [m]
-  double depth = 0.0;  ///< [m]
-  Quantity quantity = Quantity::stress_x;
-  std::size_t taxel = 0;    ///< index along y, < count
-  std::size_t channel = 0;  ///< index into `channels`
-  double width = 0.0;       ///< [m]
-};
-
-/// @throw std::invalid_argument  a value is out of its range or not finite
+/// @throw std::invalid_argument  a value is out of its range or not finite, a quantity none of
+///                               `line_quantities`
 void check(const SensorArray& array);
 
 /// Place `index` of `count` equally spaced ones, in units of their distance, with 0 at the middle.

@@ -1,9 +1,8 @@
 /// @file
 /// The taxels of a skin: where they are and what they read.
 ///
-/// Frame as in elasticity/space/skin_quantity.hpp: x into the skin, y and z along its surface. Rows
-/// follow one another along y, columns along z; taxel (row, column) has the index row * columns +
-/// column.
+/// Frame as in elasticity/quantity.hpp: x into the skin, y and z along its surface. Rows follow one
+/// another along y, columns along z; taxel (row, column) has the index row * columns + column.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +10,18 @@
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
+#include "tactile_net/sensing/site.hpp"
 
 namespace tactile_net {
 
 /// A place in the skin where something is read.
 struct SkinTaxel {
-  std::string name{};                 ///< "thumb_3"; empty: its index
-  double y = 0.0;                     ///< along the surface [m]
-  double z = 0.0;                     ///< along the surface [m]
-  double depth = 0.0;                 ///< below it [m], > 0
-  std::vector<SkinQuantity> reads{};  ///< at least one, none twice
+  std::string name{};             ///< "thumb_3"; empty: its index
+  double y = 0.0;                 ///< along the surface [m]
+  double z = 0.0;                 ///< along the surface [m]
+  double depth = 0.0;             ///< below it [m], > 0
+  std::vector<Quantity> reads{};  ///< at least one, none twice
 };
 
 /// An even lattice of taxels centred on y = z = 0, at one or several depths; or, made by
@@ -32,13 +32,13 @@ struct SkinTaxel {
 /// after row. Uneven ones have a channel for each quantity, with a value for each taxel that reads
 /// it, in the order of `taxels`.
 struct SkinArray {
-  std::size_t rows = 0;               ///< >= 1; of an uneven skin all of its taxels
-  std::size_t columns = 0;            ///< >= 1; of an uneven skin 1
-  double pitch_y = 0.0;               ///< from row to row [m], > 0; of one row of no meaning; of an
-                                      ///< uneven skin the mean distance to the nearest neighbour
-  double pitch_z = 0.0;               ///< from column to column [m], alike
-  std::vector<double> depths{};       ///< below the surface [m], each > 0, at least one, none twice
-  std::vector<SkinQuantity> reads{};  ///< at least one, none twice
+  std::size_t rows = 0;           ///< >= 1; of an uneven skin all of its taxels
+  std::size_t columns = 0;        ///< >= 1; of an uneven skin 1
+  double pitch_y = 0.0;           ///< from row to row [m], > 0; of one row of no meaning; of an
+                                  ///< uneven skin the mean distance to the nearest neighbour
+  double pitch_z = 0.0;           ///< from column to column [m], alike
+  std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one, none twice
+  std::vector<Quantity> reads{};  ///< at least one, none twice
   /// Of an uneven skin; the others follow from it. Empty: an even lattice.
   std::vector<SkinTaxel> taxels{};
 };
@@ -62,26 +62,6 @@ void check(const SkinArray& skin);
 /// @throw std::invalid_argument  also: the material is out of range, or a taxel below the base
 void check(const SkinArray& skin, const Material& material);
 
-/// One quantity; in even skins, at one depth.
-struct SkinChannel {
-  SkinQuantity quantity = SkinQuantity::stress_x;
-  double depth = 0.0;  ///< [m]; of taxels at several depths the least
-  std::string name{};  ///< "stress_x"; of even skins with several depths "stress_x@1" (index into
-                       ///< `depths`)
-  std::size_t first = 0;  ///< index of its first reading
-  std::size_t count = 0;  ///< readings
-};
-
-/// Where and what one reading is of.
-struct SkinSite {
-  double y = 0.0;      ///< [m]
-  double z = 0.0;      ///< [m]
-  double depth = 0.0;  ///< [m]
-  SkinQuantity quantity = SkinQuantity::stress_x;
-  std::size_t taxel = 0;    ///< row * columns + column, or index into `taxels`
-  std::size_t channel = 0;  ///< index into `channels`
-};
-
 /// rows * columns; taxels at several depths below one place of an even skin count once.
 [[nodiscard]] inline std::size_t taxel_count(const SkinArray& skin) noexcept {
   return skin.rows * skin.columns;
@@ -94,10 +74,10 @@ struct SkinSite {
 [[nodiscard]] std::size_t channel_count(const SkinArray& skin) noexcept;
 
 /// In the order of the readings.
-[[nodiscard]] std::vector<SkinChannel> channels(const SkinArray& skin);
+[[nodiscard]] std::vector<Channel> channels(const SkinArray& skin);
 
 /// Of every reading.
-[[nodiscard]] std::vector<SkinSite> sites(const SkinArray& skin);
+[[nodiscard]] std::vector<Site> sites(const SkinArray& skin);
 
 /// Of all taxels [m]. @pre  the skin has a depth
 [[nodiscard]] double least_depth(const SkinArray& skin) noexcept;

@@ -57,7 +57,7 @@ class ExactSkinModel {
   struct Place {
     double y, z;
     std::size_t taxel;
-    std::vector<SkinQuantity> quantities{};
+    std::vector<Quantity> quantities{};
     std::vector<std::size_t> targets{};  // of each quantity, which reading it is
   };
   struct Depth {

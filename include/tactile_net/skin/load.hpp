@@ -1,11 +1,11 @@
 /// @file
 /// What presses on a skin: loads whose traction, cells' means and resultants are known exactly.
 ///
-/// Frame and signs as in elasticity/space/skin_quantity.hpp: tractions act on the skin, p along +x,
-/// q_y along +y, q_z along +z.
+/// Frame and signs as in elasticity/quantity.hpp: tractions act on the skin, p along +x, q_y along
+/// +y, q_z along +z.
 ///
 ///     const SkinLoad finger = SkinContact{.radius = 2e-3, .force = 1.5, .friction = 0.4};
-///     traction(finger, SkinTraction::tangential_y, 0.0, 1e-3);  // [Pa]
+///     traction(finger, Traction::tangential_y, 0.0, 1e-3);      // [Pa]
 ///     resultant(finger).force[1];                               // 0.6 N
 ///     cell_means(std::span(&finger, 1), grid_of(skin));         // as a solver's unknowns
 #pragma once
@@ -18,7 +18,7 @@
 #include <variant>
 #include <vector>
 
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/skin/grid.hpp"
 
 namespace tactile_net {
@@ -81,7 +81,7 @@ using SkinLoad = std::variant<SkinContact, SampledPatch>;
 void check(const SkinLoad& load);
 
 /// [Pa] at (y, z) [m]; infinite, with the load's sign, where the profile is; 0 outside.
-[[nodiscard]] double traction(const SkinLoad& load, SkinTraction component, double y,
+[[nodiscard]] double traction(const SkinLoad& load, Traction component, double y,
                               double z) noexcept;
 
 /// What tractions amount to.
@@ -129,7 +129,7 @@ struct SkinSupport {
 [[nodiscard]] SkinSupport support(const SkinLoad& load) noexcept;
 
 /// True if the load has a traction along that axis anywhere.
-[[nodiscard]] bool has_traction(const SkinLoad& load, SkinTraction component) noexcept;
+[[nodiscard]] bool has_traction(const SkinLoad& load, Traction component) noexcept;
 
 /// True if the load has a tangential traction anywhere: it drags or twists.
 [[nodiscard]] bool drags(const SkinLoad& load) noexcept;

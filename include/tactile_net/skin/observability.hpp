@@ -116,7 +116,7 @@ struct SkinResolution {
 /// The shortest wavelength such that it and every longer one, the mean aside, has at most `limit`
 /// [Pa per unit of weighted noise] in `component`; absent: none.
 [[nodiscard]] std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all,
-                                                          SkinTraction component, double limit);
+                                                          Traction component, double limit);
 
 /// The same of a ripple's part, of waves that run in one direction: `any` for those of every
 /// direction. Along an axis with one taxel there is no wave.

@@ -38,7 +38,7 @@ namespace tactile_net {
 struct SkinProblem {
   Matrix kernel{};  ///< W K, readings x (components x cells); P W K where offsets are unknown
   std::vector<double> weights{};  ///< diagonal of W, one per row; 0 for a dead taxel
-  std::vector<SkinSite> sites{};  ///< where each row's reading is taken
+  std::vector<Site> sites{};      ///< where each row's reading is taken
   std::size_t taxels = 0;
   std::size_t components = 3;      ///< 1: normal traction; 3: tangential_y and tangential_z too
   SkinGrid grid{};                 ///< the cells of each component

@@ -1,7 +1,7 @@
 /// @file
 /// A skin as the effects of the signal path see it.
 ///
-///     stages.push_back(make_effect(NoiseModel{.rms = {{SkinQuantity::stress_x, 2.0}}},
+///     stages.push_back(make_effect(NoiseModel{.rms = {{Quantity::stress_x, 2.0}}},
 ///                                  signal_layout(skin)));
 #pragma once
 

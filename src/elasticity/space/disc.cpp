@@ -53,7 +53,7 @@ double traction(const Disc& disc, double r) noexcept {
   return 0.0;
 }
 
-double disc_reading(SkinQuantity quantity, SkinTraction component, const Material& material,
+double disc_reading(Quantity quantity, Traction component, const Material& material,
                     const Disc& disc, double depth, double y, double z) noexcept {
   const GaussRule rule = gauss_rule<20>();
   using Field = HalfSpaceField<std::complex<double>, ImaginarySource>;

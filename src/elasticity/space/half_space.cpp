@@ -15,7 +15,7 @@
 namespace tactile_net {
 namespace {
 
-template <SkinQuantity quantity, SkinTraction component, class Source>
+template <Quantity quantity, Traction component, class Source>
 [[gnu::always_inline]] inline double reading(const Source& source,
                                              const Material& material) noexcept {
   const HalfSpaceField<double, Source> field{source, axis(component),
@@ -26,7 +26,7 @@ template <SkinQuantity quantity, SkinTraction component, class Source>
 /// A power of two, which changes no digit: lengths in this unit have squares.
 double unit_of(double length) noexcept { return std::exp2(std::ilogb(length)); }
 
-template <SkinQuantity quantity, SkinTraction component>
+template <Quantity quantity, Traction component>
 class PointLoad {
  public:
   PointLoad(const Material& material, double depth) noexcept
@@ -44,7 +44,7 @@ class PointLoad {
   double depth_;
 };
 
-template <SkinQuantity quantity, SkinTraction component>
+template <Quantity quantity, Traction component>
 class RectangleLoad {
  public:
   RectangleLoad(const Material& material, const Rectangle& load, double depth) noexcept
@@ -114,7 +114,7 @@ template <std::size_t i>
 using RectangleCase = RectangleLoad<skin_quantities[i / skin_tractions.size()],
                                     skin_tractions[i % skin_tractions.size()]>;
 
-std::size_t case_of(SkinQuantity quantity, SkinTraction component) noexcept {
+std::size_t case_of(Quantity quantity, Traction component) noexcept {
   return static_cast<std::size_t>(quantity) * skin_tractions.size() +
          static_cast<std::size_t>(component);
 }
@@ -150,26 +150,26 @@ constexpr auto rectangle_loops = []<std::size_t... i>(std::index_sequence<i...>)
 
 }  // namespace
 
-void half_space_kernel(SkinQuantity quantity, SkinTraction component, const Material& material,
+void half_space_kernel(Quantity quantity, Traction component, const Material& material,
                        double depth, std::span<const double> y, std::span<const double> z,
                        std::span<double> readings) noexcept {
   point_loops[case_of(quantity, component)](material, depth, y, z, readings);
 }
 
-double half_space_kernel(SkinQuantity quantity, SkinTraction component, const Material& material,
+double half_space_kernel(Quantity quantity, Traction component, const Material& material,
                          double depth, double y, double z) noexcept {
   double reading = 0.0;
   half_space_kernel(quantity, component, material, depth, {&y, 1}, {&z, 1}, {&reading, 1});
   return reading;
 }
 
-void half_space_kernel(SkinQuantity quantity, SkinTraction component, const Material& material,
+void half_space_kernel(Quantity quantity, Traction component, const Material& material,
                        const Rectangle& load, double depth, std::span<const double> y,
                        std::span<const double> z, std::span<double> readings) noexcept {
   rectangle_loops[case_of(quantity, component)](material, load, depth, y, z, readings);
 }
 
-double half_space_kernel(SkinQuantity quantity, SkinTraction component, const Material& material,
+double half_space_kernel(Quantity quantity, Traction component, const Material& material,
                          const Rectangle& load, double depth, double y, double z) noexcept {
   double reading = 0.0;
   half_space_kernel(quantity, component, material, load, depth, {&y, 1}, {&z, 1}, {&reading, 1});

@@ -18,7 +18,7 @@
 
 #include <numbers>
 
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 

@@ -75,7 +75,7 @@ PlaneWave plane_wave(const Material& material, double depth, double wavenumber) 
             .stress_along = stress(Quantity::stress_y, load),
             .shear = stress(Quantity::shear_xy, load)};
   };
-  PlaneWave wave{sagittal(Traction::normal), sagittal(Traction::tangential), {}};
+  PlaneWave wave{sagittal(Traction::normal), sagittal(Traction::tangential_y), {}};
   if (material.layer)
     layer(wave, material, depth, wavenumber);
   else

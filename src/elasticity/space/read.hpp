@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 
@@ -11,7 +11,7 @@ namespace tactile_net {
 /// no more of them is asked for than the quantity needs. Inline, so that a quantity known in
 /// advance leaves no question to a loop.
 template <class Field>
-[[gnu::always_inline]] inline auto read(SkinQuantity quantity, const Field& field,
+[[gnu::always_inline]] inline auto read(Quantity quantity, const Field& field,
                                         const Material& material) noexcept {
   const auto& [value, name, unit, kind, a, b] = traits(quantity);
   const double e = material.youngs_modulus;

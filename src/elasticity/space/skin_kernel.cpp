@@ -20,7 +20,7 @@ namespace {
 template <class Table>
 struct LayerField {
   const Table& table;
-  SkinTraction load;
+  Traction load;
   double y, z;
 
   [[nodiscard]] double stress(Axis a, Axis b) const noexcept {
@@ -28,7 +28,7 @@ struct LayerField {
     a = turned(a);
     b = turned(b);
     if (a > b) std::swap(a, b);
-    const bool normal = load == SkinTraction::normal;
+    const bool normal = load == Traction::normal;
     if (b == Axis::x) return normal ? table(normal_x) : y * table(tangential_x);
     if (a == Axis::x) {
       if (normal) return (b == Axis::y ? y : z) * table(normal_radial);
@@ -48,7 +48,7 @@ struct LayerField {
   [[nodiscard]] double displacement(Axis a) const noexcept {
     using enum LayerTable;
     a = turned(a);
-    const bool normal = load == SkinTraction::normal;
+    const bool normal = load == Traction::normal;
     if (a == Axis::x)
       return normal ? table(normal_displacement_x) : y * table(tangential_displacement_x);
     if (normal) return (a == Axis::y ? y : z) * table(normal_displacement_radial);
@@ -57,7 +57,7 @@ struct LayerField {
 
  private:
   [[nodiscard]] Axis turned(Axis a) const noexcept {
-    return load != SkinTraction::tangential_z || a == Axis::x ? a : across(a);
+    return load == Traction::tangential_z ? exchanged(a) : a;
   }
   [[nodiscard]] double vector(Axis a, LayerTable mean, LayerTable turning) const noexcept {
     return a == Axis::y ? table(mean) + (y * y - z * z) * table(turning)
@@ -66,10 +66,10 @@ struct LayerField {
 };
 
 template <class Table>
-double reading(SkinQuantity quantity, SkinTraction load, const Material& material,
-               const Table& table, double y, double z) noexcept {
+double reading(Quantity quantity, Traction load, const Material& material, const Table& table,
+               double y, double z) noexcept {
   const double h = material.layer->thickness;
-  if (load == SkinTraction::tangential_z) std::swap(y, z);
+  if (load == Traction::tangential_z) std::swap(y, z);
   const double value = read(quantity, LayerField<Table>{table, load, y, z}, material) / h;
   return traits(quantity).kind == QuantityKind::displacement ? value : value / h;
 }
@@ -110,10 +110,10 @@ class HalfRule {
 
 }  // namespace
 
-void check_quantity(SkinQuantity quantity, SkinTraction component, const Material& material) {
+void check_quantity(Quantity quantity, Traction component, const Material& material) {
   const auto& row = traits(quantity);
   if (row.kind == QuantityKind::displacement && row.first != Axis::x && material.layer &&
-      material.layer->base == Base::frictionless && component != SkinTraction::normal)
+      material.layer->base == Base::frictionless && component != Traction::normal)
     throw std::invalid_argument(
         std::string(row.name) + " under a " + std::string(name(component)) +
         " load is not defined in a layer on a frictionless base, which slides without end; read a "
@@ -128,8 +128,8 @@ SkinKernel::SkinKernel(const Material& material, double depth)
     tables_ = std::make_shared<LayerTables>(material, depth / material.layer->thickness);
 }
 
-SkinKernel::LayerPart SkinKernel::layer_part(SkinQuantity quantity, SkinTraction component,
-                                             double y, double z) const noexcept {
+SkinKernel::LayerPart SkinKernel::layer_part(Quantity quantity, Traction component, double y,
+                                             double z) const noexcept {
   const double h = material_.layer->thickness;
   const double v = y / h;
   const double w = z / h;
@@ -140,26 +140,25 @@ SkinKernel::LayerPart SkinKernel::layer_part(SkinQuantity quantity, SkinTraction
   return {reading(quantity, component, material_, tables_->far(r), v / r, w / r), true};
 }
 
-double SkinKernel::with_base(SkinQuantity quantity, SkinTraction component, double half_space,
-                             double y, double z) const noexcept {
+double SkinKernel::with_base(Quantity quantity, Traction component, double half_space, double y,
+                             double z) const noexcept {
   const auto [part, is_whole] = layer_part(quantity, component, y, z);
   return is_whole ? part : half_space + part;
 }
 
-double SkinKernel::operator()(SkinQuantity quantity, SkinTraction component, double y,
+double SkinKernel::operator()(Quantity quantity, Traction component, double y,
                               double z) const noexcept {
   const double half_space = half_space_kernel(quantity, component, material_, depth_, y, z);
   return tables_ ? with_base(quantity, component, half_space, y, z) : half_space;
 }
 
-double SkinKernel::added(SkinQuantity quantity, SkinTraction component, double y,
-                         double z) const noexcept {
+double SkinKernel::added(Quantity quantity, Traction component, double y, double z) const noexcept {
   const auto [part, is_whole] = layer_part(quantity, component, y, z);
   return is_whole ? part - half_space_kernel(quantity, component, material_, depth_, y, z) : part;
 }
 
-double SkinKernel::added(SkinQuantity quantity, SkinTraction component, const Rectangle& load,
-                         double y, double z) const noexcept {
+double SkinKernel::added(Quantity quantity, Traction component, const Rectangle& load, double y,
+                         double z) const noexcept {
   const double h = material_.layer->thickness;
   const auto over = [&]<unsigned points>() {
     const HalfRule<points> along_y(load.width_y, h);
@@ -184,15 +183,14 @@ double SkinKernel::added(SkinQuantity quantity, SkinTraction component, const Re
                          : over.template operator()<12>();
 }
 
-double SkinKernel::operator()(SkinQuantity quantity, SkinTraction component, const Rectangle& load,
+double SkinKernel::operator()(Quantity quantity, Traction component, const Rectangle& load,
                               double y, double z) const noexcept {
   const double half_space = half_space_kernel(quantity, component, material_, load, depth_, y, z);
   return tables_ ? half_space + added(quantity, component, load, y, z) : half_space;
 }
 
-void SkinKernel::operator()(SkinQuantity quantity, SkinTraction component,
-                            std::span<const double> y, std::span<const double> z,
-                            std::span<double> readings) const noexcept {
+void SkinKernel::operator()(Quantity quantity, Traction component, std::span<const double> y,
+                            std::span<const double> z, std::span<double> readings) const noexcept {
   assert(y.size() == readings.size() && z.size() == readings.size());
   half_space_kernel(quantity, component, material_, depth_, y, z, readings);
   if (!tables_) return;
@@ -200,7 +198,7 @@ void SkinKernel::operator()(SkinQuantity quantity, SkinTraction component,
     readings[i] = with_base(quantity, component, readings[i], y[i], z[i]);
 }
 
-void SkinKernel::operator()(SkinQuantity quantity, SkinTraction component, const Rectangle& load,
+void SkinKernel::operator()(Quantity quantity, Traction component, const Rectangle& load,
                             std::span<const double> y, std::span<const double> z,
                             std::span<double> readings) const noexcept {
   assert(y.size() == readings.size() && z.size() == readings.size());
@@ -210,14 +208,14 @@ void SkinKernel::operator()(SkinQuantity quantity, SkinTraction component, const
     readings[i] += added(quantity, component, load, y[i], z[i]);
 }
 
-void SkinKernel::base_part(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+void SkinKernel::base_part(Quantity quantity, Traction component, std::span<const double> y,
                            std::span<const double> z, std::span<double> readings) const noexcept {
   assert(y.size() == readings.size() && z.size() == readings.size());
   for (std::size_t i = 0; i < readings.size(); ++i)
     readings[i] = tables_ ? added(quantity, component, y[i], z[i]) : 0.0;
 }
 
-double SkinKernel::error_bound(SkinQuantity quantity) const noexcept {
+double SkinKernel::error_bound(Quantity quantity) const noexcept {
   constexpr double relative = 1e-13;
   const double compliance = (1.0 + material_.poisson_ratio) / material_.youngs_modulus;
   const double stress = 1.5 / std::numbers::pi / depth_ / depth_;

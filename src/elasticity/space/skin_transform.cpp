@@ -14,12 +14,12 @@ using Complex = std::complex<double>;
 /// e_z).
 class TurnedWave {
  public:
-  TurnedWave(const PlaneWave& wave, SkinTraction load, double nu, double cosine, double sine)
+  TurnedWave(const PlaneWave& wave, Traction load, double nu, double cosine, double sine)
       : c_(cosine), s_(sine) {
     const Complex odd{0.0, -1.0};
-    const bool is_normal = load == SkinTraction::normal;
-    const double along = load == SkinTraction::tangential_y ? c_ : s_;    // q_L
-    const double across = load == SkinTraction::tangential_y ? -s_ : c_;  // q_T
+    const bool is_normal = load == Traction::normal;
+    const double along = load == Traction::tangential_y ? c_ : s_;    // q_L
+    const double across = load == Traction::tangential_y ? -s_ : c_;  // q_T
     const SagittalAmplitudes& f = is_normal ? wave.normal : wave.tangential;
     const Complex even_part = is_normal ? Complex(1.0) : odd * along;
     const Complex odd_part = is_normal ? odd : Complex(along);
@@ -60,11 +60,11 @@ class TurnedWave {
 /// The mean of those fields over all directions: what remains has no direction.
 struct MeanWave {
   const PlaneWave& wave;
-  SkinTraction load;
+  Traction load;
   double nu;
 
   [[nodiscard]] Complex stress(Axis a, Axis b) const noexcept {
-    if (load == SkinTraction::normal) {
+    if (load == Traction::normal) {
       if (a != b) return 0.0;
       if (a == Axis::x) return wave.normal.stress_x;
       return 0.5 * ((1.0 + nu) * wave.normal.stress_along + nu * wave.normal.stress_x);
@@ -81,8 +81,8 @@ struct MeanWave {
 
 }  // namespace
 
-std::complex<double> skin_transform(SkinQuantity quantity, SkinTraction component,
-                                    const Material& material, double depth, double wavenumber_y,
+std::complex<double> skin_transform(Quantity quantity, Traction component, const Material& material,
+                                    double depth, double wavenumber_y,
                                     double wavenumber_z) noexcept {
   const double k = std::hypot(wavenumber_y, wavenumber_z);
   if (std::isinf(k)) return 0.0;  // it has no direction, and dies at the surface

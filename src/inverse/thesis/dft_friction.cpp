@@ -87,7 +87,7 @@ DftFriction::DftFriction(const SensorArray& array, const Material& material, dou
     : division_(array, material, gain_limit),
       friction_(friction),
       depth_(array.depths.front() / array.pitch),
-      kernel_(sampled_kernel(channels(array).front(), Traction::tangential, material, array.count,
+      kernel_(sampled_kernel(channels(array).front(), Traction::tangential_y, material, array.count,
                              array.pitch)) {
   if (!std::isfinite(friction)) throw std::invalid_argument("friction must be finite");
 }

@@ -127,7 +127,7 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
   std::vector<Eigen::MatrixXcd> a(bins, Eigen::MatrixXcd::Zero(rows, columns));
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t u = 0; u < plan.unknowns; ++u) {
-      const Traction component = traction_components[u];
+      const Traction component = line_tractions[u];
       const SurfaceKernel kernel = surface_kernel(all[c], component, material, surface_of(array));
       plan.kernel_error = std::hypot(plan.kernel_error, plan.weights[c] * kernel.error);
       transform_circular(plan.fft, kernel.lags);
@@ -164,7 +164,7 @@ DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
       const bool tangential =
           columns == 2 && std::abs(frequency.v(1, j)) > std::abs(frequency.v(0, j));
       DftNullMode mode{.frequency = k,
-                       .unknown = tangential ? Traction::tangential : Traction::normal,
+                       .unknown = tangential ? Traction::tangential_y : Traction::normal,
                        .alternating = 2 * k == n};
       if (k > 0) mode.wavelength = static_cast<double>(n) * array.pitch / static_cast<double>(k);
       plan.null_modes.push_back(mode);

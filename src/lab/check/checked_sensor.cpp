@@ -21,9 +21,9 @@ CheckedSensor common(const AnyScene& scene, const Channels& channels, std::size_
                        .youngs_modulus = scene.material.youngs_modulus};
   for (const auto& channel : channels) {
     sensor.names.push_back(channel.name);
-    const SkinQuantity quantity = SignalQuantity(channel.quantity);
-    if (!is_odd(quantity, SkinTraction::normal, Axis::y) &&
-        !is_odd(quantity, SkinTraction::normal, Axis::z))
+    const Quantity quantity = channel.quantity;
+    if (!is_odd(quantity, Traction::normal, Axis::y) &&
+        !is_odd(quantity, Traction::normal, Axis::z))
       sensor.reads_pressure = true;
     const std::optional<double> rms =
         scene.noise ? std::optional(scene.noise->rms.at(channel.quantity)) : std::nullopt;
@@ -51,7 +51,7 @@ CheckedSensor checked_sensor(const Scene& scene) {
     sensor.apart.push_back(std::abs(all[b].y - all[a].y));
   sensor.around.resize(all.size());
   const double reach = 2.0 * most_depths * least_depth(scene.sensor);
-  for (const SignalChannel& channel : sensor.layout.channels)
+  for (const Channel& channel : sensor.layout.channels)
     for (std::size_t k = 1; k + 1 < channel.count; ++k) {
       const std::size_t i = channel.first + k;
       if (all[i + 1].y - all[i - 1].y > reach) continue;
@@ -67,8 +67,8 @@ CheckedSensor checked_sensor(const SkinScene& scene) {
   sensor.layout = signal_layout(scene.sensor);
   sensor.has_columns = true;
   sensor.noise = SkinSceneProblem(scene).stated_noise();
-  const std::vector<SkinSite> all = sites(scene.sensor);
-  for (const SkinSite& one : all)
+  const std::vector<Site> all = sites(scene.sensor);
+  for (const Site& one : all)
     sensor.is_wide = sensor.is_wide || std::hypot(one.y - all.front().y, one.z - all.front().z) >=
                                            wide_in_depths * one.depth;
   std::vector<std::vector<std::size_t>> near(all.size());
@@ -98,7 +98,7 @@ CheckedSensor checked_sensor(const SkinScene& scene) {
 
 std::vector<double> reading_weights(const CheckedSensor& sensor) {
   std::vector<double> weights;
-  for (const SignalReading& reading : sensor.layout.readings)
+  for (const Site& reading : sensor.layout.readings)
     weights.push_back(sensor.weights[reading.channel]);
   return weights;
 }

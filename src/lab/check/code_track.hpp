@@ -127,7 +127,7 @@ class CodeTrack {
     return std::abs(number - nearest) <= 1e-9 * std::max(1.0, std::abs(nearest)) ? nearest : number;
   }
 
-  std::vector<SignalChannel> channels_;
+  std::vector<Channel> channels_;
   std::vector<Ends> ends_;
   std::vector<double> last_{};
 };

@@ -31,7 +31,7 @@ bool holds(const ReadingsCheck& check) {
 double strain_in(std::span<const double> readings, const Evidence& evidence) {
   const SignalLayout& layout = evidence.sensor.layout;
   const auto tells = [&](std::size_t i, QuantityKind kind) {
-    return evidence.living[i] && traits(SkinQuantity(layout.readings[i].quantity)).kind == kind;
+    return evidence.living[i] && traits(layout.readings[i].quantity).kind == kind;
   };
   double largest = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -74,7 +74,7 @@ std::optional<finding::ZeroUnderLoad> zero_under_load(
   if (!lifted || !pressed || lifted->residual > 0.25 * pressed->residual) return std::nullopt;
 
   std::vector<double> scale;
-  for (const SignalReading& site : evidence.sites()) {
+  for (const Site& site : evidence.sites()) {
     const CheckedChannel& channel = check.channels[site.channel];
     scale.push_back(channel.noise.value_or(channel.stated.value_or(0.0)));
   }

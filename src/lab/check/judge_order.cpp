@@ -17,38 +17,24 @@ struct Turn {
   std::vector<double> sign{};
 };
 
-constexpr Axis other(Axis axis) noexcept { return axis == Axis::x ? axis : across(axis); }
-
-/// With y for z.
-SkinQuantity exchanged(SkinQuantity quantity) {
-  const SkinQuantityTraits& row = traits(quantity);
-  for (const SkinQuantityTraits& one : skin_quantity_traits)
-    if (one.kind == row.kind &&
-        ((one.first == other(row.first) && one.second == other(row.second)) ||
-         (one.first == other(row.second) && one.second == other(row.first))))
-      return one.value;
-  return quantity;
-}
-
 /// The channels in which the exchange of y and z has what each reads; none where one is not read.
 /// Channels of one depth lie behind one another, and so do depths.
-std::vector<std::size_t> exchanged_channels(const std::vector<SignalChannel>& channels,
+std::vector<std::size_t> exchanged_channels(const std::vector<Channel>& channels,
                                             std::size_t quantities) {
   std::vector<std::size_t> from;
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    const SkinQuantity wanted = exchanged(channels[c].quantity);
+    const Quantity wanted = exchanged(channels[c].quantity);
     const std::size_t depth = c / quantities * quantities;
     std::size_t found = channels.size();
     for (std::size_t k = depth; k < std::min(depth + quantities, channels.size()); ++k)
-      if (SkinQuantity(channels[k].quantity) == wanted && channels[k].count == channels[c].count)
-        found = k;
+      if (channels[k].quantity == wanted && channels[k].count == channels[c].count) found = k;
     if (found == channels.size()) return {};
     from.push_back(found);
   }
   return from;
 }
 
-std::vector<Turn> turns(const std::vector<SignalChannel>& channels, bool has_columns) {
+std::vector<Turn> turns(const std::vector<Channel>& channels, bool has_columns) {
   std::size_t quantities = 1;  // read at each depth
   while (quantities < channels.size() &&
          !(channels[quantities].quantity == channels.front().quantity))
@@ -58,8 +44,8 @@ std::vector<Turn> turns(const std::vector<SignalChannel>& channels, bool has_col
     Turn turn{.as = as, .from = from};
     bool moves = false;
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      const bool odd_y = is_odd(channels[c].quantity, SkinTraction::normal, Axis::y);
-      const bool odd_z = is_odd(channels[c].quantity, SkinTraction::normal, Axis::z);
+      const bool odd_y = is_odd(channels[c].quantity, Traction::normal, Axis::y);
+      const bool odd_z = is_odd(channels[c].quantity, Traction::normal, Axis::z);
       turn.sign.push_back((as.along_y && odd_y) != (as.along_z && odd_z) ? -1.0 : 1.0);
       moves = moves || turn.sign.back() < 0.0 || from[c] != c;
     }
@@ -83,7 +69,7 @@ std::vector<Turn> turns(const std::vector<SignalChannel>& channels, bool has_col
 }
 
 std::vector<double> turned(std::span<const double> readings, const Turn& turn,
-                           const std::vector<SignalChannel>& channels) {
+                           const std::vector<Channel>& channels) {
   std::vector<double> result(readings.begin(), readings.end());
   for (std::size_t c = 0; c < channels.size(); ++c)
     for (std::size_t i = 0; i < channels[c].count; ++i)
@@ -98,7 +84,7 @@ void judge_order(const Evidence& evidence, const std::vector<std::vector<double>
   // Where pressure is not read nothing says which drag belongs to a press: each order of the taxels
   // has one that explains the readings, and how smooth that is says nothing of the order.
   if (!evidence.sensor.reads_pressure) return;
-  const std::vector<SignalChannel>& channels = evidence.channels();
+  const std::vector<Channel>& channels = evidence.channels();
   const std::vector<Turn> all = turns(channels, evidence.sensor.has_columns);
   std::vector<const std::vector<double>*> whole;  // turned, a gap would be another taxel's
   for (const std::vector<double>& readings : loaded)

@@ -48,7 +48,7 @@ class Weighted {
 std::vector<double> beside_offsets(const Evidence& evidence, std::span<const double> pattern) {
   std::vector<double> left(pattern.begin(), pattern.end());
   if (!evidence.sensor.offset) return left;
-  for (const SignalChannel& channel : evidence.channels()) {
+  for (const Channel& channel : evidence.channels()) {
     const std::size_t end = channel.first + channel.count;
     std::vector<double> values;
     for (std::size_t i = channel.first; i < end; ++i)
@@ -148,7 +148,7 @@ class NoContactTest {
   [[nodiscard]] bool is_even(std::span<const double> pattern) const {
     if (!evidence_.sensor.is_wide) return false;
     for (std::size_t channel = 0; channel < channel_noise_.size(); ++channel) {
-      const SignalChannel& line = evidence_.channels()[channel];
+      const Channel& line = evidence_.channels()[channel];
       std::vector<double> values;
       for (std::size_t i = line.first; i < line.first + line.count; ++i)
         if (evidence_.living[i]) values.push_back(pattern[i]);
@@ -215,7 +215,7 @@ Spread spread_of(const Evidence& evidence, Still still, const Rest& rest) {
     for (const std::size_t k : rest.triples) mean[i] += raw(k, 0, i) + raw(k, 1, i) + raw(k, 2, i);
     mean[i] /= 3.0 * static_cast<double>(rest.triples.size());
   }
-  for (const SignalChannel& channel : evidence.channels()) {
+  for (const Channel& channel : evidence.channels()) {
     const std::size_t end = channel.first + channel.count;
     std::vector<double> values;
     double squares = 0.0;

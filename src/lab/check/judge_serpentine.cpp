@@ -17,8 +17,7 @@ struct Serpentine {
   std::vector<std::size_t> from{};  ///< of each reading the one that takes its place
 };
 
-std::vector<Serpentine> serpentines(const std::vector<SignalChannel>& channels,
-                                    const SkinArray& skin) {
+std::vector<Serpentine> serpentines(const std::vector<Channel>& channels, const SkinArray& skin) {
   std::vector<Serpentine> all;
   if (skin.rows < 2 || skin.columns < 2) return all;
   // The one that leaves the first row as it is comes first: readings that know no direction cannot
@@ -26,7 +25,7 @@ std::vector<Serpentine> serpentines(const std::vector<SignalChannel>& channels,
   for (const bool columns : {false, true})
     for (const std::size_t first : {1U, 0U}) {
       Serpentine one{.columns = columns, .first = first};
-      for (const SignalChannel& channel : channels)
+      for (const Channel& channel : channels)
         for (std::size_t row = 0; row < skin.rows; ++row)
           for (std::size_t column = 0; column < skin.columns; ++column) {
             const bool backwards = (columns ? column : row) % 2 == first;

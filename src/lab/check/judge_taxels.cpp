@@ -31,7 +31,7 @@ double range(const ReadingTrack& track) {
 /// they are quantised so coarsely that all of its readings seem to stick.
 std::vector<double> usual_repeating(const Evidence& evidence) {
   std::vector<double> usual;
-  for (const SignalChannel& channel : evidence.channels()) {
+  for (const Channel& channel : evidence.channels()) {
     std::vector<double> shares;
     for (std::size_t k = channel.first; k < channel.first + channel.count; ++k)
       if (evidence.living[k]) shares.push_back(evidence.tracks[k].repeating());
@@ -45,7 +45,7 @@ constexpr double coarse = 0.5;
 /// coarse; 0: there is no change.
 double step_of(const Evidence& evidence, std::size_t channel) {
   double least = std::numeric_limits<double>::infinity();
-  const SignalChannel& line = evidence.channels()[channel];
+  const Channel& line = evidence.channels()[channel];
   for (std::size_t i = line.first; i < line.first + line.count; ++i)
     if (evidence.living[i]) least = std::min(least, evidence.tracks[i].least_step());
   return std::isfinite(least) ? least : 0.0;
@@ -93,7 +93,7 @@ class Constants {
 
   /// Most values of those that change at all equal the one before.
   [[nodiscard]] bool is_coarse(std::size_t channel) const {
-    const SignalChannel& line = evidence_.channels()[channel];
+    const Channel& line = evidence_.channels()[channel];
     std::vector<double> shares;
     for (std::size_t i = line.first; i < line.first + line.count; ++i)
       if (const ReadingTrack& track = evidence_.tracks[i];
@@ -105,7 +105,7 @@ class Constants {
   [[nodiscard]] bool is_cut(std::size_t channel) const {
     constexpr double noise_reaches = 3.0;
     constexpr double thresholds_reach = 12.0;
-    const SignalChannel& line = evidence_.channels()[channel];
+    const Channel& line = evidence_.channels()[channel];
     double nearest = std::numeric_limits<double>::infinity();
     std::vector<double> roughness;
     for (std::size_t i = line.first; i < line.first + line.count; ++i) {
@@ -122,7 +122,7 @@ class Constants {
   /// that feel much is not far.
   [[nodiscard]] bool is_passed_over(std::size_t i) const {
     const std::vector<std::size_t>& beside = evidence_.sensor.around[i].beside;
-    const SignalChannel& line = evidence_.channels()[evidence_.sites()[i].channel];
+    const Channel& line = evidence_.channels()[evidence_.sites()[i].channel];
     double least = 20.0 * step_of(evidence_, evidence_.sites()[i].channel);
     for (std::size_t k = line.first; k < line.first + line.count; ++k)
       least = std::max(least, 0.3 * range(evidence_.tracks[k]));
@@ -138,7 +138,7 @@ class Constants {
 
   /// What the nearest reading does that is not constant.
   [[nodiscard]] Side beside(std::size_t i, int step) const {
-    const SignalChannel& channel = evidence_.channels()[evidence_.sites()[i].channel];
+    const Channel& channel = evidence_.channels()[evidence_.sites()[i].channel];
     const auto count = static_cast<std::ptrdiff_t>(channel.count);
     const auto first = static_cast<std::ptrdiff_t>(channel.first);
     for (auto k = static_cast<std::ptrdiff_t>(i) + step; k >= first && k < first + count;
@@ -219,7 +219,7 @@ bool is_end_of_range(const Evidence& evidence, const StillNoise& noise, std::siz
     return high ? evidence.tracks[k].high() : evidence.tracks[k].low();
   };
   std::size_t there = 0;
-  const SignalChannel& line = evidence.channels()[channel];
+  const Channel& line = evidence.channels()[channel];
   for (std::size_t k = line.first; k < line.first + line.count; ++k) {
     if (!evidence.living[k]) continue;
     const double beyond = end_of(k).outermost() - end_of(i).outermost();
@@ -285,7 +285,7 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
       return end != nullptr;
     });
     if (!saturated.taxels.empty()) findings.emplace_back(saturated);
-    for (const SignalReading& site : evidence.sites())
+    for (const Site& site : evidence.sites())
       evidence.clipped.push_back(
           std::binary_search(saturated.taxels.begin(), saturated.taxels.end(), site.taxel));
     if (StillNoise of_others = noise_of(evidence); of_others.known()) noise = std::move(of_others);

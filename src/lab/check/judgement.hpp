@@ -32,11 +32,9 @@ struct Evidence {
   std::vector<bool> living;  ///< per reading: its taxel is not dead, nor found to be broken
 
   /// Of each reading its taxel and channel.
-  [[nodiscard]] const std::vector<SignalReading>& sites() const { return sensor.layout.readings; }
+  [[nodiscard]] const std::vector<Site>& sites() const { return sensor.layout.readings; }
   /// Readings of one quantity behind one another.
-  [[nodiscard]] const std::vector<SignalChannel>& channels() const {
-    return sensor.layout.channels;
-  }
+  [[nodiscard]] const std::vector<Channel>& channels() const { return sensor.layout.channels; }
 
   /// Readings that are cut off at the end of a range: they live, and no contact explains them.
   std::vector<bool> clipped{};

@@ -266,7 +266,7 @@ class SkinSolver final : public PatternSolver {
     if (whole_.is_large()) return std::nullopt;
     std::vector<double> frame = with_missing(readings, living);
     const SkinScene& scene = whole_.scene();
-    const std::vector<SkinSite> all = sites(scene.sensor);
+    const std::vector<Site> all = sites(scene.sensor);
     const std::vector<std::size_t> dead = dead_with_missing(scene.dead_taxels, all, frame);
     if (!is_measured(scene.sensor, dead, scene.reconstruct.offset)) return std::nullopt;
     for (std::size_t i = 0; i < frame.size(); ++i)

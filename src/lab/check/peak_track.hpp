@@ -19,7 +19,7 @@ namespace tactile_net::lab {
 class PeakTrack {
  public:
   explicit PeakTrack(const SignalLayout& layout) {
-    for (const SignalChannel& channel : layout.channels)
+    for (const Channel& channel : layout.channels)
       ranges_.push_back({.first = channel.first, .end = channel.first + channel.count});
     if (layout.channels.size() > 1) ranges_.push_back({.first = 0, .end = layout.readings.size()});
   }

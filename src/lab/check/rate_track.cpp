@@ -67,7 +67,7 @@ std::vector<FrameTriple> RateTrack::renewed(std::span<const FrameTriple> triples
           begin, held.end(), triple.first,
           [](std::size_t first, const FrameTriple& one) { return first < one.first; });
       const FrameTriple& from = next == begin ? *begin : *(next - 1);
-      const SignalChannel& part = channels_[channel];
+      const Channel& part = channels_[channel];
       for (std::size_t frame = 0; frame < 3; ++frame)
         std::copy_n(from.frames[frame].begin() + static_cast<std::ptrdiff_t>(part.first),
                     part.count,

@@ -43,7 +43,7 @@ class RateTrack {
                                                  std::span<const std::size_t> channels) const;
 
  private:
-  std::vector<SignalChannel> channels_;
+  std::vector<Channel> channels_;
   std::vector<bool> living_;
   std::vector<Rate> rates_;
   std::array<std::vector<double>, 3> held_{};  // of each channel what its last renewals brought

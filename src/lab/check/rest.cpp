@@ -13,14 +13,14 @@ namespace {
 constexpr std::size_t least_still = 12;  // triples: fewer do not tell a taxel's noise
 constexpr std::size_t least_alike = 5;
 
-using Lines = std::span<const SignalChannel>;
+using Lines = std::span<const Channel>;
 
 /// The median size of its channel's roughness for every reading, which makes
 /// channels of different units alike.
 std::vector<double> channel_roughness(std::span<const FrameTriple> triples,
                                       const std::vector<bool>& living, Lines channels) {
   std::vector<double> all(living.size());
-  for (const SignalChannel& channel : channels) {
+  for (const Channel& channel : channels) {
     std::vector<double> sizes;
     for (const FrameTriple& triple : triples)
       for (std::size_t i = channel.first; i < channel.first + channel.count; ++i)
@@ -89,7 +89,7 @@ double frame_distance(std::span<const double> a, std::span<const double> b,
 }
 
 StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<bool>& living,
-                       std::span<const SignalChannel> channels, std::span<const double> steps) {
+                       std::span<const Channel> channels, std::span<const double> steps) {
   StillNoise noise;
   const std::vector<double> roughness = roughness_of(triples, living, channels);
   std::vector<double> rough;  // readings that are cut off have no noise at all
@@ -105,7 +105,7 @@ StillNoise still_noise(std::span<const FrameTriple> triples, const std::vector<b
   noise.steps.assign(steps.begin(), steps.end());
 
   noise.of_reading.resize(living.size());
-  for (const SignalChannel& channel : channels) {
+  for (const Channel& channel : channels) {
     std::vector<double> of_living;
     for (std::size_t i = channel.first; i < channel.first + channel.count; ++i) {
       std::vector<double> values;

@@ -31,7 +31,7 @@ struct StillNoise {
 /// @param steps   a converter's, per channel; 0: none can be seen
 [[nodiscard]] StillNoise still_noise(std::span<const FrameTriple> triples,
                                      const std::vector<bool>& living,
-                                     std::span<const SignalChannel> channels,
+                                     std::span<const Channel> channels,
                                      std::span<const double> steps);
 
 /// Frames that are alike, within noise.

@@ -43,7 +43,7 @@ Findings scene_findings(const SkinScene& scene) {
   const SkinArray& skin = scene.sensor;
   std::vector<double> depths;
   double low[2] = {}, high[2] = {};  // of the places, along y and z
-  for (const SkinSite& site : sites(skin)) {
+  for (const Site& site : sites(skin)) {
     const double place[2] = {site.y, site.z};
     for (const std::size_t k : {0U, 1U}) {
       low[k] = depths.empty() ? place[k] : std::min(low[k], place[k]);

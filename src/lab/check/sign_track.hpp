@@ -106,7 +106,7 @@ class SignTrack {
   /// would not.
   [[nodiscard]] bool crosses_zero(std::size_t channel, std::size_t k) const {
     constexpr double enough = 10.0;  // of one reading: whole frames may be missing
-    const SignalChannel& of = channels_[channel];
+    const Channel& of = channels_[channel];
     double expected = 0.0;
     double most = 0.0;
     double loaded = 0.0;
@@ -119,7 +119,7 @@ class SignTrack {
     return most >= enough && loaded <= 0.25 * expected;
   }
 
-  std::vector<SignalChannel> channels_;
+  std::vector<Channel> channels_;
   std::vector<Found> found_;          // per channel: of bytes, of twice as many bits
   std::vector<Crossings> crossings_;  // per reading, likewise
   std::vector<double> last_{};

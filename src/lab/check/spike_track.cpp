@@ -14,7 +14,7 @@ constexpr double alone = 4.0;
 
 SpikeTrack::SpikeTrack(const SignalLayout& layout, std::vector<double> weights)
     : weights_(std::move(weights)), spikes_(weights_.size()) {
-  for (const SignalReading& reading : layout.readings) taxels_.push_back(reading.taxel);
+  for (const Site& reading : layout.readings) taxels_.push_back(reading.taxel);
 }
 
 void SpikeTrack::add(std::span<const double> readings) {

@@ -70,7 +70,7 @@ class ThresholdTrack {
     std::size_t zeros = 0;
     double least = std::numeric_limits<double>::infinity();  // of the others
   };
-  std::vector<SignalChannel> channels_;
+  std::vector<Channel> channels_;
   std::vector<ExtremeNumbers> sizes_;  // of each, from the least upwards
   std::vector<Small> readings_;
 };

@@ -27,7 +27,7 @@ std::string tractions_csv(const lab::SkinExperiment& experiment) {
   std::vector<std::string> names = {"y", "z"};
   std::vector<std::span<const double>> columns;
   const auto add = [&](const std::vector<double>& values, const std::string& suffix) {
-    for (const SkinTraction which : skin_tractions) {
+    for (const Traction which : skin_tractions) {
       const auto column = lab::component(values, grid, which);
       if (column.empty()) continue;
       names.push_back(std::string(name(which)) + suffix);
@@ -107,8 +107,7 @@ std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
   std::vector<std::string> more = {"angle", "angle_deviation", "slip_margin",
                                    "slip_margin_deviation"};
   if (scene.reconstruct.offset)
-    for (const SkinChannel& channel : channels(scene.sensor))
-      more.push_back("offset_" + channel.name);
+    for (const Channel& channel : channels(scene.sensor)) more.push_back("offset_" + channel.name);
   names.insert(names.end() - after_wrench, more.begin(), more.end());
   names.emplace_back("verdict");
   return names;

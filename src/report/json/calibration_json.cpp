@@ -112,7 +112,7 @@ std::string calibration_json(const lab::SceneCalibration& found, const std::stri
   for (const PadParameter parameter : parameters_of(found))
     json["parameters"][std::string(name(parameter))] = value_json(fit.at(parameter));
   if (!found.material().layer) json["parameters"]["thickness"] = nullptr;
-  const std::vector<PressChannel>& channel = found.channels;
+  const std::vector<Channel>& channel = found.channels;
   json["mean_gains"] = Json::object();
   json["noise_rms"] = Json::object();
   for (std::size_t c = 0; c < channel.size(); ++c) {

@@ -92,13 +92,13 @@ std::string recording_json(const lab::RecordingOverview& overview) {
                {"largest", std::max(range.high, -range.low)},
                {"normal", packed(overview, component(Traction::normal))}};
   if (tangential) {
-    const double drag = overview.largest(Traction::tangential);
+    const double drag = overview.largest(Traction::tangential_y);
     json["drag"] = drag > 0.0 ? drag : 1.0;
-    json["tangential"] = packed(overview, component(Traction::tangential));
+    json["tangential"] = packed(overview, component(Traction::tangential_y));
   }
   if (bands) json["normal_deviation"] = packed(overview, deviation(Traction::normal));
   if (bands && tangential)
-    json["tangential_deviation"] = packed(overview, deviation(Traction::tangential));
+    json["tangential_deviation"] = packed(overview, deviation(Traction::tangential_y));
   Json said = Json::array();
   for (const lab::FrameGroup& group : overview.groups) {
     said.push_back({{"time", group_place(overview, group)},

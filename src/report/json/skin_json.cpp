@@ -39,7 +39,7 @@ Json list(std::span<const double> values) {
 Json fields(const std::vector<double>& values, const SkinGrid& grid) {
   if (values.empty()) return nullptr;
   Json json = Json::object();
-  for (const SkinTraction which : skin_tractions)
+  for (const Traction which : skin_tractions)
     json[std::string(name(which))] = list(lab::component(values, grid, which));
   return json;
 }
@@ -161,7 +161,7 @@ std::string experiment_json(const lab::SkinExperiment& experiment) {
   json["truth"]["resultant"] = wrench_json(experiment.frame.wrench);
   json["readings"] = Json::object();
   const std::span<const double> readings = experiment.frame.readings;
-  for (const SkinChannel& channel : channels(experiment.scene.sensor))
+  for (const Channel& channel : channels(experiment.scene.sensor))
     json["readings"][channel.name] = list(readings.subspan(channel.first, channel.count));
   json["answer"] = experiment.answer ? answer_json(experiment) : Json(nullptr);
   add_remarks(json, remarks_in_words(experiment));

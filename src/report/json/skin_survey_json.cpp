@@ -32,7 +32,7 @@ Json finite_json(const std::optional<FiniteSight>& finite) {
 
 Json choice_json(const lab::SkinSensorChoice& choice) {
   Json reads = Json::array();
-  for (const SkinQuantity quantity : choice.reads) reads.push_back(name(quantity));
+  for (const Quantity quantity : choice.reads) reads.push_back(name(quantity));
   Json wavelengths = Json::object();
   for (const SkinRipple ripple : skin_ripples) {
     const auto& [y, z, any] = choice.wavelengths[static_cast<std::size_t>(ripple)];

@@ -107,10 +107,9 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
            "are known relative to each other. State one force.";
   if (parts.empty()) return "The gains of readings " + runs(gains) + " cannot be told apart.";
   const std::string rods = found.is_skin() ? "balls'" : "rods'";
-  const bool strains =
-      std::any_of(found.channels.begin(), found.channels.end(), [](const PressChannel& channel) {
-        return traits(channel.quantity).kind != QuantityKind::stress;
-      });
+  const bool strains = std::any_of(
+      found.channels.begin(), found.channels.end(),
+      [](const Channel& channel) { return traits(channel.quantity).kind != QuantityKind::stress; });
   if (modulus && only_modulus && gains.empty() && strains)
     return "Young's modulus cannot be told from forces that are not stated: both scale the "
            "readings. State one force, and the " +

@@ -29,7 +29,7 @@ namespace tactile_net::report {
 [[nodiscard]] inline Dimension force_of(const SkinScene&) { return Dimension::point_force; }
 
 [[nodiscard]] QuantityKind kind_of(const auto& scene, std::size_t channel) {
-  return traits(SkinQuantity(SignalQuantity(channels(scene.sensor)[channel].quantity))).kind;
+  return traits(channels(scene.sensor)[channel].quantity).kind;
 }
 
 /// A reading, with its unit where the scene states units.

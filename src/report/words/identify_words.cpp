@@ -15,7 +15,7 @@ namespace {
 namespace reason = lab::hidden_reason;
 
 std::string uniform(Traction component) {
-  return "a uniform " + std::string(name(component)) + " traction (k = 0)";
+  return "a uniform " + std::string(line_name(component)) + " traction (k = 0)";
 }
 
 std::string say(const reason::OneStrain&, const std::optional<Units>&) {
@@ -25,7 +25,7 @@ std::string say(const reason::Proportional&, const std::optional<Units>&) {
   return "Because the quantities read answer to both tractions in the same proportion.";
 }
 std::string say(const reason::OddKernels& r, const std::optional<Units>&) {
-  return "Because every kernel of a " + std::string(name(r.component)) +
+  return "Because every kernel of a " + std::string(line_name(r.component)) +
          " traction read here is odd, what acts left and right of a taxel cancels: for " +
          uniform(r.component) +
          ", which shows only where it stops, and for one that alternates from taxel to taxel "
@@ -63,12 +63,12 @@ std::string say(const reason::Smoothing& r, const std::optional<Units>& units) {
 /// "normal ripples down to wavelength 2, no tangential ripple"
 std::string told(const lab::SensorChoice& choice, const std::optional<Units>& units) {
   const auto down_to = [&](Traction traction, const std::optional<double>& wavelength) {
-    return wavelength ? std::string(name(traction)) + " ripples down to wavelength " +
+    return wavelength ? std::string(line_name(traction)) + " ripples down to wavelength " +
                             length_in_words(units, *wavelength)
-                      : "no " + std::string(name(traction)) + " ripple";
+                      : "no " + std::string(line_name(traction)) + " ripple";
   };
   std::string text = down_to(Traction::normal, choice.normal);
-  if (choice.unknowns == 2) text += ", " + down_to(Traction::tangential, choice.tangential);
+  if (choice.unknowns == 2) text += ", " + down_to(Traction::tangential_y, choice.tangential);
   return text;
 }
 

@@ -17,7 +17,7 @@ std::string whole_percent(double share) {
 }  // namespace
 
 std::string in_words(const TractionMode& mode, const std::optional<Units>& units) {
-  std::string text = mode.unknown ? std::string(name(*mode.unknown)) + " traction"
+  std::string text = mode.unknown ? std::string(line_name(*mode.unknown)) + " traction"
                                   : "normal (" + whole_percent(mode.normal_share) +
                                         ") with tangential traction (" +
                                         whole_percent(1.0 - mode.normal_share) + ")";
@@ -55,7 +55,8 @@ std::string in_short(const ModeSpace& space, const std::optional<Units>& units) 
   if (space.dimension > 1)
     return std::to_string(space.dimension) + " modes" + wavelengths_in_short(space, units);
   const TractionMode& mode = space.modes.front();
-  return std::string(name(mode.normal_share >= 0.5 ? Traction::normal : Traction::tangential)) +
+  return std::string(
+             line_name(mode.normal_share >= 0.5 ? Traction::normal : Traction::tangential_y)) +
          ", " +
          (!mode.wavelength   ? "k = 0"
           : mode.alternating ? "alternating"
@@ -69,7 +70,7 @@ std::string wavelengths_in_short(const ModeSpace& space, const std::optional<Uni
 }
 
 std::string in_words(const DftNullMode& mode) {
-  const std::string traction = "the " + std::string(name(mode.unknown)) + " traction";
+  const std::string traction = "the " + std::string(line_name(mode.unknown)) + " traction";
   if (!mode.wavelength) return "the mean of " + traction + " (k = 0)";
   if (mode.alternating) return traction + " that alternates from taxel to taxel (Nyquist)";
   return "a ripple of " + traction + " with wavelength " + brief(*mode.wavelength);

@@ -19,9 +19,9 @@ namespace {
 
 using Choice = lab::SkinSensorChoice;
 
-std::string quantity_names(const std::vector<SkinQuantity>& reads) {
+std::string quantity_names(const std::vector<Quantity>& reads) {
   std::vector<std::string> names;
-  for (const SkinQuantity quantity : reads) names.emplace_back(name(quantity));
+  for (const Quantity quantity : reads) names.emplace_back(name(quantity));
   return join(names, ", ");
 }
 
@@ -229,7 +229,7 @@ std::string in_words(SkinRipple ripple) {
 std::vector<std::string> hidden_in_words(const Choice& choice) {
   const std::string reads = listed([&] {
     std::vector<std::string> names;
-    for (const SkinQuantity quantity : choice.reads) names.emplace_back(name(quantity));
+    for (const Quantity quantity : choice.reads) names.emplace_back(name(quantity));
     return names;
   }());
   std::vector<std::string> text;

@@ -213,7 +213,7 @@ std::string narrowed(const SkinScene& scene, const SkinGrid& grid) {
 std::string sensor_in_words(const SkinScene& scene) {
   const SkinArray& sensor = scene.sensor;
   std::vector<std::string> reads;
-  for (const SkinQuantity quantity : sensor.reads) reads.emplace_back(name(quantity));
+  for (const Quantity quantity : sensor.reads) reads.emplace_back(name(quantity));
   const std::string taxels =
       taxel_count(sensor) == 1 ? "1 taxel"
       : is_even(sensor) ? std::to_string(sensor.rows) + " x " + std::to_string(sensor.columns) +

@@ -26,7 +26,7 @@ std::vector<Answer> answers(const Scene& scene, const lab::Survey& survey) {
     all.push_back({"not read", "tangential tractions: what friction adds is taken for pressure"});
   const std::size_t hidden = own.identifiability.null_space.dimension;
   const bool mean = lab::hides_mean(own, Traction::normal) ||
-                    (own.unknowns == 2 && lab::hides_mean(own, Traction::tangential));
+                    (own.unknowns == 2 && lab::hides_mean(own, Traction::tangential_y));
   if (hidden > 0)
     all.push_back({std::to_string(hidden) + (hidden == 1 ? " is hidden" : " are hidden"),
                    "of the combinations of tractions: no reading shows it", true});

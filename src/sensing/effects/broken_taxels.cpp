@@ -16,7 +16,7 @@ class Stuck final : public SensorEffect {
  public:
   Stuck(const StuckTaxels& stuck, const SignalLayout& sensor) {
     require_taxels(stuck.indices, sensor);
-    for (std::size_t reading = 0; const SignalReading& site : sensor.readings) {
+    for (std::size_t reading = 0; const Site& site : sensor.readings) {
       const std::vector<double>& values = value_of(stuck.values, site.quantity, "values");
       require(values.size() == stuck.indices.size(), "values", "be as many as indices",
               values.size());
@@ -41,7 +41,7 @@ class Dead final : public SensorEffect {
  public:
   Dead(const DeadTaxels& dead, const SignalLayout& sensor) {
     require_taxels(dead.indices, sensor);
-    for (std::size_t reading = 0; const SignalReading& site : sensor.readings) {
+    for (std::size_t reading = 0; const Site& site : sensor.readings) {
       if (std::find(dead.indices.begin(), dead.indices.end(), site.taxel) != dead.indices.end())
         readings_.push_back(reading);
       ++reading;

@@ -12,7 +12,7 @@ class Gains final : public SensorEffect {
     if (!error.values.empty()) require_one_per_taxel(error.values, sensor, "values");
     require_not_negative("rms", error.rms);
     std::vector<NormalStream> draws;  // per channel
-    for (const SignalReading& site : sensor.readings) {
+    for (const Site& site : sensor.readings) {
       if (site.channel == draws.size())
         draws.emplace_back(error.seed, site.channel, Draws::gain_error);
       factor_.push_back(

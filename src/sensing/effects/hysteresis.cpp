@@ -17,7 +17,7 @@ class Plays final : public SensorEffect {
       all += weight;
     }
     require(all <= 1.0 + 1e-12, "weights", "add up to 1 at most", all);
-    for (const SignalChannel& channel : sensor.channels) {
+    for (const Channel& channel : sensor.channels) {
       thresholds_.push_back(value_of(hysteresis.thresholds, channel.quantity, "thresholds"));
       require(thresholds_.back().size() == weights_.size(), "thresholds", "be as many as weights",
               thresholds_.back().size());

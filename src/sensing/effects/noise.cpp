@@ -12,7 +12,7 @@ namespace {
 class Noise final : public SensorEffect {
  public:
   Noise(const NoiseModel& noise, const SignalLayout& sensor) : channels_(sensor.channels) {
-    for (const SignalChannel& channel : channels_) {
+    for (const Channel& channel : channels_) {
       rms_.push_back(value_of(noise.rms, channel.quantity, "rms"));
       require_not_negative("rms", rms_.back());
       streams_.emplace_back(noise.seed, streams_.size(), Draws::noise);
@@ -25,7 +25,7 @@ class Noise final : public SensorEffect {
   }
 
  private:
-  std::vector<SignalChannel> channels_;
+  std::vector<Channel> channels_;
   std::vector<double> rms_;
   std::vector<NormalStream> streams_;
 };

@@ -13,7 +13,7 @@ class Offsets final : public SensorEffect {
       offset_ = of_readings(error.values, sensor, "values");
       return;
     }
-    for (std::size_t c = 0; const SignalChannel& channel : sensor.channels) {
+    for (std::size_t c = 0; const Channel& channel : sensor.channels) {
       NormalStream draw(error.seed, c++, Draws::offset_error);
       const double rms = value_of(error.rms, channel.quantity, "rms");
       require_not_negative("rms", rms);

@@ -16,7 +16,7 @@ namespace tactile_net {
 
 /// The value of a quantity. @throw std::invalid_argument  there is none
 template <typename T>
-const T& value_of(const PerQuantity<T>& values, SignalQuantity quantity, std::string_view what) {
+const T& value_of(const PerQuantity<T>& values, Quantity quantity, std::string_view what) {
   const auto found = values.find(quantity);
   if (found == values.end())
     throw std::invalid_argument(std::string(what) + " must name every quantity that is read (" +
@@ -38,7 +38,7 @@ inline void require_not_negative(const std::string& what, double value) {
 /// Which channel each reading is of.
 inline std::vector<std::size_t> channel_of_readings(const SignalLayout& sensor) {
   std::vector<std::size_t> all;
-  for (const SignalReading& site : sensor.readings) all.push_back(site.channel);
+  for (const Site& site : sensor.readings) all.push_back(site.channel);
   return all;
 }
 
@@ -48,7 +48,7 @@ inline std::vector<std::size_t> channel_of_readings(const SignalLayout& sensor) 
 inline std::vector<double> of_readings(const PerQuantity<std::vector<double>>& values,
                                        const SignalLayout& sensor, const std::string& what) {
   std::vector<double> all;
-  for (const SignalReading& site : sensor.readings) {
+  for (const Site& site : sensor.readings) {
     const std::vector<double>& own = value_of(values, site.quantity, what);
     require_one_per_taxel(own, sensor, what);
     all.push_back(own[site.taxel]);

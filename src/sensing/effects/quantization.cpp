@@ -16,7 +16,7 @@ double step_of(const Converter& converter) {
 
 class Levels final : public SensorEffect {
  public:
-  Levels(std::vector<SignalChannel> channels, std::vector<Converter> converters)
+  Levels(std::vector<Channel> channels, std::vector<Converter> converters)
       : channels_(std::move(channels)), converters_(std::move(converters)) {
     for (const auto& [bits, low, high] : converters_) {
       require(bits >= 1 && bits <= 32, "bits", "be from 1 to 32", bits);
@@ -44,7 +44,7 @@ class Levels final : public SensorEffect {
   }
 
  private:
-  std::vector<SignalChannel> channels_;
+  std::vector<Channel> channels_;
   std::vector<Converter> converters_;  // of each channel
   std::size_t limited_ = 0;
   std::size_t readings_ = 0;
@@ -61,7 +61,7 @@ void quantize(std::span<double> readings, const Converter& converter) noexcept {
   }
 }
 
-double step(const Quantization& quantization, SignalQuantity quantity) {
+double step(const Quantization& quantization, Quantity quantity) {
   const auto& [low, high] = quantization.range.at(quantity);
   return step_of({quantization.bits, low, high});
 }
@@ -69,7 +69,7 @@ double step(const Quantization& quantization, SignalQuantity quantity) {
 std::unique_ptr<SensorEffect> make_effect(const Quantization& quantization,
                                           const SignalLayout& sensor) {
   std::vector<Converter> converters;
-  for (const SignalChannel& channel : sensor.channels) {
+  for (const Channel& channel : sensor.channels) {
     const auto& [low, high] = value_of(quantization.range, channel.quantity, "range");
     converters.push_back({quantization.bits, low, high});
   }

@@ -10,7 +10,7 @@ namespace {
 class Limits final : public SensorEffect {
  public:
   Limits(const Saturation& saturation, const SignalLayout& sensor) {
-    for (const SignalReading& site : sensor.readings) {
+    for (const Site& site : sensor.readings) {
       range_.push_back(value_of(saturation.range, site.quantity, "range"));
       require(range_.back().low < range_.back().high, "range", "begin below its end",
               range_.back().low);

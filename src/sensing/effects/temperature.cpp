@@ -14,7 +14,7 @@ class Drifting final : public SensorEffect {
       : gain_(drift.gain), change_(drift.change) {
     require(change_.times.size() == change_.values.size() && !change_.times.empty(), "change",
             "hold one value per time, and one at least", change_.values.size());
-    for (const SignalReading& site : sensor.readings)
+    for (const Site& site : sensor.readings)
       offset_.push_back(value_of(drift.offset, site.quantity, "offset"));
   }
   void apply(const Instant& at, std::span<double> readings) override {

@@ -34,8 +34,8 @@ double zero_beyond(const Spectrum& spectrum, Spectrum::const_iterator own) {
 class Creeping final : public SensorEffect {
  public:
   Creeping(std::vector<CreepTerm> terms, const SignalLayout& sensor) : terms_(std::move(terms)) {
-    for (const SignalChannel& channel : sensor.channels)
-      if (channel.quantity.creeps())
+    for (const Channel& channel : sensor.channels)
+      if (creeps(channel.quantity))
         blocks_.push_back({channel.first, std::vector<double>(channel.count),
                            std::vector<double>(terms_.size() * channel.count)});
   }
@@ -112,7 +112,7 @@ std::unique_ptr<SensorEffect> make_effect(const Viscoelasticity& viscoelasticity
   std::vector<CreepTerm> terms = creep_terms(viscoelasticity.terms);
   const bool any_creeps =
       std::any_of(sensor.channels.begin(), sensor.channels.end(),
-                  [](const SignalChannel& channel) { return channel.quantity.creeps(); });
+                  [](const Channel& channel) { return creeps(channel.quantity); });
   if (terms.empty() || !any_creeps) return nullptr;
   return std::make_unique<Creeping>(std::move(terms), sensor);
 }

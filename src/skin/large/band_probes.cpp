@@ -52,7 +52,7 @@ BandProbe beside_dead(const SkinProblem& problem, std::size_t least) {
   std::vector<std::pair<std::size_t, std::size_t>> taken;
   for (std::size_t i = 0; i < problem.sites.size(); ++i) {
     if (problem.weights[i] != 0.0) continue;
-    const SkinSite& site = problem.sites[i];
+    const Site& site = problem.sites[i];
     const auto nearest = [](double at, double first, double spacing, std::size_t cells) {
       const double cell = std::round((at - first) / spacing);
       return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));

@@ -9,7 +9,7 @@ std::vector<LatticeKernel> lattice_kernels(const SkinArray& skin, const Material
                                            const SkinGrid& grid, std::size_t components) {
   CellKernels kernels(material, grid);
   std::vector<LatticeKernel> all;
-  for (const SkinChannel& channel : channels(skin))
+  for (const Channel& channel : channels(skin))
     for (std::size_t u = 0; u < components; ++u)
       all.emplace_back(kernels(channel.depth), channel.quantity, skin_tractions[u], grid);
   return all;
@@ -36,7 +36,7 @@ LatticeProducts::LatticeProducts(const SkinArray& skin, const SkinGrid& grid,
   out_ = std::vector<Column>(most, column);
   const std::size_t strips = (bins() + strip - 1) / strip;
   rows_ = std::vector<std::vector<Complex>>(most, std::vector<Complex>(place(strips * strip, 0)));
-  const std::vector<SkinChannel> all = channels(skin);
+  const std::vector<Channel> all = channels(skin);
   for (std::size_t c = 0; c < channels_; ++c)
     for (std::size_t u = 0; u < components_; ++u)
       add_response(kernels[c * components_ + u],

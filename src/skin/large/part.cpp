@@ -52,7 +52,7 @@ LargeSkinPart::LargeSkinPart(SkinArray skin, const Material& material, SkinProbl
                                      whole_.stride_columns, skin.columns, reach / whole_.spacing_z);
   first_row_ = rows.first * whole_.stride_rows;
   first_column_ = columns.first * whole_.stride_columns;
-  for (const SkinChannel& channel : channels(skin))
+  for (const Channel& channel : channels(skin))
     for (std::size_t row = rows.first; row < rows.first + rows.count; ++row)
       for (std::size_t column = columns.first; column < columns.first + columns.count; ++column)
         readings_.push_back(channel.first + row * skin.columns + column);

@@ -42,7 +42,7 @@ constexpr double as_if_times = 0.01;
 double felt_alpha(const SkinProblem& problem, double alpha) {
   const double cell = std::min(problem.grid.spacing_y, problem.grid.spacing_z);
   const bool is_deep = std::any_of(problem.sites.begin(), problem.sites.end(),
-                                   [&](const SkinSite& site) { return site.depth > deep * cell; });
+                                   [&](const Site& site) { return site.depth > deep * cell; });
   return is_deep ? as_if_times * alpha : alpha;
 }
 

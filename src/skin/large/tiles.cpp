@@ -23,7 +23,7 @@ SkinTiles::SkinTiles(const LargeSkinSystem& system, double alpha, const Size& si
   const SkinGrid& grid = system.problem.grid;
   rows_ = side(grid.rows, grid.stride_rows, size.cells);
   columns_ = side(grid.columns, grid.stride_columns, size.cells);
-  for (const SkinChannel& channel : channels(system.skin)) {
+  for (const Channel& channel : channels(system.skin)) {
     double most = 0.0;
     for (std::size_t i = 0; i < channel.count; ++i)
       most = std::max(most, system.problem.weights[channel.first + i]);

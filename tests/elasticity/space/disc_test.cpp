@@ -17,7 +17,7 @@ namespace {
 constexpr Material disc_material{.youngs_modulus = 1.0, .poisson_ratio = 0.3};
 
 /// The disc's point loads summed, with r = a sin(angle), which takes the profiles' edge away.
-double summed(SkinQuantity q, SkinTraction load, const Disc& disc, double x, double y, double z) {
+double summed(Quantity q, Traction load, const Disc& disc, double x, double y, double z) {
   using Rule = boost::math::quadrature::gauss<double, 60>;
   using Short = boost::math::quadrature::gauss<double, 20>;
   const double a = disc.radius;
@@ -72,13 +72,13 @@ TEST_CASE("a disc's field is the sum of its point loads, pushed and dragged", "[
   };
   for (const Place& p : {Place{0.9, 0.0, 0.0}, Place{0.7, 0.5, -0.2}, Place{1.0, 1.3, 0.0},
                          Place{0.8, 2.0, 1.0}, Place{4.0, -3.0, 7.0}})
-    for (const SkinTraction load : {SkinTraction::normal, SkinTraction::tangential_y}) {
+    for (const Traction load : {Traction::normal, Traction::tangential_y}) {
       double largest[3] = {};
-      for (const SkinQuantity q : skin_quantities) {
+      for (const Quantity q : skin_quantities) {
         double& l = largest[static_cast<int>(traits(q).kind)];
         l = std::max(l, std::abs(disc_reading(q, load, disc_material, disc, p.x, p.y, p.z)));
       }
-      for (const SkinQuantity q : skin_quantities) {
+      for (const Quantity q : skin_quantities) {
         CAPTURE(static_cast<int>(profile), p.x, p.y, p.z, name(load), name(q));
         CHECK_THAT(disc_reading(q, load, disc_material, disc, p.x, p.y, p.z),
                    WithinAbs(summed(q, load, disc, p.x, p.y, p.z),
@@ -99,24 +99,22 @@ TEST_CASE("under a sphere the stresses on the axis are Huber's", "[disc]") {
     const double tiny = 4e-15 * std::max(1.0, 1.0 / (s * s));
     const double down = 1.0 / (1.0 + s * s);
     CAPTURE(x);
-    CHECK_THAT(disc_reading(SkinQuantity::stress_x, SkinTraction::normal, disc_material, disc, x,
-                            0.0, 0.0),
+    CHECK_THAT(disc_reading(Quantity::stress_x, Traction::normal, disc_material, disc, x, 0.0, 0.0),
                WithinAbs(peak * down, tiny * peak));
     // 1 - s atan(1 / s) cancels far below.
     CHECK_THAT(
-        disc_reading(SkinQuantity::stress_z, SkinTraction::normal, disc_material, disc, x, 0.0,
-                     0.0),
+        disc_reading(Quantity::stress_z, Traction::normal, disc_material, disc, x, 0.0, 0.0),
         WithinAbs(peak * ((1.0 + nu) * (1.0 - s * std::atan(1.0 / s)) - 0.5 * down), tiny * peak));
   }
 }
 
 TEST_CASE("just below the surface a disc's stresses are its traction", "[disc]") {
   for (const double r : {0.0, 0.3, 0.8, 1.2})
-    for (const SkinTraction load : skin_tractions) {
+    for (const Traction load : skin_tractions) {
       const Disc disc{DiscProfile::sphere, 1.0, 1.0};
-      const SkinQuantity own = load == SkinTraction::normal         ? SkinQuantity::stress_x
-                               : load == SkinTraction::tangential_y ? SkinQuantity::shear_xy
-                                                                    : SkinQuantity::shear_xz;
+      const Quantity own = load == Traction::normal         ? Quantity::stress_x
+                           : load == Traction::tangential_y ? Quantity::shear_xy
+                                                            : Quantity::shear_xz;
       const auto at = [&](double x) {
         return disc_reading(own, load, disc_material, disc, x, r, 0.0);
       };
@@ -128,8 +126,8 @@ TEST_CASE("just below the surface a disc's stresses are its traction", "[disc]")
 
 TEST_CASE("far below a disc is a point load", "[disc][property]") {
   for (const DiscProfile profile : {DiscProfile::sphere, DiscProfile::punch, DiscProfile::cone})
-    for (const SkinTraction load : skin_tractions)
-      for (const SkinQuantity q : skin_quantities) {
+    for (const Traction load : skin_tractions)
+      for (const Quantity q : skin_quantities) {
         const double point = half_space_kernel(q, load, disc_material, 1e6, 3e5, -4e5);
         CHECK_THAT(disc_reading(q, load, disc_material, {profile}, 1e6, 3e5, -4e5),
                    WithinAbs(point, 1e-10 * std::abs(point)));
@@ -140,8 +138,8 @@ TEST_CASE("units of length scale a disc and nothing else", "[disc][property]") {
   const double unit = GENERATE(1e-150, 1e150);
   const Disc disc{DiscProfile::sphere, 1.0, 1.0};
   const Disc scaled{DiscProfile::sphere, unit, 1.0};
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q : skin_quantities) {
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : skin_quantities) {
       const double area = unit * (traits(q).kind == QuantityKind::displacement ? 1.0 : unit);
       CHECK_THAT(
           disc_reading(q, load, disc_material, scaled, 0.5 * unit, 0.25 * unit, -0.75 * unit) *

@@ -40,7 +40,7 @@ TEST_CASE("displacements are the textbook's, stresses Hooke's law of them, to ro
           "[half_space]") {
   const double nu = GENERATE(0.0, 0.25, 0.5);
   for (const Place& p : places)
-    for (const SkinTraction load : skin_tractions) {
+    for (const Traction load : skin_tractions) {
       const Vector place{p.x, p.y, p.z};
       // As near to an incompressible skin as the digits can tell.
       const Real exact_nu = nu == 0.5 ? Real(0.5) - Real("1e-35") : Real(nu);
@@ -55,7 +55,7 @@ TEST_CASE("displacements are the textbook's, stresses Hooke's law of them, to ro
            {QuantityKind::stress, QuantityKind::strain, QuantityKind::displacement})
         largest[static_cast<int>(kind)] = largest_of(of(nu), load, p, kind);
       largest[1] = largest[0];  // E = 1: a strain is as exact as the stresses it is made of
-      for (const SkinQuantity q : skin_quantities) {
+      for (const Quantity q : skin_quantities) {
         CAPTURE(nu, p.x, p.y, p.z, name(q), name(load));
         const auto& [value, text, unit, kind, first, second] = traits(q);
         const auto a = static_cast<std::size_t>(first);
@@ -74,7 +74,7 @@ TEST_CASE("displacements are the textbook's, stresses Hooke's law of them, to ro
 
 TEST_CASE("the stresses under a point load balance", "[half_space][property]") {
   const double nu = GENERATE(0.0, 0.25, 0.4375);
-  for (const SkinTraction load : skin_tractions) {
+  for (const Traction load : skin_tractions) {
     const auto stress = [&](const Vector& at) {
       return stress_of(
           [&](const Vector& there) { return textbook_displacement(axis(load), nu, there); }, nu,
@@ -99,10 +99,9 @@ TEST_CASE("the stresses under a point load balance", "[half_space][property]") {
 
 TEST_CASE("every plane below carries the whole load, and no other", "[half_space][property]") {
   const double depth = GENERATE(1e-3, 1.0, 50.0);
-  const std::array across_plane = {SkinQuantity::stress_x, SkinQuantity::shear_xy,
-                                   SkinQuantity::shear_xz};
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q : across_plane) {
+  const std::array across_plane = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz};
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : across_plane) {
       // r = depth tan t; eight directions integrate the orders 0 to 2 in the angle exactly.
       const double sum = SurfaceRule::integrate(
           [&](double t) {
@@ -123,8 +122,8 @@ TEST_CASE("every plane below carries the whole load, and no other", "[half_space
 
 TEST_CASE("a skin's kernels are even or odd, to the bit", "[half_space][property]") {
   const Rectangle cell{0.8, 0.5};
-  for (const SkinQuantity q : skin_quantities)
-    for (const SkinTraction load : skin_tractions)
+  for (const Quantity q : skin_quantities)
+    for (const Traction load : skin_tractions)
       for (const Place& p : places) {
         CAPTURE(name(q), name(load), p.x, p.y, p.z);
         const double y_sign = is_odd(q, load, Axis::y) ? -1.0 : 1.0;
@@ -144,22 +143,18 @@ TEST_CASE("an incompressible skin is compressed along the rays from the load alo
           "[half_space][property]") {
   // 3 cos(angle between ray and load) / (2 pi R^2), and no volume changes.
   const Material rubber = of(0.5);
-  for (const SkinTraction load : skin_tractions)
+  for (const Traction load : skin_tractions)
     for (const Place& p : places) {
-      const auto at = [&](SkinQuantity q) {
-        return half_space_kernel(q, load, rubber, p.x, p.y, p.z);
-      };
-      const double along = load == SkinTraction::normal         ? p.x
-                           : load == SkinTraction::tangential_y ? p.y
-                                                                : p.z;
+      const auto at = [&](Quantity q) { return half_space_kernel(q, load, rubber, p.x, p.y, p.z); };
+      const double along = load == Traction::normal         ? p.x
+                           : load == Traction::tangential_y ? p.y
+                                                            : p.z;
       const double r = std::hypot(p.x, p.y, p.z);
       const double expected = 1.5 / pi * along / r / (r * r);
-      const double trace =
-          at(SkinQuantity::stress_x) + at(SkinQuantity::stress_y) + at(SkinQuantity::stress_z);
+      const double trace = at(Quantity::stress_x) + at(Quantity::stress_y) + at(Quantity::stress_z);
       CHECK_THAT(trace, WithinAbs(expected, 4e-15 * std::abs(expected)));
-      CHECK_THAT(
-          at(SkinQuantity::strain_x) + at(SkinQuantity::strain_y) + at(SkinQuantity::strain_z),
-          WithinAbs(0.0, 4e-15 * std::abs(expected)));
+      CHECK_THAT(at(Quantity::strain_x) + at(Quantity::strain_y) + at(Quantity::strain_z),
+                 WithinAbs(0.0, 4e-15 * std::abs(expected)));
     }
 }
 
@@ -171,8 +166,8 @@ TEST_CASE("many places at once are as one by one", "[half_space]") {
   }
   std::vector<double> readings(y.size());
   const Rectangle cell{0.8, 0.5};
-  for (const SkinQuantity q : skin_quantities)
-    for (const SkinTraction load : skin_tractions) {
+  for (const Quantity q : skin_quantities)
+    for (const Traction load : skin_tractions) {
       half_space_kernel(q, load, half_space_material, 0.9, y, z, readings);
       for (std::size_t i = 0; i < y.size(); ++i)
         CHECK(readings[i] == half_space_kernel(q, load, half_space_material, 0.9, y[i], z[i]));
@@ -189,8 +184,8 @@ TEST_CASE("units of length and modulus scale a skin's kernels and nothing else",
   const Material soft{.youngs_modulus = 2e-5, .poisson_ratio = half_space_material.poisson_ratio};
   const Rectangle cell{0.8, 0.5};
   const Rectangle scaled{0.8 * unit, 0.5 * unit};
-  for (const SkinQuantity q : skin_quantities)
-    for (const SkinTraction load : skin_tractions)
+  for (const Quantity q : skin_quantities)
+    for (const Traction load : skin_tractions)
       for (const Place& p : places) {
         const QuantityKind kind = traits(q).kind;
         const double e = kind == QuantityKind::stress ? 1.0 : 2e-5;
@@ -208,7 +203,7 @@ TEST_CASE("units of length and modulus scale a skin's kernels and nothing else",
 }
 
 TEST_CASE("at a distance of 1e160 depths nothing is left, and no NaN", "[half_space]") {
-  for (const SkinQuantity q : skin_quantities)
-    for (const SkinTraction load : skin_tractions)
+  for (const Quantity q : skin_quantities)
+    for (const Traction load : skin_tractions)
       CHECK(half_space_kernel(q, load, half_space_material, 1.0, 1e160, -1e160) == 0.0);
 }

@@ -15,10 +15,10 @@ struct Place {
 
 /// The largest reading of a kind; `load` is nothing for a point load, or a rectangle.
 template <class... Load>
-double largest_of(const Material& material, SkinTraction component, const Place& p,
-                  QuantityKind kind, const Load&... load) {
+double largest_of(const Material& material, Traction component, const Place& p, QuantityKind kind,
+                  const Load&... load) {
   double largest = 0.0;
-  for (const SkinQuantity q : skin_quantities)
+  for (const Quantity q : skin_quantities)
     if (traits(q).kind == kind)
       largest = std::max(
           largest, std::abs(half_space_kernel(q, component, material, load..., p.x, p.y, p.z)));

@@ -20,18 +20,17 @@ using Complex = std::complex<double>;
 
 namespace {
 
-bool is_defined(SkinQuantity quantity, SkinTraction component, const Material& material) {
+bool is_defined(Quantity quantity, Traction component, const Material& material) {
   return traits(quantity).kind != QuantityKind::displacement || traits(quantity).first == Axis::x ||
-         component == SkinTraction::normal || material.layer->base == Base::bonded;
+         component == Traction::normal || material.layer->base == Base::bonded;
 }
 
 /// The inverse transforms at (r, angle) for some r, by the symbol alone: its orders in the
 /// direction of k by seven samples, then Hankel integrals of the whole of it; no split into half
 /// space and rest.
 template <std::size_t count>
-std::array<double, count> inverse(SkinQuantity q, SkinTraction load, const Material& material,
-                                  double depth, const std::array<double, count>& distances,
-                                  double place_angle) {
+std::array<double, count> inverse(Quantity q, Traction load, const Material& material, double depth,
+                                  const std::array<double, count>& distances, double place_angle) {
   using Rule = boost::math::quadrature::gauss<double, 12>;
   // Panels that resolve the farthest place's waves, and the pole of a bonded layer at 0.739 i / h.
   const double width = 0.7 / std::max(material.layer->thickness, 0.2 * distances.back());
@@ -73,8 +72,8 @@ TEST_CASE("a skin's kernel is the inverse transform of its symbol, within its bo
   const SkinKernel kernel(material, depth);
   const std::array distances{0.0, 0.3, 1.5, 7.1};
   const double angle = 0.7;
-  for (const SkinTraction load : {SkinTraction::normal, SkinTraction::tangential_y})
-    for (const SkinQuantity q : skin_quantities) {
+  for (const Traction load : {Traction::normal, Traction::tangential_y})
+    for (const Quantity q : skin_quantities) {
       if (traits(q).kind == QuantityKind::strain || !is_defined(q, load, material)) continue;
       const auto expected = inverse(q, load, material, depth, distances, angle);
       for (std::size_t n = 0; n < distances.size(); ++n) {
@@ -90,22 +89,11 @@ TEST_CASE("a drag along z is one along y, in exchanged axes", "[skin_kernel][pro
   const auto base = GENERATE(Base::bonded, Base::frictionless);
   const Material material = layer(0.3, 1.0, base);
   const SkinKernel kernel(material, 0.5);
-  const auto exchanged = [](SkinQuantity q) {
-    const auto turn = [](Axis a) { return a == Axis::x ? a : across(a); };
-    const auto& row = traits(q);
-    return *std::find_if(skin_quantities.begin(), skin_quantities.end(), [&](SkinQuantity other) {
-      const auto& o = traits(other);
-      const bool same = o.first == turn(row.first) && o.second == turn(row.second);
-      return o.kind == row.kind &&
-             (same || (o.first == turn(row.second) && o.second == turn(row.first) &&
-                       o.kind != QuantityKind::displacement));
-    });
-  };
-  for (const SkinQuantity q : skin_quantities) {
-    if (!is_defined(q, SkinTraction::tangential_y, material)) continue;
+  for (const Quantity q : skin_quantities) {
+    if (!is_defined(q, Traction::tangential_y, material)) continue;
     for (const double y : {0.2, -50.0})
-      CHECK(kernel(q, SkinTraction::tangential_z, y, 0.7) ==
-            kernel(exchanged(q), SkinTraction::tangential_y, 0.7, y));
+      CHECK(kernel(q, Traction::tangential_z, y, 0.7) ==
+            kernel(exchanged(q), Traction::tangential_y, 0.7, y));
   }
 }
 
@@ -116,17 +104,14 @@ TEST_CASE("a layer's point loads in a row are the line load of a line array",
   const Material material = layer(0.4, 1.0, Base::bonded);
   const SkinKernel kernel(material, depth);
   using Rule = boost::math::quadrature::gauss<double, 30>;
-  for (const Traction load : traction_components) {
-    for (const Quantity q : quantities) {
+  for (const Traction load : line_tractions) {
+    for (const Quantity q : line_quantities) {
       const PadKernel line(q, load, material, depth);
-      const SkinQuantity same = *skin_quantity_named(name(q));
-      const SkinTraction component =
-          load == Traction::normal ? SkinTraction::normal : SkinTraction::tangential_y;
       for (const double y : {0.0, 0.8, -3.0}) {
         double sum = 0.0;
         for (int panel = 0; panel < 46; ++panel)
-          sum += 2.0 * Rule::integrate([&](double z) { return kernel(same, component, y, z); },
-                                       panel * 1.0, panel + 1.0);
+          sum += 2.0 * Rule::integrate([&](double z) { return kernel(q, load, y, z); }, panel * 1.0,
+                                       panel + 1.0);
         CAPTURE(depth, name(q), name(load), y);
         CHECK_THAT(sum, WithinAbs(line(y), 2e-12 * 2.0 / pi / depth));
       }
@@ -138,9 +123,8 @@ TEST_CASE("every plane of a bonded layer carries the whole load", "[skin_kernel]
   const Material material = layer(GENERATE(0.0, 0.3, 0.5), 1.0, Base::bonded);
   const SkinKernel kernel(material, GENERATE(0.3, 1.0));
   using Rule = boost::math::quadrature::gauss<double, 30>;
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q :
-         {SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz}) {
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}) {
       double sum = 0.0;
       for (int panel = 0; panel < 96; ++panel)
         sum += Rule::integrate(
@@ -165,8 +149,8 @@ TEST_CASE("a thick layer reads like a half space", "[skin_kernel]") {
   half.layer.reset();
   const SkinKernel kernel(material, 1.0);
   const SkinKernel other(half, 1.0);
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q : skin_quantities) {
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : skin_quantities) {
       if (!is_defined(q, load, material)) continue;
       const double size = traits(q).kind == QuantityKind::displacement ? 1e-3 : 1e-7;
       CHECK_THAT(kernel(q, load, 0.4, -0.9), WithinAbs(other(q, load, 0.4, -0.9), size));
@@ -182,8 +166,8 @@ TEST_CASE("far away a skin's kernel meets its closed form without a step", "[ski
   const Material material = layer(nu, h, base);
   const SkinKernel kernel(material, depth);
   const double out = 48.0 * h;
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q : skin_quantities) {
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : skin_quantities) {
       if (!is_defined(q, load, material)) continue;
       for (const double theta : {0.0, 0.3, 2.1}) {
         const auto at = [&](double r) {
@@ -205,8 +189,8 @@ TEST_CASE("a layer's kernels are even or odd, and scale, to the bit", "[skin_ker
   const double unit = GENERATE(std::exp2(-498.0), std::exp2(498.0));
   const SkinKernel scaled(layer(0.3, unit, base), 0.75 * unit);
   const Rectangle cell{0.3, 0.2};
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q : skin_quantities) {
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : skin_quantities) {
       if (!is_defined(q, load, layer(0.3, 1.0, base))) continue;
       const double y_sign = is_odd(q, load, Axis::y) ? -1.0 : 1.0;
       const double z_sign = is_odd(q, load, Axis::z) ? -1.0 : 1.0;
@@ -233,8 +217,8 @@ TEST_CASE("a rectangle on a layer is the sum of its point loads", "[skin_kernel]
   for (const double width : {0.05, 0.2, 0.5, 0.9, 2.7}) {
     const Rectangle cell{width, 0.8 * width};
     for (const double y : {0.0, 0.5, 47.7})
-      for (const SkinTraction load : skin_tractions)
-        for (const SkinQuantity q : skin_quantities) {
+      for (const Traction load : skin_tractions)
+        for (const Quantity q : skin_quantities) {
           if (!is_defined(q, load, material)) continue;
           CAPTURE(name(base), width, y, name(q), name(load));
           // Panels end where the place lies, and where the closed form begins.
@@ -261,8 +245,8 @@ TEST_CASE("many places at once are as one by one in a layer too", "[skin_kernel]
   const std::vector<double> z{0.2, 0.0, 5.0, 1.0};
   std::vector<double> readings(y.size());
   const Rectangle cell{0.3, 0.2};
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q : skin_quantities) {
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : skin_quantities) {
       kernel(q, load, y, z, readings);
       for (std::size_t i = 0; i < y.size(); ++i) CHECK(readings[i] == kernel(q, load, y[i], z[i]));
       kernel(q, load, cell, y, z, readings);
@@ -275,8 +259,8 @@ TEST_CASE("what the base adds is the layer's reading less the half space's", "[s
   const std::vector<double> y{0.0, 1.3, -2.0, 70.0};
   const std::vector<double> z{0.2, 0.0, 5.0, 1.0};
   std::vector<double> readings(y.size());
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q : skin_quantities) {
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : skin_quantities) {
       const Material material = layer(0.4, 1.0, Base::bonded);
       const SkinKernel layer(material, 0.5);
       layer.base_part(q, load, y, z, readings);
@@ -293,16 +277,16 @@ TEST_CASE("what the base adds is the layer's reading less the half space's", "[s
 TEST_CASE("a slide without end is refused, with a remedy", "[skin_kernel]") {
   const Material material = layer(0.4, 1.0, Base::frictionless);
   CHECK_THROWS_WITH(
-      check_quantity(SkinQuantity::displacement_z, SkinTraction::tangential_y, material),
+      check_quantity(Quantity::displacement_z, Traction::tangential_y, material),
       "displacement_z under a tangential_y load is not defined in a layer on a frictionless base, "
       "which slides without end; read a stress or a strain, or bond the layer");
-  CHECK_NOTHROW(check_quantity(SkinQuantity::displacement_x, SkinTraction::tangential_y, material));
-  CHECK_NOTHROW(check_quantity(SkinQuantity::displacement_y, SkinTraction::normal, material));
-  CHECK_NOTHROW(check_quantity(SkinQuantity::displacement_y, SkinTraction::tangential_y,
+  CHECK_NOTHROW(check_quantity(Quantity::displacement_x, Traction::tangential_y, material));
+  CHECK_NOTHROW(check_quantity(Quantity::displacement_y, Traction::normal, material));
+  CHECK_NOTHROW(check_quantity(Quantity::displacement_y, Traction::tangential_y,
                                layer(0.4, 1.0, Base::bonded)));
   const SkinKernel kernel(material, 0.5);
-  CHECK(std::isnan(kernel(SkinQuantity::displacement_y, SkinTraction::tangential_y, 0.1, 0.2)));
-  CHECK(std::isnan(kernel(SkinQuantity::displacement_y, SkinTraction::tangential_y, 99.0, 0.2)));
+  CHECK(std::isnan(kernel(Quantity::displacement_y, Traction::tangential_y, 0.1, 0.2)));
+  CHECK(std::isnan(kernel(Quantity::displacement_y, Traction::tangential_y, 99.0, 0.2)));
   CHECK_THROWS_WITH(SkinKernel(material, 1.1),
                     "depth must be at most the layer's thickness (got 1.1)");
 }

@@ -112,7 +112,7 @@ TEST_CASE("a layer's amplitudes are those of its state equations' matrix exponen
       const double x = share * h;
       const StateOfLayer state(nu, h, base, k, x);
       CAPTURE(name(base), nu, kh, share);
-      const auto check = [&](SkinQuantity q, SkinTraction load, const Real& expected, bool odd,
+      const auto check = [&](Quantity q, Traction load, const Real& expected, bool odd,
                              double size) {
         const Complex value = skin_transform(q, load, material, x, k, 0.0);
         CAPTURE(name(q), name(load));
@@ -122,10 +122,10 @@ TEST_CASE("a layer's amplitudes are those of its state equations' matrix exponen
       };
       const auto& p = state.sagittal[0];
       const auto& q = state.sagittal[1];
-      using Q = SkinQuantity;
-      const auto normal = SkinTraction::normal;
-      const auto y = SkinTraction::tangential_y;
-      const auto z = SkinTraction::tangential_z;
+      using Q = Quantity;
+      const auto normal = Traction::normal;
+      const auto y = Traction::tangential_y;
+      const auto z = Traction::tangential_z;
       const double pole = base == Base::bonded ? 1.0 : 1.0 + 1.0 / kh;
       const double ulps = 2e-15;
       check(Q::stress_x, normal, -p[2], false, ulps);
@@ -150,15 +150,12 @@ TEST_CASE("a wave along y is a line array's", "[skin_transform]") {
   const Material material =
       GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, layer(0.3, 1.5, Base::bonded),
                layer(0.5, 1.5, Base::frictionless));
-  for (const Quantity q : quantities)
-    for (const Traction load : traction_components)
+  for (const Quantity q : line_quantities)
+    for (const Traction load : line_tractions)
       for (const double k : {-3.0, 0.2, 1.0}) {
         CAPTURE(name(q), name(load), k);
         const Complex line = pad_transform(q, load, material, 0.9, k);
-        const Complex plane = skin_transform(
-            *skin_quantity_named(name(q)),
-            load == Traction::normal ? SkinTraction::normal : SkinTraction::tangential_y, material,
-            0.9, k, 0.0);
+        const Complex plane = skin_transform(q, load, material, 0.9, k, 0.0);
         CHECK(std::abs(plane - line) <= 4e-16 * (1.0 + std::abs(line)));
       }
 }
@@ -171,11 +168,11 @@ TEST_CASE("turning wave, traction and tensor together changes nothing",
   const double k = 1.3;
   using Tensor = std::array<std::array<Complex, 3>, 3>;
   const std::array components = {
-      std::array{SkinQuantity::stress_x, SkinQuantity::shear_xy, SkinQuantity::shear_xz},
-      std::array{SkinQuantity::shear_xy, SkinQuantity::stress_y, SkinQuantity::shear_yz},
-      std::array{SkinQuantity::shear_xz, SkinQuantity::shear_yz, SkinQuantity::stress_z}};
-  const std::array vector = {SkinQuantity::displacement_x, SkinQuantity::displacement_y,
-                             SkinQuantity::displacement_z};
+      std::array{Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz},
+      std::array{Quantity::shear_xy, Quantity::stress_y, Quantity::shear_yz},
+      std::array{Quantity::shear_xz, Quantity::shear_yz, Quantity::stress_z}};
+  const std::array vector = {Quantity::displacement_x, Quantity::displacement_y,
+                             Quantity::displacement_z};
   // Tractions (p, q_y, q_z) at a wave k: the stress tensor and the displacement.
   const auto respond = [&](const std::array<double, 3>& f, double ky, double kz) {
     std::pair<Tensor, std::array<Complex, 3>> all{};
@@ -220,8 +217,8 @@ TEST_CASE("a thick layer is a half space, at any k h", "[skin_transform]") {
   Material half = material;
   half.layer.reset();
   for (const double a : {1e-3, 0.5, 3.0, 15.0})
-    for (const SkinTraction load : skin_tractions)
-      for (const SkinQuantity q : skin_quantities) {
+    for (const Traction load : skin_tractions)
+      for (const Quantity q : skin_quantities) {
         CAPTURE(name(base), nu, kh, a, name(load), name(q));
         const double scale = traits(q).kind == QuantityKind::displacement ? 1.0 / kh : 1.0;
         const Complex expected = skin_transform(q, load, half, a / kh, 0.6 * kh, 0.8 * kh);
@@ -236,8 +233,8 @@ TEST_CASE("nothing in a skin overflows or is lost", "[skin_transform]") {
                layer(0.0, 2.0, Base::frictionless));
   for (const double k : {1e-150, 1e-9, 1e3, 1e9, 1e300, infinity})
     for (const double depth : {1e-9, 1.0, 2.0})
-      for (const SkinTraction load : skin_tractions)
-        for (const SkinQuantity q : skin_quantities) {
+      for (const Traction load : skin_tractions)
+        for (const Quantity q : skin_quantities) {
           CAPTURE(k, depth, name(q), name(load));
           const Complex value = skin_transform(q, load, material, depth, k, 0.0);
           const bool pole = k == 1e-150;  // 1 / k^2 at the worst
@@ -252,8 +249,8 @@ TEST_CASE("k = 0 is the mean over directions of small k", "[skin_transform]") {
   const Material material =
       GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, layer(0.3, 1.5, Base::bonded),
                layer(0.5, 1.5, Base::bonded), layer(0.3, 1.5, Base::frictionless));
-  for (const SkinTraction load : skin_tractions)
-    for (const SkinQuantity q : skin_quantities) {
+  for (const Traction load : skin_tractions)
+    for (const Quantity q : skin_quantities) {
       Complex mean = 0.0;
       double largest = 0.0;
       for (int i = 0; i < 16; ++i) {
@@ -275,5 +272,5 @@ TEST_CASE("k = 0 is the mean over directions of small k", "[skin_transform]") {
       }
     }
   const Material half{.youngs_modulus = 1.0, .poisson_ratio = 0.25};
-  CHECK(skin_transform(SkinQuantity::stress_y, SkinTraction::normal, half, 1.0, 0.0, 0.0) == 0.75);
+  CHECK(skin_transform(Quantity::stress_y, Traction::normal, half, 1.0, 0.0, 0.0) == 0.75);
 }

@@ -44,13 +44,13 @@ TEST_CASE("what no reading shows is listed and set to zero", "[dft_tikhonov]") {
   REQUIRE(inverse.null_modes().size() == (even ? 2 : 1));
   const DftNullMode& constant = inverse.null_modes()[0];
   CHECK(constant.frequency == 0);
-  CHECK(constant.unknown == Traction::tangential);
+  CHECK(constant.unknown == Traction::tangential_y);
   CHECK_FALSE(constant.wavelength.has_value());
   CHECK_FALSE(constant.alternating);
   if (even) {
     const DftNullMode& nyquist = inverse.null_modes()[1];
     CHECK(nyquist.frequency == n / 2);
-    CHECK(nyquist.unknown == Traction::tangential);
+    CHECK(nyquist.unknown == Traction::tangential_y);
     CHECK(nyquist.wavelength == 1.0);  // two pitches
     CHECK(nyquist.alternating);
   }

@@ -71,14 +71,14 @@ std::vector<double> numbers(std::string_view text) {
 
 std::string names_of_quantities() {
   std::vector<std::string> names;
-  for (const QuantityTraits& row : quantity_traits) names.emplace_back(row.name);
+  for (const Quantity one : line_quantities) names.emplace_back(name(one));
   return join(names, ", ");
 }
 
 std::vector<Quantity> quantities_of(const InitOptions& options) {
   std::vector<Quantity> all;
   for (const std::string& text : options.quantities) {
-    const auto quantity = quantity_named(text);
+    const auto quantity = quantity_named(text, line_quantities);
     if (!quantity)
       throw WrongUsage("--quantity", "'" + text + "' is none of " + names_of_quantities());
     all.push_back(*quantity);
@@ -154,7 +154,7 @@ class Sketching {
     if (sketch_.reads.empty())
       questions_.ask("--quantity", "what does every taxel measure (" + names_of_quantities() + ")",
                      [&](std::string_view answer) {
-                       const auto quantity = quantity_named(answer);
+                       const auto quantity = quantity_named(answer, line_quantities);
                        if (quantity) sketch_.reads = {*quantity};
                        return quantity.has_value();
                      });

@@ -16,7 +16,7 @@
 #pragma once
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 
@@ -46,8 +46,7 @@ void check(const Disc& disc);
 /// is more: 1e-12 at a twentieth of the radius. Some 40 to 500 times a point load's work.
 ///
 /// Preconditions: a disc and a material in their ranges (the layer is ignored), depth > 0 [m].
-[[nodiscard]] double disc_reading(SkinQuantity quantity, SkinTraction component,
-                                  const Material& material, const Disc& disc, double depth,
-                                  double y, double z) noexcept;
+[[nodiscard]] double disc_reading(Quantity quantity, Traction component, const Material& material,
+                                  const Disc& disc, double depth, double y, double z) noexcept;
 
 }  // namespace tactile_net

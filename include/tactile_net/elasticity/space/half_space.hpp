@@ -2,8 +2,8 @@
 /// Stress, strain and displacement inside an elastic half space under a point load and under a
 /// uniform traction on a rectangle.
 ///
-/// Frame and signs as in skin_quantity.hpp. With R^2 = x^2 + y^2 + z^2 and m = 1 - 2 nu, a unit
-/// force along c causes
+/// Frame and signs as in elasticity/quantity.hpp. With R^2 = x^2 + y^2 + z^2 and m = 1 - 2 nu, a
+/// unit force along c causes
 ///
 ///     2 pi stress_ab        = 3 a b c / R^5 + m T_ab
 ///     4 pi G displacement_a = delta_ac / R + a c / R^3 + m V_a
@@ -21,7 +21,7 @@
 #include <span>
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 
@@ -30,12 +30,12 @@ namespace tactile_net {
 /// largest stress in it; even or odd to the bit; lengths of any size.
 ///
 /// @param depth  x [m], > 0
-[[nodiscard]] double half_space_kernel(SkinQuantity quantity, SkinTraction component,
+[[nodiscard]] double half_space_kernel(Quantity quantity, Traction component,
                                        const Material& material, double depth, double y,
                                        double z) noexcept;
 
 /// The same for many places: `y`, `z` and `readings` have one number each.
-void half_space_kernel(SkinQuantity quantity, SkinTraction component, const Material& material,
+void half_space_kernel(Quantity quantity, Traction component, const Material& material,
                        double depth, std::span<const double> y, std::span<const double> z,
                        std::span<double> readings) noexcept;
 
@@ -55,12 +55,12 @@ struct Rectangle {
 /// to 1e100 of each other.
 ///
 /// @param depth  x [m], > 0
-[[nodiscard]] double half_space_kernel(SkinQuantity quantity, SkinTraction component,
+[[nodiscard]] double half_space_kernel(Quantity quantity, Traction component,
                                        const Material& material, const Rectangle& load,
                                        double depth, double y, double z) noexcept;
 
 /// The same for many places: `y`, `z` and `readings` have one number each.
-void half_space_kernel(SkinQuantity quantity, SkinTraction component, const Material& material,
+void half_space_kernel(Quantity quantity, Traction component, const Material& material,
                        const Rectangle& load, double depth, std::span<const double> y,
                        std::span<const double> z, std::span<double> readings) noexcept;
 

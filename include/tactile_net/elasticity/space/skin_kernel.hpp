@@ -6,8 +6,8 @@
 #include <span>
 
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/elasticity/space/half_space.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
 
 namespace tactile_net {
 
@@ -15,7 +15,7 @@ class LayerTables;
 
 /// @throw std::invalid_argument  a displacement along the surface under a tangential load in a
 /// layer on a frictionless base: nothing holds the layer, which slides without end
-void check_quantity(SkinQuantity quantity, SkinTraction component, const Material& material);
+void check_quantity(Quantity quantity, Traction component, const Material& material);
 
 /// Readings at one depth from point loads and rectangles, as functions of the place.
 ///
@@ -37,46 +37,46 @@ class SkinKernel {
 
   /// The reading at (y, z) [m] from a unit point force [Pa / N for stress, 1 / N for strain, m /
   /// N].
-  [[nodiscard]] double operator()(SkinQuantity quantity, SkinTraction component, double y,
+  [[nodiscard]] double operator()(Quantity quantity, Traction component, double y,
                                   double z) const noexcept;
 
   /// The reading at (y, z) [m] from the middle of a rectangle that carries a uniform traction of
   /// 1 Pa. In a layer up to 64 times the cost of a point load, more for each layer that the
   /// rectangle is wide.
-  [[nodiscard]] double operator()(SkinQuantity quantity, SkinTraction component,
-                                  const Rectangle& load, double y, double z) const noexcept;
+  [[nodiscard]] double operator()(Quantity quantity, Traction component, const Rectangle& load,
+                                  double y, double z) const noexcept;
 
   /// The same for many places: `y`, `z` and `readings` have one number each.
-  void operator()(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+  void operator()(Quantity quantity, Traction component, std::span<const double> y,
                   std::span<const double> z, std::span<double> readings) const noexcept;
-  void operator()(SkinQuantity quantity, SkinTraction component, const Rectangle& load,
+  void operator()(Quantity quantity, Traction component, const Rectangle& load,
                   std::span<const double> y, std::span<const double> z,
                   std::span<double> readings) const noexcept;
 
   /// What the base adds to a half space's readings from unit point forces, zeros on a half space.
   /// It changes with the place over lengths of 2 h - depth, h = thickness, and not of the depth.
-  void base_part(SkinQuantity quantity, SkinTraction component, std::span<const double> y,
+  void base_part(Quantity quantity, Traction component, std::span<const double> y,
                  std::span<const double> z, std::span<double> readings) const noexcept;
 
   /// The largest error of a point load's reading: 1e-13 of 3 / (2 pi depth^2) for stresses, of
   /// (1 + nu) / E times that for strains, of 3 (1 + nu) / (2 pi E depth) for displacements, which
   /// is about what a half space reads on the load's axis. Of a rectangle's as much times its area,
   /// or times depth^2 where that is less.
-  [[nodiscard]] double error_bound(SkinQuantity quantity) const noexcept;
+  [[nodiscard]] double error_bound(Quantity quantity) const noexcept;
 
  private:
   struct LayerPart {
     double reading;
     bool is_whole;  // half space included
   };
-  [[nodiscard]] LayerPart layer_part(SkinQuantity quantity, SkinTraction component, double y,
+  [[nodiscard]] LayerPart layer_part(Quantity quantity, Traction component, double y,
                                      double z) const noexcept;
-  [[nodiscard]] double with_base(SkinQuantity quantity, SkinTraction component, double half_space,
-                                 double y, double z) const noexcept;
-  [[nodiscard]] double added(SkinQuantity quantity, SkinTraction component, double y,
+  [[nodiscard]] double with_base(Quantity quantity, Traction component, double half_space, double y,
+                                 double z) const noexcept;
+  [[nodiscard]] double added(Quantity quantity, Traction component, double y,
                              double z) const noexcept;
-  [[nodiscard]] double added(SkinQuantity quantity, SkinTraction component, const Rectangle& load,
-                             double y, double z) const noexcept;
+  [[nodiscard]] double added(Quantity quantity, Traction component, const Rectangle& load, double y,
+                             double z) const noexcept;
 
   Material material_;
   double depth_;

@@ -10,7 +10,7 @@
 #include <complex>
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/elasticity/space/skin_quantity.hpp"
+#include "tactile_net/elasticity/quantity.hpp"
 
 namespace tactile_net {
 
@@ -26,7 +26,7 @@ namespace tactile_net {
 /// Preconditions: a material in its range, 0 < depth <= its thickness. Pure, no allocation.
 ///
 /// @param wavenumber_y, wavenumber_z  k [1/m], any sign
-[[nodiscard]] std::complex<double> skin_transform(SkinQuantity quantity, SkinTraction component,
+[[nodiscard]] std::complex<double> skin_transform(Quantity quantity, Traction component,
                                                   const Material& material, double depth,
                                                   double wavenumber_y,
                                                   double wavenumber_z) noexcept;

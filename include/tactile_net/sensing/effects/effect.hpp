@@ -22,7 +22,7 @@ namespace tactile_net {
 
 /// A strength in the unit of the readings: one for every quantity that the sensor reads.
 template <typename T>
-using PerQuantity = std::map<SignalQuantity, T>;
+using PerQuantity = std::map<Quantity, T>;
 
 /// A moment at which the path is gone through.
 struct Instant {

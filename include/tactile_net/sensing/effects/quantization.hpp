@@ -26,7 +26,7 @@ struct Quantization {
 };
 
 /// Between two levels [unit of the reading]. @pre  there is a range of it
-[[nodiscard]] double step(const Quantization& quantization, SignalQuantity quantity);
+[[nodiscard]] double step(const Quantization& quantization, Quantity quantity);
 
 /// Each frame says how many of its readings lay beyond the levels.
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Quantization& quantization,
