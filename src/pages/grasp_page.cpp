@@ -1,8 +1,8 @@
 #include "tactile_net/pages/grasp_page.hpp"
 
 #include "pages/grasp_parts.hpp"
-#include "tactile_net/drawing/figure.hpp"
 #include "pages/hand_drawing.hpp"
+#include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::pages {
