@@ -33,7 +33,8 @@ inline void check_alpha(double alpha) {
 /// @param gamma  of the family that is to solve
 /// @throw std::invalid_argument  the frame is of another family
 inline void check_same_family(const FilterFrame& frame, std::span<const double> gamma) {
-  if (frame.beta.size() != gamma.size() || !std::ranges::equal(frame.gamma, gamma))
+  if (frame.beta.size() != gamma.size() ||
+      !std::equal(frame.gamma.begin(), frame.gamma.end(), gamma.begin(), gamma.end()))
     throw std::invalid_argument(
         "the frame is of another family: let the family that solves it analyse its readings");
 }

@@ -30,7 +30,7 @@ std::vector<double> LongArrayCovariance::deviations() const {
 
 const std::vector<double>& LongArrayCovariance::image(std::span<const double> weights) const {
   const auto is = [&](const std::vector<double>& kept) {
-    return std::ranges::equal(kept, weights);
+    return std::equal(kept.begin(), kept.end(), weights.begin(), weights.end());
   };
   return kept_or_made(images_, most_images, is, [&] {
     check_weights(weights, solver_.tractions());

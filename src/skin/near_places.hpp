@@ -21,12 +21,16 @@ class NearPlaces {
       : places_(places), order_(places.size()), rank_(places.size()) {
     if (places.empty()) return;
     const auto spread = [&](double Place::*axis) {
-      const auto [least, most] = std::ranges::minmax(places, {}, axis);
-      return most.*axis - least.*axis;
+      const auto [least, most] =
+          std::minmax_element(places.begin(), places.end(),
+                              [&](const Place& a, const Place& b) { return a.*axis < b.*axis; });
+      return (*most).*axis - (*least).*axis;
     };
     if (spread(&Place::z) > spread(&Place::y)) axis_ = &Place::z;
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::ranges::stable_sort(order_, {}, [&](std::size_t i) { return places[i].*axis_; });
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+      return places[a].*axis_ < places[b].*axis_;
+    });
     for (std::size_t k = 0; k < order_.size(); ++k) rank_[order_[k]] = k;
   }
 

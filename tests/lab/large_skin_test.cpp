@@ -232,9 +232,11 @@ TEST_CASE(
                       1e9);
   const std::vector<double> nothing(skin.problem().components * skin.problem().grid.count());
   CHECK(skin.judge(readings, nothing).consistent());
-  // Under the contact so little that one beneath the taxel takes up most of it, and beside it much.
+  // Near the contact so little that what is left is within the limit of all readings, under it so
+  // much that a narrower one takes up most of it, and beside it much.
   for (const auto& [taxel, deviations] :
-       {std::pair(std::size_t{30}, 12.0), std::pair(std::size_t{33}, 40.0)}) {
+       {std::pair(std::size_t{24}, 12.0), std::pair(std::size_t{30}, 20.0),
+        std::pair(std::size_t{33}, 40.0)}) {
     readings[taxel] += deviations * rms;
     CAPTURE(taxel);
     const DataVerdict data = skin.judge(readings, nothing);
