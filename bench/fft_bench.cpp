@@ -1,8 +1,9 @@
-// Long arrays of fixed pitch, one frame: the plan with FFT and correction against parity_low_rank,
-// parity and dense at the same accuracy, and against the bare filter by FFTW, zero-padded, which is
-// percents off where a contact touches the array's end. Limits to hold: at most 1.8 times the bare
-// filter; the planner's choice at most 1.25 times the fastest of what it may choose from
-// (float64; the limit of the bare filter is for 1e-7 and coarser: 1e-10 has more to correct).
+// Long arrays of fixed pitch, one frame: the plan with FFT and correction against
+// reflections_low_rank, reflections and dense at the same accuracy, and against the bare filter by
+// FFTW, zero-padded, which is percents off where a contact touches the array's end. Limits to hold:
+// at most 1.8 times the bare filter; the planner's choice at most 1.25 times the fastest of what it
+// may choose from (float64; the limit of the bare filter is for 1e-7 and coarser: 1e-10 has more to
+// correct).
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -103,8 +104,8 @@ void compare(std::size_t n, double accuracy, const InverseProblem& problem,
     ways.push_back(std::move(way));
     return planned;
   };
-  for (const Structure structure :
-       {Structure::dense, Structure::parity, Structure::parity_low_rank, Structure::fft}) {
+  for (const Structure structure : {Structure::dense, Structure::reflections,
+                                    Structure::reflections_low_rank, Structure::fft}) {
     options.structure = structure;
     options.precision = Precision::float64;
     add(std::string(name(structure)), FftEffort::estimate);
@@ -140,11 +141,12 @@ void compare(std::size_t n, double accuracy, const InverseProblem& problem,
               relative_l2_error(filtered, exact));
   std::printf("  %-50s %7.0f ns\n", "bare FFTW filter, FFTW_MEASURE", time[at + 1]);
   const double fastest = std::min({time[1], time[2], time[3]});
-  const double ours = chosen == Structure::fft      ? time[3]
-                      : chosen == Structure::parity ? time[1]
-                                                    : time[2];
+  const double ours = chosen == Structure::fft           ? time[3]
+                      : chosen == Structure::reflections ? time[1]
+                                                         : time[2];
   std::printf(
-      "  fft over bare filter %.2f, measured %.2f (limit 1.8); over parity_low_rank %.2f, over "
+      "  fft over bare filter %.2f, measured %.2f (limit 1.8); over reflections_low_rank %.2f, "
+      "over "
       "dense %.2f; chosen: %s, %.2f times the fastest (limit 1.25)\n",
       time[3] / time[at], time[4] / time[at + 1], time[3] / time[2], time[3] / time[0],
       std::string(name(chosen)).c_str(), ours / fastest);

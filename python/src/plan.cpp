@@ -25,10 +25,8 @@
 namespace tactile_net::python {
 namespace {
 
-constexpr std::array structures = {Structure::dense,       Structure::low_rank,
-                                   Structure::parity,      Structure::parity_low_rank,
-                                   Structure::reflections, Structure::reflections_low_rank,
-                                   Structure::fft};
+constexpr std::array structures = {Structure::dense, Structure::low_rank, Structure::reflections,
+                                   Structure::reflections_low_rank, Structure::fft};
 constexpr std::array precisions = {Precision::float64, Precision::float32};
 
 /// That of this name among all. @param what  they are

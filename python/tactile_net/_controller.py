@@ -128,8 +128,8 @@ class Plan:
 
     @property
     def structure(self) -> str:
-        """How the product is computed: "dense", "low_rank"; of lines "parity", "parity_low_rank" or "fft"; of skins
-        "reflections" or "reflections_low_rank"."""
+        """How the product is computed: "dense", "low_rank"; by the array's mirror symmetry "reflections" or
+        "reflections_low_rank"; of lines "fft" too."""
         return self._core.structure
 
     @property

@@ -14,13 +14,13 @@ namespace {
 class FftConvolution final : public Convolution {
  public:
   FftConvolution(const ProductPlan& plan, FftEffort effort)
-      : count_(plan.rows / plan.row_signs.size()),
+      : count_(plan.row_grid.columns),
         in_(plan.transform_size, effort),
-        out_(plan.row_signs.size(), in_),
-        columns_(plan.column_signs.size()),
+        out_(plan.row_grid.signs_z.size(), in_),
+        columns_(plan.column_grid.signs_z.size()),
         spectra_(std::make_shared<const std::vector<double>>(scaled(plan))) {
-    for (const std::int8_t row : plan.row_signs)
-      for (const std::int8_t column : plan.column_signs) turns_.push_back(row != column);
+    for (const std::int8_t row : plan.row_grid.signs_z)
+      for (const std::int8_t column : plan.column_grid.signs_z) turns_.push_back(row != column);
   }
 
   void add(const double* x, double* y) noexcept override {

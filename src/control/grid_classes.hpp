@@ -1,5 +1,5 @@
 /// @file
-/// The classes that reflections, and the exchange of y and z, make of a skin's matrix. Private.
+/// The classes that reflections, and the exchange of y and z, make of a matrix. Private.
 #pragma once
 
 #include <vector>

@@ -17,11 +17,11 @@ namespace {
 
 /// Whether mirroring the array mirrors a channel (+1) or negates it too (-1), as its kernel for
 /// normal traction shows; a tangential traction turns round.
-Signs channel_signs(const InverseProblem& problem) {
+std::vector<std::int8_t> channel_signs(const InverseProblem& problem) {
   const auto kernel = as_eigen(problem.kernel);
   const auto taxels = static_cast<Eigen::Index>(line_length(problem));
   const auto values = static_cast<Eigen::Index>(problem.surface.count);
-  Signs signs;
+  std::vector<std::int8_t> signs;
   for (Eigen::Index row = 0; row < kernel.rows(); row += taxels) {
     const Eigen::MatrixXd block = kernel.block(row, 0, taxels, values);
     signs.push_back(block.cwiseProduct(block.reverse()).sum() >= 0.0 ? 1 : -1);
@@ -30,8 +30,19 @@ Signs channel_signs(const InverseProblem& problem) {
 }
 
 /// J W K J = W K but for rounding: no dead taxels, or those of mirror images.
-bool is_symmetric(const Eigen::MatrixXd& kernel, const Signs& rows, const Signs& columns) {
-  return (kernel - mirrored(kernel, rows, columns)).norm() <= 1e-12 * kernel.norm();
+bool is_symmetric(const Eigen::MatrixXd& kernel, const GridBlocks& rows,
+                  const GridBlocks& columns) {
+  const auto m = static_cast<Eigen::Index>(rows.columns);
+  const auto n = static_cast<Eigen::Index>(columns.columns);
+  double squares = 0.0;
+  for (std::size_t i = 0; i < rows.signs_z.size(); ++i)
+    for (std::size_t j = 0; j < columns.signs_z.size(); ++j) {
+      const auto block =
+          kernel.block(static_cast<Eigen::Index>(i) * m, static_cast<Eigen::Index>(j) * n, m, n);
+      const double sign = rows.signs_z[i] * columns.signs_z[j];
+      squares += (block - sign * block.reverse()).squaredNorm();
+    }
+  return std::sqrt(squares) <= 1e-12 * kernel.norm();
 }
 
 /// The weight of each channel, on all of its readings: dead taxels have rows of zeros anyway.
@@ -59,9 +70,10 @@ ProductTask reconstruction_task(const InverseProblem& problem, const Reconstruct
   task.matrix =
       as_eigen(inverse.transposed()).transpose() * task.column_factors.cwiseInverse().asDiagonal();
   task.row_factors = Eigen::VectorXd::Ones(task.matrix.rows());
-  task.row_signs = problem.unknowns == 2 ? Signs{1, -1} : Signs{1};
-  task.column_signs = channel_signs(problem);
-  task.symmetric = is_symmetric(kernel, task.column_signs, task.row_signs);
+  task.row_grid = line_blocks(problem.surface.count, {1});
+  if (problem.unknowns == 2) task.row_grid = line_blocks(problem.surface.count, {1, -1});
+  task.column_grid = line_blocks(line_length(problem), channel_signs(problem));
+  task.symmetric = is_symmetric(kernel, task.column_grid, task.row_grid);
   task.explained = kernel;
   task.accuracy = options.accuracy;
   task.structure = options.structure;
@@ -80,8 +92,8 @@ ProductTask prediction_task(const ProductTask& reconstruction, const Weighting& 
                 weighting.constants() * weighting.constants().transpose();
   task.row_factors = reconstruction.column_factors.cwiseInverse();
   task.column_factors = reconstruction.column_factors;
-  task.row_signs = reconstruction.column_signs;
-  task.column_signs = reconstruction.column_signs;
+  task.row_grid = reconstruction.column_grid;
+  task.column_grid = reconstruction.column_grid;
   task.symmetric = reconstruction.symmetric;
   task.accuracy = reconstruction.accuracy;
   task.allow_fft = reconstruction.allow_fft;
@@ -102,7 +114,8 @@ std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,
     return "the surface has values between the taxels or beyond them";
   if (!task.allow_fft)
     return "it needs an FFT in the controller (tactile_net::spectral): allow_fft";
-  if (!planned.symmetric) return "the array is not mirror symmetric (dead taxels, gains?)";
+  if (!planned.symmetric)
+    return "the array is not mirror symmetric (dead or uneven taxels, gains?)";
   if (task.structure.value_or(Structure::fft) != Structure::fft ||
       task.precision == Precision::float32)
     return "another structure or precision is asked for";

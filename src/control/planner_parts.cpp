@@ -39,21 +39,10 @@ void check(const PlannerOptions& options, std::size_t readings) {
 
 void check_structure(const ProductTask& task, bool symmetric) {
   if (!task.structure) return;
-  const bool skin = task.row_signs.empty();
-  const bool parity = has_parity(*task.structure);
-  const bool reflections = has_reflections(*task.structure);
-  const std::string own(name(*task.structure));
-  if (skin && parity)
-    throw std::invalid_argument("structure " + own + " is of line arrays: a skin has reflections");
-  if (!skin && reflections)
-    throw std::invalid_argument("structure " + own + " is of skins: a line has parity");
-  if (parity && !symmetric)
-    throw std::invalid_argument("the array is not mirror symmetric (dead taxels, gains?): " + own +
-                                " cannot be used");
-  if (reflections && !symmetric)
+  if (has_reflections(*task.structure) && !symmetric)
     throw std::invalid_argument(
-        "the skin does not mirror itself in y and z (uneven taxels, gains?): " + own +
-        " cannot be used");
+        "the array is not mirror symmetric (dead or uneven taxels, gains?): " +
+        std::string(name(*task.structure)) + " cannot be used");
   if (task.structure == Structure::fft && task.precision == Precision::float32)
     throw std::invalid_argument("fft has precision float64 only");
 }

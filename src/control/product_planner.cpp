@@ -24,13 +24,15 @@ constexpr double cost_of_floats = 4096.0;
 /// What a transform of m real values costs, in bytes over m log2(m): measured (bench/fft_bench).
 constexpr double cost_of_a_transform = 25.0;
 
-/// What parting a vector into classes and joining them again costs, in bytes over its length.
+/// What parting a skin's vector into classes and joining them again costs, in bytes over its
+/// length; a line's costs nothing beside its factors.
 constexpr double cost_of_folding = 40.0;
 
-/// Places that a sum over a class adds up before and after its factors.
+/// Places that a skin's sum over a class adds up before and after its factors. Of a line it is one
+/// sum each, which `rounding` has.
 constexpr std::size_t folded_places = 16;
 
-/// How far a skin may be from its images, over |A|: beyond, no class is worth a try.
+/// How far A may be from its images, over |A|: beyond, no class is worth a try.
 constexpr double largest_asymmetry = 1e-6;
 
 /// Bound of one FFT's error over its result, in the 2-norm; see planner.hpp.
@@ -46,33 +48,7 @@ class Planner {
     norm_ = norm_from_below(target);
     explained_norm_ = norm_bound(task.explained);
     whole_.push_back({target, task.row_factors, task.column_factors, task.explained});
-    if (is_skin()) {
-      if (task.row_grid.size() > 0) part_grid();
-      return;
-    }
-    const Eigen::MatrixXd mirror = mirrored(task.matrix, task.row_signs, task.column_signs);
-    asymmetry_ = 0.5 * (task.matrix - mirror).norm();
-    if (!task.symmetric) return;
-    for (const int which : {0, 1}) {
-      const auto factors = [&](const Eigen::VectorXd& all, const Signs& signs) {
-        const Eigen::MatrixXd basis = class_basis(signs, all.size(), which);
-        // Constant within a block, so any entry that the basis vector touches has it.
-        Eigen::VectorXd scale = class_scale(signs, all.size(), which);
-        for (Eigen::Index k = 0; k < basis.cols(); ++k) {
-          Eigen::Index touched = 0;
-          basis.col(k).cwiseAbs().maxCoeff(&touched);
-          scale(k) *= all(touched);
-        }
-        return std::pair(basis, scale);
-      };
-      const auto [rows, row_scale] = factors(task.row_factors, task.row_signs);
-      const auto [columns, column_scale] = factors(task.column_factors, task.column_signs);
-      classes_.push_back({rows.transpose() * task.matrix * columns, row_scale, column_scale,
-                          task.explained.size() > 0
-                              ? Eigen::MatrixXd(columns.transpose() * task.explained)
-                              : Eigen::MatrixXd()});
-    }
-    if (classes_[0].matrix.size() == 0 || classes_[1].matrix.size() == 0) classes_.clear();
+    if (task.row_grid.size() > 0) part_grid();
   }
 
   PlannedProduct plan() {
@@ -109,7 +85,8 @@ class Planner {
     bool exchanged = false;
   };
 
-  [[nodiscard]] bool is_skin() const { return task_.row_signs.empty(); }
+  /// Blocks are single rows.
+  [[nodiscard]] bool is_line() const { return task_.row_grid.rows == 1; }
 
   [[nodiscard]] std::vector<Way> structures() const {
     if (task_.structure) {
@@ -121,15 +98,10 @@ class Planner {
     std::vector<Way> all{{Structure::dense}};
     // Classes are a part of what the others stream: with them, those are never the cheapest.
     const bool symmetric = !classes_.empty();
-    const auto add = [&](Structure plain, Structure low_rank, bool exchanged) {
-      all.push_back({plain, exchanged});
-      all.push_back({low_rank, exchanged});
-    };
-    if (symmetric && is_skin())
-      add(Structure::reflections, Structure::reflections_low_rank, false);
-    else if (symmetric)
-      add(Structure::parity, Structure::parity_low_rank, false);
-    if (!exchanged_.empty()) add(Structure::reflections, Structure::reflections_low_rank, true);
+    for (const bool exchanged : {false, true})
+      if (exchanged ? !exchanged_.empty() : symmetric)
+        for (const Structure structure : {Structure::reflections, Structure::reflections_low_rank})
+          all.push_back({structure, exchanged});
     // Of few live readings the rank is theirs.
     if (!symmetric || task_.all_candidates || task_.fill.size() > 0)
       all.push_back({Structure::low_rank});
@@ -137,7 +109,7 @@ class Planner {
     return all;
   }
 
-  /// The classes of a skin, as far as it has them.
+  /// The classes, as far as there are any.
   void part_grid() {
     GridBlocks rows = task_.row_grid;
     GridBlocks columns = task_.column_grid;
@@ -157,14 +129,14 @@ class Planner {
                                              double& asymmetry) const {
     GridClasses parted = grid_classes_of(task_, rows, columns);
     asymmetry = parted.asymmetry;
-    if (asymmetry > largest_asymmetry * norm_) parted.classes.clear();
+    if (!task_.symmetric || asymmetry > largest_asymmetry * norm_) parted.classes.clear();
     return std::move(parted.classes);
   }
 
   /// Tries transform sizes from 2n - 1 (no wrap-around) down to n and keeps the best. A shorter
   /// transform is cheaper, but what wraps around has to be corrected by a larger low-rank part.
   std::pair<ProductPlan, Candidate> attempt_fft() {
-    const auto n = static_cast<std::size_t>(task_.matrix.rows()) / task_.row_signs.size();
+    const std::size_t n = task_.row_grid.columns;
     std::optional<std::pair<ProductPlan, Candidate>> best;
     std::size_t tried = 0;
     for (const std::size_t least : {2 * n - 1, n + n / 2, n + n / 4, n}) {
@@ -186,16 +158,16 @@ class Planner {
   };
 
   [[nodiscard]] Circulant circulant_of(std::size_t size) const {
-    const Eigen::Index n = task_.matrix.rows() / std::ssize(task_.row_signs);
-    const auto rows = std::ssize(task_.row_signs);
-    const auto columns = std::ssize(task_.column_signs);
-    Circulant circulant{{}, size, classes_, 0.0};
-    Eigen::MatrixXd whole(task_.matrix.rows(), task_.matrix.cols());
+    const auto n = static_cast<Eigen::Index>(task_.row_grid.columns);
+    const auto rows = std::ssize(task_.row_grid.signs_z);
+    const auto columns = std::ssize(task_.column_grid.signs_z);
+    Circulant circulant{{}, size, {}, 0.0};
+    ProductTask rest = task_;
     std::vector<Eigen::MatrixXd> magnitudes(size / 2 + 1, Eigen::MatrixXd(rows, columns));
     for (Eigen::Index u = 0; u < rows; ++u)
       for (Eigen::Index c = 0; c < columns; ++c) {
-        const int sign = task_.row_signs[static_cast<std::size_t>(u)] *
-                         task_.column_signs[static_cast<std::size_t>(c)];
+        const int sign = task_.row_grid.signs_z[static_cast<std::size_t>(u)] *
+                         task_.column_grid.signs_z[static_cast<std::size_t>(c)];
         const double unit = task_.row_factors(u * n) * task_.column_factors(c * n);
         std::vector<double> spectrum =
             circulant_spectrum(task_.matrix.block(u * n, c * n, n, n), sign, size);
@@ -206,16 +178,11 @@ class Planner {
         }
         for (std::size_t k = 0; k < spectrum.size(); ++k)
           magnitudes[k](u, c) = std::abs(spectrum[k]);
-        whole.block(u * n, c * n, n, n) = circulant_corner(spectrum, sign, n);
+        rest.matrix.block(u * n, c * n, n, n) -= circulant_corner(spectrum, sign, n);
       }
     for (const Eigen::MatrixXd& magnitude : magnitudes)
       circulant.norm = std::max(circulant.norm, norm_bound(magnitude));
-    for (const int which : {0, 1}) {
-      MatrixClass& rest = circulant.rest[static_cast<std::size_t>(which)];
-      rest.svd.reset();
-      rest.matrix -= class_basis(task_.row_signs, whole.rows(), which).transpose() * whole *
-                     class_basis(task_.column_signs, whole.cols(), which);
-    }
+    circulant.rest = grid_classes_of(rest, rest.row_grid, rest.column_grid).classes;
     return circulant;
   }
 
@@ -223,13 +190,13 @@ class Planner {
     const double there = transform_rounding(circulant.size);
     // Two transforms; spectrum, scaling, product, sums over blocks and with the correction.
     return circulant.norm * (2.0 * there + there * there +
-                             rounding(Precision::float64, 3 + task_.column_signs.size()));
+                             rounding(Precision::float64, 3 + task_.column_grid.signs_z.size()));
   }
 
   [[nodiscard]] double cost_of(const Circulant& circulant) const {
     const auto m = static_cast<double>(circulant.size);
     return cost_of_a_transform * m * std::log2(m) *
-           static_cast<double>(task_.row_signs.size() + task_.column_signs.size());
+           static_cast<double>(task_.row_grid.signs_z.size() + task_.column_grid.signs_z.size());
   }
 
   /// One factor for each class, or two whose product it is but for what the accuracy allows: the
@@ -260,28 +227,23 @@ class Planner {
   /// @param circulant  for fft: the factors are then of what is left without it
   std::pair<ProductPlan, Candidate> attempt(Structure structure, Precision precision,
                                             const Circulant* circulant, bool exchanged) {
-    const bool parity = has_parity(structure);
     const bool reflections = has_reflections(structure);
     std::vector<MatrixClass> rest;
     if (circulant != nullptr) rest = circulant->rest;
-    std::vector<MatrixClass>& parts = circulant != nullptr    ? rest
-                                      : exchanged             ? exchanged_
-                                      : parity || reflections ? classes_
-                                                              : whole_;
+    std::vector<MatrixClass>& parts = circulant != nullptr ? rest
+                                      : exchanged          ? exchanged_
+                                      : reflections        ? classes_
+                                                           : whole_;
     Candidate candidate{.structure = structure, .precision = precision, .exchanged = exchanged};
 
     auto [first, second] = factors_of(parts, structure);
     for (const Eigen::MatrixXd& last : second)
-      candidate.ranks.push_back(static_cast<std::size_t>(last.cols()));
+      if (last.size() > 0) candidate.ranks.push_back(static_cast<std::size_t>(last.cols()));
 
     ProductPlan plan{.structure = structure,
                      .precision = precision,
                      .rows = static_cast<std::size_t>(task_.matrix.rows()),
                      .columns = static_cast<std::size_t>(task_.matrix.cols())};
-    if (parity) {
-      plan.row_signs = task_.row_signs;
-      plan.column_signs = task_.column_signs;
-    }
     if (reflections) {
       plan.row_grid = task_.row_grid;
       plan.column_grid = task_.column_grid;
@@ -298,8 +260,8 @@ class Planner {
     plan.scale = 1.0 / (shrink_first * shrink_second);
     ProductError error;
     const double asymmetry = exchanged ? exchanged_asymmetry_ : asymmetry_;
-    if (parity || reflections) error = {asymmetry, asymmetry * explained_norm_, 0.0};
-    const double negligible = is_skin() ? 1e-2 * task_.accuracy * std::min(norm_, 1.0) : 0.0;
+    if (reflections) error = {asymmetry, asymmetry * explained_norm_, 0.0};
+    const double negligible = is_line() ? 0.0 : 1e-2 * task_.accuracy * std::min(norm_, 1.0);
     for (std::size_t c = 0; c < parts.size(); ++c) {
       const auto rounded = [&](Eigen::MatrixXd& matrix, double shrink) {
         matrix *= shrink;
@@ -326,11 +288,15 @@ class Planner {
     candidate.bytes = streamed_bytes(plan);
     if (reflections) {
       candidate.bytes += sizeof(double) * task_.filled * plan.columns;
-      candidate.cost +=
-          cost_of_folding * (exchanged ? 1.5 : 1.0) * static_cast<double>(plan.rows + plan.columns);
+      if (!is_line())
+        candidate.cost += cost_of_folding * (exchanged ? 1.5 : 1.0) *
+                          static_cast<double>(plan.rows + plan.columns);
     }
+    const auto multiplied =
+        std::count_if(plan.factors.begin(), plan.factors.end(),
+                      [](const Factor& factor) { return !factor.values.empty(); });
     candidate.cost += static_cast<double>(candidate.bytes) +
-                      cost_of_a_factor * static_cast<double>(plan.factors.size()) +
+                      cost_of_a_factor * static_cast<double>(multiplied) +
                       (precision == Precision::float32 ? cost_of_floats : 0.0);
     candidate.error_bound = std::max((error.matrix + error.rounding) / norm_,
                                      error.explained + error.rounding * explained_norm_);
@@ -342,8 +308,9 @@ class Planner {
   /// With the sums before and after the factors, and where readings are filled in those too.
   [[nodiscard]] double folded_rounding(double factors, Precision precision,
                                        Eigen::Index columns) const {
-    const double more =
-        static_cast<double>(folded_places) / static_cast<double>(columns > 0 ? columns + 3 : 1);
+    const double more = is_line() ? 0.0
+                                  : static_cast<double>(folded_places) /
+                                        static_cast<double>(columns > 0 ? columns + 3 : 1);
     const double of_fill =
         task_.fill.size() > 0
             ? rounding(Precision::float64, static_cast<std::size_t>(task_.fill.cols())) /
@@ -355,7 +322,7 @@ class Planner {
   /// Smallest rank, at least 1, whose discarded part leaves a tenth of the accuracy for rounding.
   [[nodiscard]] Eigen::Index rank_for(const Svd& svd, const Eigen::MatrixXd& explained) const {
     // Of block matrices the error is that of the classes together.
-    const double classes = classes_.empty() ? 1.0 : is_skin() ? 6.0 : 2.0;
+    const double classes = classes_.empty() ? 1.0 : is_line() ? 2.0 : 6.0;
     const double budget = 0.9 / std::sqrt(classes) / fill_norm_ * task_.accuracy;
     Eigen::VectorXd reach = Eigen::VectorXd::Zero(svd.values.size());
     if (explained.size() > 0)

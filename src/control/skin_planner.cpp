@@ -235,6 +235,8 @@ PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& fa
                                 const PlannerOptions& options, const SkinProblem* whole) {
   check(options, problem.weights.size());
   check_sizes(problem, family, whole);
+  if (options.structure == Structure::fft)
+    throw std::invalid_argument("structure fft is of line arrays: a skin has reflections");
   const std::size_t dead = dead_readings(problem);
 
   ProductTask task;
@@ -261,7 +263,6 @@ PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& fa
     task.column_grid = reading_grid(problem);
   }
   if (task.column_grid.size() == 0) task.row_grid = {};
-  task.symmetric = false;  // as a line
 
   PlannedProduct reconstruction = plan_product(task);
   PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),

@@ -5,8 +5,10 @@
 namespace tactile_net {
 
 template <class T>
-BatchProduct<T>::BatchProduct(const ReadyProduct<T>& a, const BatchKernels& loops)
+BatchProduct<T>::BatchProduct(const ReadyProduct<T>& a, const BatchKernels& loops,
+                              const Kernels& frame_loops)
     : loops_(&loops),
+      frame_loops_(&frame_loops),
       input_size_(padded<T>(a.input_size)),
       middle_size_(padded<T>(a.middle_size)),
       output_size_(padded<T>(a.output_size)),
@@ -24,59 +26,53 @@ void BatchProduct<T>::multiply_factor(const Panels<T>& a, const T* x, std::size_
     loops_->factor32(a, {x, x_apart}, {y, y_apart}, frames_, shared);
 }
 
+/// The factors of a class. @param shared  they multiply two vectors of each frame
+template <class T>
+void BatchProduct<T>::multiply_class(const ReadyProduct<T>& a, std::size_t factor, std::size_t from,
+                                     std::size_t to, bool shared) noexcept {
+  const T* const in = input_.data() + from;
+  T* const middle = middle_.data();
+  T* const out = output_.data() + to;
+  if (!is_low_rank(a.structure))
+    return multiply_factor(a.factors[factor], in, input_size_, out, output_size_, shared);
+  multiply_factor(a.factors[factor], in, input_size_, middle, middle_size_, shared);
+  multiply_factor(a.factors[factor + 1], middle, middle_size_, out, output_size_, shared);
+}
+
 template <class T>
 void BatchProduct<T>::multiply(const ReadyProduct<T>& a, FrameVectors<const double> x,
-                               std::span<double* const> y,
-                               std::span<const double> magnitudes) noexcept {
+                               std::span<double* const> y, std::span<const double> magnitudes,
+                               std::span<Moments> moments) noexcept {
   constexpr bool scaled = !std::is_same_v<T, double>;
   frames_ = y.size();
-  const bool low_rank = is_low_rank(a.structure);
-  const auto shrink = [&](std::size_t k) { return scaled ? 1.0 / magnitudes[k] : 1.0; };
-  const auto grow = [&](std::size_t k) { return scaled ? magnitudes[k] * a.scale : a.scale; };
-  const auto multiply_class = [&](std::size_t c, std::size_t from, std::size_t to, bool shared) {
-    const T* const in = input_.data() + from;
-    T* const out = output_.data() + to;
-    if (low_rank) {
-      multiply_factor(a.factors[2 * c], in, input_size_, middle_.data(), middle_size_, shared);
-      multiply_factor(a.factors[2 * c + 1], middle_.data(), middle_size_, out, output_size_,
-                      shared);
-    } else {
-      multiply_factor(a.factors[c], in, input_size_, out, output_size_, shared);
-    }
-  };
-  if (!a.fold_x) {
-    for (std::size_t k = 0; k < frames_; ++k) {
-      const double* const own = x.first + k * x.apart;
-      const double factor = shrink(k);
-      T* const in = input_.data() + k * input_size_;
-      for (std::size_t i = 0; i < a.columns; ++i) in[i] = static_cast<T>(own[i] * factor);
-    }
-    multiply_class(0, 0, 0, false);
-    for (std::size_t k = 0; k < frames_; ++k) {
-      const T* const out = output_.data() + k * output_size_;
-      const double factor = grow(k);
-      for (std::size_t i = 0; i < a.rows; ++i) y[k][i] = factor * static_cast<double>(out[i]);
-    }
-    return;
+  for (std::size_t k = 0; k < frames_; ++k) {
+    const Difference frame{x.first + k * x.apart, zero_.data()};
+    T* const in = input_.data() + k * input_size_;
+    if constexpr (scaled)
+      frame_loops_->part32(a, frame, 1.0 / magnitudes[k], in);
+    else
+      frame_loops_->part64(a, frame, 1.0, in);
   }
-  const Folding<T>& in = *a.fold_x;
-  const Folding<T>& out = *a.fold_y;
-  for (std::size_t k = 0; k < frames_; ++k)
-    in.fold({x.first + k * x.apart, zero_.data()}, shrink(k), input_.data() + k * input_size_);
-  const bool exchanged = in.classes() == 5;
-  for (std::size_t c = 0; c < in.classes(); ++c) {
-    // What is written below is asked for a while before: frames of a recording come from far away.
-    const std::size_t lines = a.rows * sizeof(double) / cache_line;
+  // What is written below is asked for a while before: frames of a recording come from far away.
+  const std::size_t lines = a.rows * sizeof(double) / cache_line;
+  const std::size_t classes = a.classes.size();
+  for (std::size_t c = 0; c < classes; ++c) {
     for (std::size_t k = 0; k < frames_; ++k)
-      for (std::size_t line = c * lines / in.classes(); line < (c + 1) * lines / in.classes();
-           ++line)
+      for (std::size_t line = c * lines / classes; line < (c + 1) * lines / classes; ++line)
         __builtin_prefetch(y[k] + line * cache_line / sizeof(double), 1);
-    const bool shared = exchanged && c == 2;
-    multiply_class(c, in.offset(c), out.offset(c), shared);
-    if (shared) multiply_class(c, in.second_offset(), out.second_offset(), shared);
+    const ProductClass& part = a.classes[c];
+    multiply_class(a, part.factor, part.input, part.output, part.twice);
+    if (part.twice) multiply_class(a, part.factor, part.other_input, part.other_output, true);
   }
-  for (std::size_t k = 0; k < frames_; ++k)
-    out.unfold(output_.data() + k * output_size_, grow(k), y[k]);
+  const std::size_t blocks = moments.size() / frames_;
+  for (std::size_t k = 0; k < frames_; ++k) {
+    T* const out = output_.data() + k * output_size_;
+    const std::span<Moments> each = moments.subspan(k * blocks, blocks);
+    if constexpr (scaled)
+      frame_loops_->join32(a, out, magnitudes[k] * a.scale, y[k], each);
+    else
+      frame_loops_->join64(a, out, a.scale, y[k], each);
+  }
 }
 
 template class BatchProduct<double>;

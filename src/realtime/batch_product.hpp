@@ -15,32 +15,29 @@ namespace tactile_net {
 /// enough for their vectors to stay in a core's own cache.
 inline constexpr std::size_t batch_frames = 2 * batch_tile;
 
-/// Whether a block of frames can be multiplied at once: the sums and differences of a line, and its
-/// moments, come from the loops of a frame alone, and its matrices lie in the innermost cache.
-template <class T>
-[[nodiscard]] bool takes_batches(const ReadyProduct<T>& a) noexcept {
-  return a.fold_x || !has_parity(a.structure);
-}
-
 /// Scratch of one thread, for the products of one estimator.
 template <class T>
 class BatchProduct {
  public:
   BatchProduct() = default;
-  /// @param loops  of the instruction set that `a` was made ready for
-  BatchProduct(const ReadyProduct<T>& a, const BatchKernels& loops);
+  /// @param loops, frame_loops  of the instruction set that `a` was made ready for
+  BatchProduct(const ReadyProduct<T>& a, const BatchKernels& loops, const Kernels& frame_loops);
 
   /// y = A x of each frame.
   /// @param frames      a multiple of `batch_tile`, at most `batch_frames`
   /// @param magnitudes  as those kernels have it, one a frame
+  /// @param moments     as those kernels have it, frame after frame
   void multiply(const ReadyProduct<T>& a, FrameVectors<const double> x, std::span<double* const> y,
-                std::span<const double> magnitudes) noexcept;
+                std::span<const double> magnitudes, std::span<Moments> moments) noexcept;
 
  private:
   void multiply_factor(const Panels<T>& a, const T* x, std::size_t x_apart, T* y,
-                       std::size_t y_apart, bool shared = false) noexcept;
+                       std::size_t y_apart, bool shared) noexcept;
+  void multiply_class(const ReadyProduct<T>& a, std::size_t factor, std::size_t from,
+                      std::size_t to, bool shared) noexcept;
 
   const BatchKernels* loops_ = nullptr;
+  const Kernels* frame_loops_ = nullptr;
   std::size_t frames_ = 0;  // of the block at hand
   std::size_t input_size_ = 0, middle_size_ = 0, output_size_ = 0;
   Aligned<double> zero_{};

@@ -224,7 +224,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
 
   double* const f = estimate.tractions.data();
   std::array<Moments, 2> each;
-  const std::span<Moments> moments(each.data(), ready.cells ? 0 : ready.unknowns);
+  const std::span<Moments> moments(each.data(), ready.blocks());
   if (ready.product64) {
     if (!loops.multiply64(*ready.product64, input.difference, f, scratch.product64.data(), 1.0,
                           moments, input.limit))
@@ -249,9 +249,9 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   return FrameStatus::ok;
 }
 
-void ContactEstimator::finish(ContactEstimate& estimate, const double* x,
-                              const double* explained) noexcept {
-  add_resultant(estimate, {});
+void ContactEstimator::finish(ContactEstimate& estimate, std::span<const Moments> moments,
+                              const double* x, const double* explained) noexcept {
+  add_resultant(estimate, moments);
   if (explained != nullptr) judge(estimate, x, explained);
 }
 

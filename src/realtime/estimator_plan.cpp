@@ -44,6 +44,19 @@ void check_skin(const EstimatorPlan& plan) {
           "windows need one deviation >= 0 per cell, those of cells, and fit into the grid");
 }
 
+/// Moments of each traction come with the product, which has to know where one ends.
+void check_lines(const EstimatorPlan& plan) {
+  const auto has_rows = [](const ProductPlan& product) {
+    return !has_reflections(product.structure) ||
+           (product.row_grid.rows == 1 && product.column_grid.rows == 1);
+  };
+  require(has_rows(plan.reconstruction) && (!plan.prediction || has_rows(*plan.prediction)),
+          "reflections of a line need grids of one row");
+  require(!has_reflections(plan.reconstruction.structure) ||
+              plan.reconstruction.row_grid.signs_z.size() == plan.unknowns,
+          "reflections of a line's tractions need one row for each unknown");
+}
+
 /// After its product. Its blocks are then as many as the unknowns, and the cells no more than in
 /// proportion to the factors' values.
 void check_cells_of_grid(const EstimatorPlan& plan) {
@@ -79,10 +92,12 @@ void check(const EstimatorPlan& plan) {
   require(skin || plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
   require(plan.values >= (skin ? 1 : 2) && plan.values < most, "values must be >= 2");
   if (skin) check_skin(plan);
-  require(skin || (plan.unjudged.empty() && !plan.fill &&
-                   !has_reflections(plan.reconstruction.structure) &&
-                   !(plan.prediction && has_reflections(plan.prediction->structure))),
-          "unjudged taxels, reflections and what dead taxels read are of skins alone");
+  require(skin || (plan.unjudged.empty() && !plan.fill),
+          "unjudged taxels and what dead taxels read are of skins alone");
+  if (!skin) check_lines(plan);
+  require(!skin || (plan.reconstruction.structure != Structure::fft &&
+                    !(plan.prediction && plan.prediction->structure == Structure::fft)),
+          "fft is of lines alone");
   require(std::all_of(plan.unjudged.begin(), plan.unjudged.end(),
                       [&](std::uint32_t taxel) { return taxel < plan.count; }),
           "unjudged taxels must be < count");

@@ -34,10 +34,13 @@ namespace tactile_net {
 
 /// A bound on every number that a product makes of entries <= 1, itself >= 1.
 [[nodiscard]] inline double growth(const ProductPlan& plan) {
+  // Entries in a sum of mirrored places, and sums that a value is put together from: of a row and
+  // its mirror image, or of convolution and correction, two; of two rows and the exchange eight.
+  const double places = plan.row_grid.rows > 1 || plan.column_grid.rows > 1 ? 8.0 : 2.0;
   double most = 1.0;
   const std::size_t per_class = is_low_rank(plan.structure) ? 2 : 1;
   for (std::size_t i = 0; i < plan.factors.size(); i += per_class) {
-    double size = has_reflections(plan.structure) ? 8.0 : 2.0;  // sums of so many entries
+    double size = places;
     for (std::size_t k = 0; k < per_class; ++k) {
       size *= row_sum_norm(plan.factors[i + k]);
       most = std::max({most, size, size * plan.scale, plan.scale});
@@ -47,8 +50,7 @@ namespace tactile_net {
     for (const double value : plan.spectra)
       most = std::max(most, 2.0 * static_cast<double>(plan.transform_size) *
                                 static_cast<double>(plan.columns) * std::abs(value));
-  // Sums of two classes, or of convolution and correction; of reflections of eight.
-  return (has_reflections(plan.structure) ? 8.0 : 2.0) * most;
+  return places * most;
 }
 
 /// What the plan fixes, for every copy and thread.
@@ -125,6 +127,8 @@ struct ContactEstimator::Ready {
   }
 
   [[nodiscard]] std::size_t readings() const noexcept { return taxels.size(); }
+  /// Tractions whose moments a product returns: a line's.
+  [[nodiscard]] std::size_t blocks() const noexcept { return cells ? 0 : unknowns; }
 
   /// What follows the last reading of each channel, whose taxels rise; none: they are not so.
   [[nodiscard]] static std::vector<std::size_t> ends_of_channels(const EstimatorPlan& plan) {

@@ -52,11 +52,31 @@ struct Difference {
   [[nodiscard]] double operator[](std::size_t i) const noexcept { return a[i] - b[i]; }
 };
 
-/// Classes of one side of a product, as its factors take them. Constant after construction.
+/// Where the sums and differences of a block lie, by the parities of rows and values.
+template <class Place>
+struct Quarters {
+  Place plus_plus;
+  Place plus_minus;
+  Place minus_plus;
+  Place minus_minus;
+};
+
+/// Classes of one side of a product, as its factors take them: where each place of a vector goes.
+/// Constant after construction. The loops are in fold_loops.hpp.
 template <class T>
 class Folding {
  public:
   explicit Folding(const GridBlocks& grid);
+
+  [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+  [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+  /// Of each block, among the folded values.
+  [[nodiscard]] const std::vector<Quarters<std::size_t>>& blocks() const noexcept {
+    return blocks_;
+  }
+  [[nodiscard]] bool exchanges() const noexcept { return offsets_.size() == 5; }
+  /// Whether sums and differences of rows are all there is to it.
+  [[nodiscard]] bool is_line() const noexcept { return rows_ == 1 && !exchanges(); }
 
   /// As `class_sizes`; with partners class 2 has a second vector, that of (-, +) exchanged.
   [[nodiscard]] std::size_t classes() const noexcept { return offsets_.size(); }
@@ -64,20 +84,21 @@ class Folding {
   [[nodiscard]] std::size_t offset(std::size_t of) const noexcept { return offsets_[of]; }
   /// Of the second vector of class 2.
   [[nodiscard]] std::size_t second_offset() const noexcept { return second_; }
-  /// Values of T that `fold` and `unfold` write: the folded ones, and what comes between.
+  /// Values of T that folding and its way back write: the folded ones, and what comes between.
   [[nodiscard]] std::size_t scratch_size() const noexcept { return size_; }
 
-  /// Sums and differences of x times a factor.
-  void fold(Difference x, double factor, T* folded) const noexcept;
-  /// The way back: plain sums of classes, times a factor.
-  void unfold(T* folded, double factor, double* y) const noexcept;
+  /// From the classes of the reflections to those of the exchange, and back. @pre  partners
+  void part_exchanged(T* folded) const noexcept;
+  void join_exchanged(T* folded) const noexcept;
 
  private:
   struct Exchange {  // of one class
     std::vector<std::uint32_t> first{}, second{}, alone{};
   };
 
-  GridBlocks grid_;
+  std::size_t rows_;
+  std::size_t columns_;
+  std::vector<Quarters<std::size_t>> blocks_{};
   std::array<std::size_t, 4> reflected_{};  // where each class of the reflections begins
   std::vector<std::size_t> offsets_{};
   std::size_t second_ = 0;

@@ -5,21 +5,22 @@
 namespace tactile_net {
 
 std::unique_ptr<ContactEstimator::FrameBlock> ContactEstimator::FrameBlock::of(const Ready& ready) {
-  if (!ready.cells) return nullptr;  // a line's moments come from the loops of a frame alone
-  const bool fits =
-      (ready.product64 ? takes_batches(*ready.product64) : takes_batches(*ready.product32)) &&
-      (!ready.prediction || takes_batches(*ready.prediction));
-  return fits ? std::make_unique<FrameBlock>(ready) : nullptr;
+  const auto is_fft = [](const std::optional<ReadyProduct<double>>& product) {
+    return product && product->structure == Structure::fft;
+  };
+  if (is_fft(ready.product64) || is_fft(ready.prediction)) return nullptr;
+  return std::make_unique<FrameBlock>(ready);
 }
 
 ContactEstimator::FrameBlock::FrameBlock(const Ready& ready)
     : apart(padded<double>(ready.readings())),
       x(batch_frames * apart),
-      explained(ready.prediction ? batch_frames * apart : 0) {
+      explained(ready.prediction ? batch_frames * apart : 0),
+      blocks(ready.blocks()) {
   const BatchKernels& loops = batch_kernels(ready.set);
-  if (ready.product64) product64 = BatchProduct<double>(*ready.product64, loops);
-  if (ready.product32) product32 = BatchProduct<float>(*ready.product32, loops);
-  if (ready.prediction) prediction = BatchProduct<double>(*ready.prediction, loops);
+  if (ready.product64) product64 = BatchProduct<double>(*ready.product64, loops, ready.loops);
+  if (ready.product32) product32 = BatchProduct<float>(*ready.product32, loops, ready.loops);
+  if (ready.prediction) prediction = BatchProduct<double>(*ready.prediction, loops, ready.loops);
 }
 
 void ContactEstimator::FrameBlock::multiply(const Ready& ready) noexcept {
@@ -28,16 +29,17 @@ void ContactEstimator::FrameBlock::multiply(const Ready& ready) noexcept {
     if (ready.product32) magnitudes[k] = magnitude_of(ready.loops, x_of(k), ready.readings());
   }
   const std::span<double* const> to(outputs.data(), size);
+  const std::span<Moments> each(moments.data(), size * blocks);
   if (ready.product64)
-    product64.multiply(*ready.product64, {x.data(), apart}, to, magnitudes);
+    product64.multiply(*ready.product64, {x.data(), apart}, to, magnitudes, each);
   else
-    product32.multiply(*ready.product32, {x.data(), apart}, to, magnitudes);
+    product32.multiply(*ready.product32, {x.data(), apart}, to, magnitudes, each);
 }
 
 void ContactEstimator::FrameBlock::predict(const Ready& ready) noexcept {
   for (std::size_t k = 0; k < size; ++k) outputs[k] = explained_of(k);
   prediction.multiply(*ready.prediction, {x.data(), apart}, std::span(outputs.data(), size),
-                      magnitudes);
+                      magnitudes, {});
 }
 
 /// Multiplies the frames that wait in the block, and ends them as `update` does.
@@ -49,7 +51,8 @@ void ContactEstimator::solve_block() noexcept {
   for (std::size_t k = 0; k < block.size; ++k) {
     ContactEstimate& estimate = *block.waiting[k].estimate;
     estimate.saturated = block.waiting[k].saturated;
-    finish(estimate, block.x_of(k), ready.prediction ? block.explained_of(k) : nullptr);
+    finish(estimate, block.moments_of(k), block.x_of(k),
+           ready.prediction ? block.explained_of(k) : nullptr);
   }
   block.size = 0;
 }

@@ -18,7 +18,7 @@ struct ContactEstimator::FrameBlock {
     bool saturated = false;
   };
 
-  /// Absent where no block can be multiplied at once.
+  /// Absent where a convolution takes one frame at a time.
   static std::unique_ptr<FrameBlock> of(const Ready& ready);
   explicit FrameBlock(const Ready& ready);
 
@@ -26,8 +26,11 @@ struct ContactEstimator::FrameBlock {
   [[nodiscard]] double* explained_of(std::size_t frame) const noexcept {
     return explained.data() + frame * apart;
   }
+  [[nodiscard]] std::span<const Moments> moments_of(std::size_t frame) const noexcept {
+    return {moments.data() + frame * blocks, blocks};
+  }
 
-  /// Tractions of the frames that wait. @pre  whole tiles of them
+  /// Tractions of the frames that wait, and of a line their moments. @pre  whole tiles of them
   void multiply(const Ready& ready) noexcept;
   /// What they explain. @pre  the plan has a prediction
   void predict(const Ready& ready) noexcept;
@@ -39,6 +42,8 @@ struct ContactEstimator::FrameBlock {
   std::size_t apart;                              // values from one frame to the next
   Aligned<double> x;
   Aligned<double> explained;
+  std::size_t blocks;  // of tractions whose moments are wanted
+  std::array<Moments, 2 * batch_frames> moments{};
   BatchProduct<double> product64{}, prediction{};
   BatchProduct<float> product32{};
 };

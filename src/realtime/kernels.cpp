@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "realtime/fold_loops.hpp"
 #include "realtime/lanes.hpp"
 #include "realtime/panel_loops.hpp"
 
@@ -51,128 +52,74 @@ template <int Bytes>
   return all >> 63 != 0;
 }
 
-/// Sums and differences of x = a - b, class by class; see product_plan.hpp.
+/// Sums of a class; `factor(A, x, y)` multiplies by one factor, `twice` two vectors.
+template <class T>
+[[gnu::always_inline]] inline void multiply_class(const ReadyProduct<T>& a,
+                                                  const ProductClass& part, const T* input,
+                                                  T* middle, T* output, const auto& factor,
+                                                  const auto& twice) noexcept {
+  const Panels<T>* const first = &a.factors[part.factor];
+  const T* const from = input + part.input;
+  T* const to = output + part.output;
+  const bool low_rank = is_low_rank(a.structure);
+  if (!part.twice) {
+    if (!low_rank) return factor(first[0], from, to);
+    factor(first[0], from, middle);
+    return factor(first[1], middle, to);
+  }
+  const T* const other_from = input + part.other_input;
+  T* const other_to = output + part.other_output;
+  if (!low_rank) return twice(first[0], from, other_from, to, other_to);
+  T* const other_middle = middle + a.middle_size / 2;
+  twice(first[0], from, other_from, middle, other_middle);
+  twice(first[1], middle, other_middle, to, other_to);
+}
+
+/// Into classes. Lines are folded in here, grids by a call: lines have their registers to
+/// themselves.
 template <int Bytes, class T>
-[[gnu::always_inline]] inline void split(const std::vector<std::int8_t>& signs, std::size_t n,
-                                         Difference x, double factor, T* even, T* odd) noexcept {
-  constexpr std::size_t lanes = Bytes / sizeof(double);
-  constexpr int stored = static_cast<int>(lanes * sizeof(T));
-  using Stored = typename Vector<T, stored>::type;
-  const std::size_t half = n / 2;
-  for (const std::int8_t sign : signs) {
-    T* const sums = sign > 0 ? even : odd;
-    T* const differences = sign > 0 ? odd : even;
-    const auto values = [&](std::size_t i) { return load<Bytes>(x.a + i) - load<Bytes>(x.b + i); };
-    cover<lanes>(
-        half,
-        [&](std::size_t i, std::size_t) {
-          const auto a = values(i) * factor;
-          const auto b =
-              reversed(values(n - i - lanes) * factor, std::make_index_sequence<lanes>());
-          store<stored>(sums + i, __builtin_convertvector(a + b, Stored));
-          store<stored>(differences + i, __builtin_convertvector(a - b, Stored));
-        },
-        [&](std::size_t i) {
-          const double a = x[i] * factor;
-          const double b = x[n - 1 - i] * factor;
-          sums[i] = static_cast<T>(a + b);
-          differences[i] = static_cast<T>(a - b);
-        });
-    if (n % 2 != 0) sums[half] = static_cast<T>(x[half] * factor);
-    even += sign > 0 ? n - half : half;
-    odd += sign > 0 ? half : n - half;
-    x.a += n;
-    x.b += n;
+[[gnu::always_inline]] inline void part(const ReadyProduct<T>& a, Difference x, double factor,
+                                        T* input, const auto& fold) noexcept {
+  if (!a.fold_x)
+    for (std::size_t i = 0; i < a.columns; ++i) input[i] = static_cast<T>(x[i] * factor);
+  else if (a.fold_x->is_line())
+    fold_line<Bytes>(*a.fold_x, x, factor, input);
+  else
+    fold(*a.fold_x, x, factor, input);
+}
+
+/// The way back.
+template <int Bytes, class T>
+[[gnu::always_inline]] inline void join(const ReadyProduct<T>& a, T* output, double factor,
+                                        double* y, std::span<Moments> moments,
+                                        const auto& unfold) noexcept {
+  if (!a.fold_y) {
+    for (std::size_t i = 0; i < a.rows; ++i) y[i] = factor * static_cast<double>(output[i]);
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      moments[i] = moments_of<Bytes>(y + i * (a.rows / moments.size()), a.rows / moments.size());
+  } else if (a.fold_y->is_line()) {
+    unfold_line<Bytes>(*a.fold_y, output, factor, y, moments.empty() ? nullptr : moments.data());
+  } else {
+    unfold(*a.fold_y, output, factor, y);
   }
 }
 
-/// The way back: y from its classes, and the moments of each block if they are wanted.
-template <int Bytes, class T>
-[[gnu::always_inline]] inline void merge(const std::vector<std::int8_t>& signs, std::size_t n,
-                                         const T* even, const T* odd, double factor, double* y,
-                                         Moments* moments) noexcept {
-  constexpr std::size_t lanes = Bytes / sizeof(double);
-  constexpr int stored = static_cast<int>(lanes * sizeof(T));
-  using V = typename Vector<double, Bytes>::type;
-  const std::size_t half = n / 2;
-  const double centre = 0.5 * static_cast<double>(n - 1);
-  for (const std::int8_t sign : signs) {
-    const T* const sums = sign > 0 ? even : odd;
-    const T* const differences = sign > 0 ? odd : even;
-    V sum{};
-    V first{};
-    Moments rest;
-    cover<lanes>(
-        half,
-        [&](std::size_t i, std::size_t fresh) {
-          const V s = __builtin_convertvector(load<stored>(sums + i), V);
-          const V d = __builtin_convertvector(load<stored>(differences + i), V);
-          store<Bytes>(y + i, factor * (s + d));
-          store<Bytes>(y + n - i - lanes,
-                       reversed(factor * (s - d), std::make_index_sequence<lanes>()));
-          sum += without(s, lanes - fresh);
-          first += counted<Bytes>(i, centre) * without(d, lanes - fresh);
-        },
-        [&](std::size_t i) {
-          const double s = static_cast<double>(sums[i]);
-          const double d = static_cast<double>(differences[i]);
-          y[i] = factor * (s + d);
-          y[n - 1 - i] = factor * (s - d);
-          rest.sum += s;
-          rest.first += (static_cast<double>(i) - centre) * d;
-        });
-    double middle = 0.0;
-    if (n % 2 != 0) {
-      middle = static_cast<double>(sums[half]);
-      y[half] = factor * middle;
-    }
-    even += sign > 0 ? n - half : half;
-    odd += sign > 0 ? half : n - half;
-    // A pair adds (s + d) + (s - d), and (i - c)((s + d) - (s - d)).
-    if (moments != nullptr)
-      *moments++ = {factor * (2.0 * (total(sum) + rest.sum) + middle),
-                    factor * 2.0 * (total(first) + rest.first)};
-    y += n;
-  }
-}
-
-/// `factor(A, x, y)` multiplies by one factor.
 template <int Bytes, class T>
 [[gnu::always_inline]] inline bool multiply(const ReadyProduct<T>& a, Difference x, double* y,
                                             T* scratch, double magnitude,
                                             std::span<Moments> moments, std::uint64_t limit,
-                                            const auto& factor) noexcept {
+                                            const auto& factor, const auto& twice, const auto& fold,
+                                            const auto& unfold) noexcept {
   if (limit != unlimited && is_beyond(x, a.columns, limit)) return false;
   T* const input = scratch;
   T* const middle = scratch + a.input_size;
   T* const output = middle + a.middle_size;
   // Doubles need no scaling, nor the wait for a division.
-  const double shrink = sizeof(T) == sizeof(double) ? 1.0 : 1.0 / magnitude;
-  const double grow = sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale;
-  const bool low_rank = is_low_rank(a.structure);
-  if (!has_parity(a.structure)) {
-    for (std::size_t i = 0; i < a.columns; ++i) input[i] = static_cast<T>(x[i] * shrink);
-    if (low_rank) factor(a.factors[0], input, middle);
-    factor(a.factors[low_rank ? 1 : 0], low_rank ? middle : input, output);
-    for (std::size_t i = 0; i < a.rows; ++i) y[i] = grow * static_cast<double>(output[i]);
-    for (std::size_t i = 0; i < moments.size(); ++i)
-      moments[i] = moments_of<Bytes>(y + i * (a.rows / moments.size()), a.rows / moments.size());
-  } else {
-    T* const odd_input = input + a.even_input_size;
-    T* const odd_output = output + a.even_output_size;
-    split<Bytes>(a.column_signs, a.column_block, x, shrink, input, odd_input);
-    if (low_rank) {
-      factor(a.factors[0], input, middle);
-      factor(a.factors[1], middle, output);
-      factor(a.factors[2], odd_input, middle);
-      factor(a.factors[3], middle, odd_output);
-    } else {
-      factor(a.factors[0], input, output);
-      factor(a.factors[1], odd_input, odd_output);
-    }
-    merge<Bytes>(a.row_signs, a.row_block, output, odd_output, grow, y,
-                 moments.empty() ? nullptr : moments.data());
-  }
+  part<Bytes>(a, x, sizeof(T) == sizeof(double) ? 1.0 : 1.0 / magnitude, input, fold);
+  for (const ProductClass& one : a.classes)
+    multiply_class(a, one, input, middle, output, factor, twice);
+  join<Bytes>(a, output, sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale, y, moments,
+              unfold);
   return true;
 }
 
@@ -253,48 +200,6 @@ template <int Bytes>
   return misfit;
 }
 
-/// Class by class of the reflections; that of (+, -) is (-, +)'s too where y and z are exchanged.
-/// Apart from the above, so that lines have their registers to themselves.
-///
-/// @param factor  one vector, by one factor of this instruction set
-/// @param twice   two vectors
-template <class T>
-[[gnu::noinline]] bool multiply_classes(const ReadyProduct<T>& a, Difference x, double* y,
-                                        T* scratch, double magnitude, std::uint64_t limit,
-                                        void (*factor)(const Panels<T>&, const T*, T*) noexcept,
-                                        void (*twice)(const Panels<T>&, const T*, const T*, T*,
-                                                      T*) noexcept) noexcept {
-  if (limit != unlimited && is_beyond(x, a.columns, limit)) return false;
-  T* const input = scratch;
-  T* const middle = scratch + a.input_size;
-  T* const other_middle = middle + a.middle_size / 2;
-  T* const output = middle + a.middle_size;
-  const Folding<T>& in = *a.fold_x;
-  const Folding<T>& out = *a.fold_y;
-  in.fold(x, sizeof(T) == sizeof(double) ? 1.0 : 1.0 / magnitude, input);
-  const bool low_rank = is_low_rank(a.structure);
-  const std::size_t shared = in.classes() == 5 ? 2 : in.classes();
-  for (std::size_t c = 0; c < in.classes(); ++c) {
-    const T* const from = input + in.offset(c);
-    T* const to = output + out.offset(c);
-    const T* const other_from = input + in.second_offset();
-    T* const other_to = output + out.second_offset();
-    if (c != shared && low_rank) {
-      factor(a.factors[2 * c], from, middle);
-      factor(a.factors[2 * c + 1], middle, to);
-    } else if (c != shared) {
-      factor(a.factors[c], from, to);
-    } else if (low_rank) {
-      twice(a.factors[2 * c], from, other_from, middle, other_middle);
-      twice(a.factors[2 * c + 1], middle, other_middle, to, other_to);
-    } else {
-      twice(a.factors[c], from, other_from, to, other_to);
-    }
-  }
-  out.unfold(output, sizeof(T) == sizeof(double) ? a.scale : magnitude * a.scale, y);
-  return true;
-}
-
 }  // namespace
 
 // One set of entries for each instruction set; the attribute is all that differs.
@@ -325,17 +230,49 @@ template <class T>
                                         const float* other_x, float* y, float* other_y) noexcept { \
     multiply_factor_twice<BYTES>(a, x, other_x, y, other_y);                                       \
   }                                                                                                \
+  TARGET [[gnu::noinline]] void fold64(const Folding<double>& to, Difference x, double factor,     \
+                                       double* folded) noexcept {                                  \
+    fold_grid<BYTES>(to, x, factor, folded);                                                       \
+  }                                                                                                \
+  TARGET [[gnu::noinline]] void fold32(const Folding<float>& to, Difference x, double factor,      \
+                                       float* folded) noexcept {                                   \
+    fold_grid<BYTES>(to, x, factor, folded);                                                       \
+  }                                                                                                \
+  TARGET [[gnu::noinline]] void unfold64(const Folding<double>& from, double* folded,              \
+                                         double factor, double* y) noexcept {                      \
+    unfold_grid<BYTES>(from, folded, factor, y);                                                   \
+  }                                                                                                \
+  TARGET [[gnu::noinline]] void unfold32(const Folding<float>& from, float* folded, double factor, \
+                                         double* y) noexcept {                                     \
+    unfold_grid<BYTES>(from, folded, factor, y);                                                   \
+  }                                                                                                \
+  TARGET void part64(const ReadyProduct<double>& a, Difference x, double factor,                   \
+                     double* input) noexcept {                                                     \
+    part<BYTES>(a, x, factor, input, fold64);                                                      \
+  }                                                                                                \
+  TARGET void part32(const ReadyProduct<float>& a, Difference x, double factor,                    \
+                     float* input) noexcept {                                                      \
+    part<BYTES>(a, x, factor, input, fold32);                                                      \
+  }                                                                                                \
+  TARGET void join64(const ReadyProduct<double>& a, double* output, double factor, double* y,      \
+                     std::span<Moments> moments) noexcept {                                        \
+    join<BYTES>(a, output, factor, y, moments, unfold64);                                          \
+  }                                                                                                \
+  TARGET void join32(const ReadyProduct<float>& a, float* output, double factor, double* y,        \
+                     std::span<Moments> moments) noexcept {                                        \
+    join<BYTES>(a, output, factor, y, moments, unfold32);                                          \
+  }                                                                                                \
   TARGET bool multiply64(const ReadyProduct<double>& a, Difference x, double* y, double* scratch,  \
                          double magnitude, std::span<Moments> moments,                             \
                          std::uint64_t limit) noexcept {                                           \
-    if (a.fold_x) return multiply_classes(a, x, y, scratch, magnitude, limit, factor64, twice64);  \
-    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor64);                 \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor64, twice64, fold64, \
+                           unfold64);                                                              \
   }                                                                                                \
   TARGET bool multiply32(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,    \
                          double magnitude, std::span<Moments> moments,                             \
                          std::uint64_t limit) noexcept {                                           \
-    if (a.fold_x) return multiply_classes(a, x, y, scratch, magnitude, limit, factor32, twice32);  \
-    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor32);                 \
+    return multiply<BYTES>(a, x, y, scratch, magnitude, moments, limit, factor32, twice32, fold32, \
+                           unfold32);                                                              \
   }                                                                                                \
   TARGET double dot(const double* a, const double* b, std::size_t n) noexcept {                    \
     return dot_of<BYTES>(a, b, n);                                                                 \
@@ -353,6 +290,10 @@ template <class T>
                         largest,                                                                   \
                         multiply64,                                                                \
                         multiply32,                                                                \
+                        part64,                                                                    \
+                        part32,                                                                    \
+                        join64,                                                                    \
+                        join32,                                                                    \
                         dot,                                                                       \
                         stretches,                                                                 \
                         misfit};                                                                   \

@@ -48,6 +48,15 @@ struct Kernels {
                      double magnitude, std::span<Moments> moments, std::uint64_t limit) noexcept;
   bool (*multiply32)(const ReadyProduct<float>& a, Difference x, double* y, float* scratch,
                      double magnitude, std::span<Moments> moments, std::uint64_t limit) noexcept;
+  /// x times a factor as the factors of A take it, and y of what they give, times another: what a
+  /// product does before and after them, for who applies these to many frames at once.
+  void (*part64)(const ReadyProduct<double>& a, Difference x, double factor,
+                 double* input) noexcept;
+  void (*part32)(const ReadyProduct<float>& a, Difference x, double factor, float* input) noexcept;
+  void (*join64)(const ReadyProduct<double>& a, double* output, double factor, double* y,
+                 std::span<Moments> moments) noexcept;
+  void (*join32)(const ReadyProduct<float>& a, float* output, double factor, double* y,
+                 std::span<Moments> moments) noexcept;
   double (*dot)(const double* a, const double* b, std::size_t n) noexcept;
   /// Stretches of values above a share in (0, 1) of the largest one; 0: none is above 0.
   std::size_t (*stretches)(const double* p, std::size_t n, double share) noexcept;

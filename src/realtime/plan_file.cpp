@@ -52,14 +52,14 @@ class Writer {
     size(values.size());
     for (const std::int8_t value : values) integer(static_cast<std::uint8_t>(value));
   }
-  void product(const ProductPlan& plan) {
+  void product(const ProductPlan& plan, PlanVersion version) {
     integer(static_cast<std::uint8_t>(plan.structure));
     integer(static_cast<std::uint8_t>(plan.precision));
     size(plan.rows);
     size(plan.columns);
     number(plan.scale);
-    signs(plan.row_signs);
-    signs(plan.column_signs);
+    if (version < PlanVersion::lines)
+      for (int side = 0; side < 2; ++side) signs({});  // of lines alone
     size(plan.factors.size());
     for (const Factor& factor : plan.factors) {
       size(factor.rows);
@@ -102,6 +102,17 @@ class Writer {
  private:
   std::vector<std::byte> bytes_;
 };
+
+// What versions before `PlanVersion::lines` call reflections of lines. These, and fft there, have a
+// sign for each block in place of grids, and the factors of (+, +) and (+, -) alone.
+constexpr std::uint8_t older_parity = 2;
+constexpr std::uint8_t older_parity_low_rank = 3;
+
+GridBlocks line_of(std::size_t size, std::vector<std::int8_t> signs) {
+  if (signs.empty() || size % signs.size() != 0)
+    throw std::runtime_error("the plan's blocks are not of equal length");
+  return line_blocks(size / signs.size(), std::move(signs));
+}
 
 /// Never reads beyond the end, never reserves more than what is left can hold.
 class Reader {
@@ -147,15 +158,25 @@ class Reader {
     for (std::int8_t& value : values) value = static_cast<std::int8_t>(integer<std::uint8_t>());
     return values;
   }
-  ProductPlan product() {
+  ProductPlan product(PlanVersion version) {
     ProductPlan plan;
-    plan.structure = static_cast<Structure>(integer<std::uint8_t>());
+    const auto structure = integer<std::uint8_t>();
+    const bool older = version < PlanVersion::lines;
+    plan.structure = older && structure == older_parity ? Structure::reflections
+                     : older && structure == older_parity_low_rank
+                         ? Structure::reflections_low_rank
+                         : static_cast<Structure>(structure);
     plan.precision = static_cast<Precision>(integer<std::uint8_t>());
+    if (!is_known(plan.structure) || !is_known(plan.precision))
+      throw std::runtime_error("product plan: structure or precision is unknown");
     plan.rows = size();
     plan.columns = size();
     plan.scale = number();
-    plan.row_signs = signs();
-    plan.column_signs = signs();
+    std::vector<std::int8_t> row_signs, column_signs;
+    if (older) {
+      row_signs = signs();
+      column_signs = signs();
+    }
     const std::size_t bytes = plan.precision == Precision::float64 ? 8 : 4;
     plan.factors.resize(length(2 * sizeof(std::uint64_t)));
     for (Factor& factor : plan.factors) {
@@ -171,8 +192,16 @@ class Reader {
       plan.transform_size = size();
       plan.spectra = numbers();
     }
-    if (has_reflections(plan.structure))
+    const bool signs_alone =
+        older && (structure == older_parity || structure == older_parity_low_rank ||
+                  plan.structure == Structure::fft);
+    if (signs_alone) {
+      plan.row_grid = line_of(plan.rows, std::move(row_signs));
+      plan.column_grid = line_of(plan.columns, std::move(column_signs));
+      plan.factors.resize(2 * plan.factors.size());  // the other two classes have no places
+    } else if (has_reflections(plan.structure)) {
       for (GridBlocks* blocks : {&plan.row_grid, &plan.column_grid}) *blocks = grid();
+    }
     return plan;
   }
   GridBlocks grid() {
@@ -217,7 +246,8 @@ class Reader {
   std::span<const std::byte> rest_;
 };
 
-PlanVersion version_of(const EstimatorPlan& plan) {
+/// The first version that has what a plan holds beside its products.
+PlanVersion version_beside_products(const EstimatorPlan& plan) {
   if (plan.known_offsets || !plan.border.empty()) return PlanVersion::border;
   if (plan.cells)
     return plan.cells->window_deviations.empty() ? PlanVersion::skin : PlanVersion::windows;
@@ -226,6 +256,13 @@ PlanVersion version_of(const EstimatorPlan& plan) {
     return PlanVersion::doubts;
   if (plan.values != plan.count || plan.centre != 0.0) return PlanVersion::surface;
   return plan.baseline.empty() ? PlanVersion::readings : PlanVersion::baseline;
+}
+
+PlanVersion version_of(const EstimatorPlan& plan) {
+  const bool folds_lines =
+      !plan.cells && (has_reflections(plan.reconstruction.structure) ||
+                      (plan.prediction && has_reflections(plan.prediction->structure)));
+  return folds_lines ? PlanVersion::lines : version_beside_products(plan);
 }
 
 EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion version) {
@@ -240,8 +277,8 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
   plan.alpha = in.number();
   plan.accuracy = in.number();
   plan.error_bound = in.number();
-  plan.reconstruction = in.product();
-  if (in.flag()) plan.prediction = in.product();
+  plan.reconstruction = in.product(version);
+  if (in.flag()) plan.prediction = in.product(version);
   plan.weights = in.numbers();
   plan.leverages = in.numbers();
   plan.noise_rms = in.number();
@@ -284,7 +321,7 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
     plan.border = in.indices();
     plan.known_offsets = in.flag();
   }
-  if (version_of(plan) != version)
+  if ((version < PlanVersion::lines ? version_beside_products(plan) : version_of(plan)) != version)
     throw std::runtime_error("the plan holds nothing of what its version is for");
   if (!in.at_end()) throw std::runtime_error("the plan goes on after its end");
   check(plan);
@@ -295,6 +332,7 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
 
 std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
   check(plan);
+  const PlanVersion version = version_of(plan);
   Writer payload;
   payload.size(plan.label.size());
   payload.text(plan.label);
@@ -305,9 +343,9 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
   payload.number(plan.alpha);
   payload.number(plan.accuracy);
   payload.number(plan.error_bound);
-  payload.product(plan.reconstruction);
+  payload.product(plan.reconstruction, version);
   payload.integer<std::uint8_t>(plan.prediction.has_value());
-  if (plan.prediction) payload.product(*plan.prediction);
+  if (plan.prediction) payload.product(*plan.prediction, version);
   payload.numbers(plan.weights);
   payload.numbers(plan.leverages);
   payload.number(plan.noise_rms);
@@ -320,7 +358,6 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.number(range.highest);
   }
 
-  const PlanVersion version = version_of(plan);
   if (version >= PlanVersion::baseline) payload.numbers(plan.baseline);
   if (version >= PlanVersion::surface) {
     payload.size(plan.values);

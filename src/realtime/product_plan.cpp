@@ -17,14 +17,6 @@ void require_of_product(bool holds, const char* rule) {
   if (!holds) throw std::invalid_argument(std::string("product plan: ") + rule);
 }
 
-void check_signs(const std::vector<std::int8_t>& signs, std::size_t size) {
-  require_of_product(!signs.empty() && size % signs.size() == 0,
-                     "parity needs the signs of blocks of equal length");
-  require_of_product(
-      std::all_of(signs.begin(), signs.end(), [](int sign) { return sign == 1 || sign == -1; }),
-      "a block's sign must be 1 or -1");
-}
-
 /// @param empty  of a class that a narrow grid has no place for
 void check_values(const Factor& factor, Precision precision, bool empty) {
   require_of_product(
@@ -49,19 +41,20 @@ bool is_transform_size(std::size_t size) {
   return size == 1;
 }
 
-/// After the signs.
+/// After the grids.
 void check_convolution(const ProductPlan& plan) {
   require_of_product(plan.precision == Precision::float64 && plan.scale == 1.0,
                      "fft needs precision float64 and scale 1");
-  const std::size_t n = plan.rows / plan.row_signs.size();
-  require_of_product(plan.columns / plan.column_signs.size() == n,
-                     "fft needs blocks of one length");
+  const std::size_t n = plan.row_grid.columns;
+  require_of_product(plan.row_grid.rows == 1 && plan.column_grid.rows == 1 &&
+                         plan.row_grid.partners.empty() && plan.column_grid.columns == n,
+                     "fft needs lines: blocks of one row and one length, without partners");
   require_of_product(
       is_transform_size(plan.transform_size) && plan.transform_size >= n,
       "the transform's size must be even, at least a block's, < 2^30, and without a prime "
       "factor above 7");
   const std::size_t bins = plan.transform_size / 2 + 1;
-  const std::size_t blocks = plan.row_signs.size() * plan.column_signs.size();
+  const std::size_t blocks = plan.row_grid.signs_z.size() * plan.column_grid.signs_z.size();
   require_of_product(plan.spectra.size() % bins == 0 && plan.spectra.size() / bins == blocks,
                      "fft needs a spectrum for each block");
   require_of_product(std::all_of(plan.spectra.begin(), plan.spectra.end(),
@@ -79,7 +72,10 @@ void check_grid(const GridBlocks& grid, std::size_t size) {
                          grid.signs_y.size() <= size / (grid.rows * grid.columns) &&
                          grid.size() == size,
                      "the grids do not fit the product's size");
-  for (const auto* signs : {&grid.signs_y, &grid.signs_z}) check_signs(*signs, size);
+  for (const auto* signs : {&grid.signs_y, &grid.signs_z})
+    require_of_product(
+        std::all_of(signs->begin(), signs->end(), [](int sign) { return sign == 1 || sign == -1; }),
+        "a block's sign must be 1 or -1");
   if (grid.partners.empty()) return;
   require_of_product(grid.rows == grid.columns && grid.partners.size() == grid.signs_y.size(),
                      "partners need square grids, and one for each block");
@@ -106,12 +102,7 @@ ClassesOf classes_of(const ProductPlan& plan) {
   }
   require_of_product(plan.row_grid.size() == 0 && plan.column_grid.size() == 0,
                      "grids belong to reflections alone");
-  if (!has_parity(plan.structure)) return {{plan.columns}, {plan.rows}};
-  check_signs(plan.row_signs, plan.rows);
-  check_signs(plan.column_signs, plan.columns);
-  const ClassSizes in = class_sizes(plan.column_signs, plan.columns);
-  const ClassSizes out = class_sizes(plan.row_signs, plan.rows);
-  return {{in.even, in.odd}, {out.even, out.odd}};
+  return {{plan.columns}, {plan.rows}};
 }
 
 }  // namespace
@@ -122,10 +113,6 @@ std::string_view name(Structure structure) noexcept {
       return "dense";
     case Structure::low_rank:
       return "low_rank";
-    case Structure::parity:
-      return "parity";
-    case Structure::parity_low_rank:
-      return "parity_low_rank";
     case Structure::fft:
       return "fft";
     case Structure::reflections:
@@ -140,14 +127,11 @@ std::string_view name(Precision precision) noexcept {
   return precision == Precision::float64 ? "float64" : "float32";
 }
 
-ClassSizes class_sizes(const std::vector<std::int8_t>& signs, std::size_t size) noexcept {
-  ClassSizes sizes;
-  const std::size_t n = size / signs.size();
-  for (const std::int8_t sign : signs) {
-    (sign > 0 ? sizes.even : sizes.odd) += n - n / 2;
-    (sign > 0 ? sizes.odd : sizes.even) += n / 2;
-  }
-  return sizes;
+GridBlocks line_blocks(std::size_t count, std::vector<std::int8_t> signs) {
+  GridBlocks blocks{.rows = 1, .columns = count};
+  blocks.signs_y.assign(signs.size(), 1);
+  blocks.signs_z = std::move(signs);
+  return blocks;
 }
 
 std::vector<std::size_t> class_sizes(const GridBlocks& grid) {
@@ -168,9 +152,8 @@ std::vector<std::size_t> class_sizes(const GridBlocks& grid) {
 }
 
 void check(const ProductPlan& plan) {
-  require_of_product(
-      plan.structure <= Structure::reflections_low_rank && plan.precision <= Precision::float32,
-      "structure or precision is unknown");
+  require_of_product(is_known(plan.structure) && is_known(plan.precision),
+                     "structure or precision is unknown");
   require_of_product(plan.rows > 0 && plan.columns > 0, "sizes must be > 0");
   require_of_product(plan.scale > 0.0 && std::isfinite(plan.scale), "scale must be > 0 and finite");
   const auto [in, out] = classes_of(plan);

@@ -52,10 +52,6 @@ ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines,
     : structure(plan.structure),
       rows(plan.rows),
       columns(plan.columns),
-      row_signs(plan.row_signs),
-      column_signs(plan.column_signs),
-      row_block(row_signs.empty() ? rows : rows / row_signs.size()),
-      column_block(column_signs.empty() ? columns : columns / column_signs.size()),
       scale(plan.scale),
       input_size(padded<T>(columns) + cache_line),
       middle_size(0),
@@ -67,7 +63,7 @@ ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines,
     output_size = fold_y->scratch_size();
   }
   const std::size_t per_class = is_low_rank(structure) ? 2 : 1;
-  const bool shares = fold_x && fold_x->classes() == 5;
+  const bool shares = fold_x && fold_x->exchanges();
   factors.reserve(plan.factors.size());
   for (std::size_t i = 0; i < plan.factors.size(); ++i)
     factors.emplace_back(plan.factors[i], shares && i / per_class == 2 ? most_shared : most_lines,
@@ -75,8 +71,15 @@ ReadyProduct<T>::ReadyProduct(const ProductPlan& plan, std::size_t most_lines,
   for (std::size_t i = 0; i < factors.size() && per_class == 2; i += 2)
     middle_size = std::max(middle_size, padded<T>(plan.factors[i].rows));
   if (shares) middle_size *= 2;
-  even_input_size = padded<T>(plan.factors[0].columns);
-  even_output_size = padded<T>(plan.factors[per_class - 1].rows);
+  if (!fold_x) classes.emplace_back();
+  for (std::size_t c = 0; fold_x && c < fold_x->classes(); ++c) {
+    if (plan.factors[(c + 1) * per_class - 1].rows == 0) continue;
+    ProductClass& next = classes.emplace_back();
+    next = {c * per_class, fold_x->offset(c), fold_y->offset(c), shares && c == 2};
+    if (!next.twice) continue;
+    next.other_input = fold_x->second_offset();
+    next.other_output = fold_y->second_offset();
+  }
 }
 
 template struct Panels<double>;

@@ -32,6 +32,17 @@ struct Panels {
   Aligned<T> values;
 };
 
+/// What one factor, or two, multiply, and where it lies among the folded values.
+struct ProductClass {
+  std::size_t factor = 0;  // the first of them
+  std::size_t input = 0;
+  std::size_t output = 0;
+  // Of (+, -) where y and z are exchanged a second vector, that of (-, +).
+  bool twice = false;
+  std::size_t other_input = 0;
+  std::size_t other_output = 0;
+};
+
 /// A product made ready. Constant after construction.
 template <class T>
 struct ReadyProduct {
@@ -42,20 +53,15 @@ struct ReadyProduct {
   Structure structure;
   std::size_t rows;
   std::size_t columns;
-  std::vector<std::int8_t> row_signs;
-  std::vector<std::int8_t> column_signs;
-  std::size_t row_block;  // values to a sign
-  std::size_t column_block;
   std::vector<Panels<T>> factors;
+  std::vector<ProductClass> classes;             // without those that have no places in y
   std::optional<Folding<T>> fold_x{}, fold_y{};  // of reflections
   double scale;
 
   /// Scratch of one product: values of T.
-  std::size_t input_size;  // both classes of x, each padded
-  std::size_t even_input_size = 0;
+  std::size_t input_size;   // all classes of x, each padded
   std::size_t middle_size;  // between two factors
-  std::size_t output_size;  // both classes of y, each padded
-  std::size_t even_output_size = 0;
+  std::size_t output_size;  // all classes of y, each padded
   [[nodiscard]] std::size_t scratch_size() const noexcept {
     return input_size + middle_size + output_size;
   }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,22 +31,19 @@ void add_product(StudySection& section, const StudyInput& input, const PlannerOp
 
 /// The structures that an array has, and how finely accuracies are gone through.
 struct Structures {
-  std::optional<Structure> exact{};  ///< by classes
-  Structure low_rank = Structure::low_rank;
+  bool reflections = false;
   bool fft = false;
   double step = 0.2;
 };
 
 Structures structures_of(const StudyInput& input) {
-  using enum Structure;
   if (input.is_skin()) {
     constexpr double step = 0.1;  // each takes a decomposition of every class
-    if (!is_even(input.skin().scene().sensor)) return {.step = step};
-    return {.exact = reflections, .low_rank = reflections_low_rank, .step = step};
+    return {.reflections = is_even(input.skin().scene().sensor), .step = step};
   }
   const std::vector<double>& weights = input.line().problem().weights;
-  if (std::find(weights.begin(), weights.end(), 0.0) != weights.end()) return {.fft = true};
-  return {.exact = parity, .low_rank = parity_low_rank, .fft = true};
+  const bool all_live = std::find(weights.begin(), weights.end(), 0.0) == weights.end();
+  return {.reflections = all_live, .fft = true};
 }
 
 }  // namespace
@@ -64,10 +60,11 @@ StudySection products(const StudyInput& input, const lab::Clock& clock) {
   };
   for (const Precision precision : {Precision::float64, Precision::float32}) {
     add(Structure::dense, precision, PlannerOptions{}.accuracy);
-    if (structures.exact) add(*structures.exact, precision, PlannerOptions{}.accuracy);
+    if (structures.reflections) add(Structure::reflections, precision, PlannerOptions{}.accuracy);
     for (double accuracy = 0.3; accuracy > 1e-13; accuracy *= structures.step) {
       if (precision == Precision::float32 && accuracy < 1e-7) break;
-      add(structures.low_rank, precision, accuracy);
+      add(structures.reflections ? Structure::reflections_low_rank : Structure::low_rank, precision,
+          accuracy);
     }
   }
   if (!structures.fft) return section;

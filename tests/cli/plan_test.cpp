@@ -37,7 +37,8 @@ TEST_CASE("a controller that loads the plan finds what `solve` finds", "[cli][pl
                 "--json", folder / "plan.json"});
   CAPTURE(planned.errors);
   REQUIRE(planned.code == 0);
-  CHECK_THAT(planned.output, ContainsSubstring("parity") && ContainsSubstring("aicc, the median"));
+  CHECK_THAT(planned.output,
+             ContainsSubstring("reflections") && ContainsSubstring("aicc, the median"));
   const auto json = nlohmann::json::parse(read_text(folder / "plan.json"));
   const EstimatorPlan plan = load_plan(folder / "pad.plan");
   CHECK(json.at("alpha") == plan.alpha);
@@ -111,7 +112,7 @@ TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") 
           "cannot be opened");
   const std::string dead =
       folder.write("dead.toml", small_scene + "[dead_taxels]\nindices = [0]\n");
-  refused({"plan", dead, "--structure", "parity"}, "not mirror symmetric");
+  refused({"plan", dead, "--structure", "reflections"}, "not mirror symmetric");
 }
 
 TEST_CASE("a plan that misses its deadline is not written, and what helps is said", "[cli][plan]") {

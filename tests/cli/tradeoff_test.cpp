@@ -76,10 +76,10 @@ TEST_CASE("a study of the arithmetic is complete, plausible, and the same but fo
         coarse = point.at("error_to_solution").get<double>();
     }
   CHECK(coarse > 1e-3);  // one step is not the answer
-  for (const char* curve :
-       {"parity float64", "parity low rank float64", "dense float32", "FFT, array as a ring",
-        "FFT, ends corrected", "dft: division (ch. 3)", "QR of every frame", "f_v >= 0, active set",
-        "fewer taxels", "readings by the integral", "readings by the discrete sum"})
+  for (const char* curve : {"reflections float64", "reflections low rank float64", "dense float32",
+                            "FFT, array as a ring", "FFT, ends corrected", "dft: division (ch. 3)",
+                            "QR of every frame", "f_v >= 0, active set", "fewer taxels",
+                            "readings by the integral", "readings by the discrete sum"})
     CHECK(curves.contains(curve));
 
   for (const char* name : {"report.html", "tradeoff.csv", "error-to-solution.svg"})

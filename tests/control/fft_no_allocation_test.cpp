@@ -46,12 +46,11 @@ long allocations_of(const auto& work) {
 ProductPlan convolution_of(std::size_t size) {
   const std::size_t n = size / 2;
   ProductPlan plan{.structure = Structure::fft, .rows = n, .columns = n};
-  plan.row_signs = {1};
-  plan.column_signs = {1};
-  const ClassSizes classes = class_sizes(plan.row_signs, n);
-  for (const std::size_t part : {classes.even, classes.odd}) {
-    plan.factors.push_back({1, part, std::vector<double>(part, 0.0)});
-    plan.factors.push_back({part, 1, std::vector<double>(part, 0.0)});
+  plan.row_grid = plan.column_grid = line_blocks(n, {1});
+  for (const std::size_t part : class_sizes(plan.row_grid)) {
+    const std::size_t rank = part > 0 ? 1 : 0;
+    plan.factors.push_back({rank, part, std::vector<double>(part, 0.0)});
+    plan.factors.push_back({part, rank, std::vector<double>(part, 0.0)});
   }
   plan.transform_size = size;
   plan.spectra.assign(size / 2 + 1, 1.0);

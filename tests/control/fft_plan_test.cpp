@@ -60,12 +60,11 @@ std::size_t total_rank(const PlannedEstimator& planned) {
 /// With two unknowns of two channels on a circle that wraps: blocks of both symmetries.
 ProductPlan small_convolution() {
   ProductPlan plan{.structure = Structure::fft, .rows = 14, .columns = 14};
-  plan.row_signs = {1, -1};
-  plan.column_signs = {1, -1};
-  const ClassSizes sizes = class_sizes(plan.row_signs, plan.rows);
-  for (const std::size_t size : {sizes.even, sizes.odd}) {
-    plan.factors.push_back({1, size, std::vector<double>(size, 0.0)});
-    plan.factors.push_back({size, 1, std::vector<double>(size, 0.0)});
+  plan.row_grid = plan.column_grid = line_blocks(7, {1, -1});
+  for (const std::size_t size : class_sizes(plan.row_grid)) {
+    const std::size_t rank = size > 0 ? 1 : 0;
+    plan.factors.push_back({rank, size, std::vector<double>(size, 0.0)});
+    plan.factors.push_back({size, rank, std::vector<double>(size, 0.0)});
   }
   plan.transform_size = 10;
   plan.spectra = random_values(4 * 6, 5);
@@ -98,9 +97,9 @@ TEST_CASE("the convolution alone is percents off at the array's end, and right w
 
 TEST_CASE("at a fixed pitch the correction's rank does not grow with the array", "[fft]") {
   const auto low_rank = [](std::size_t count) {
-    return total_rank(
-        plan_estimator(long_array(count), pad_alpha,
-                       {.structure = Structure::parity_low_rank, .precision = Precision::float64}));
+    return total_rank(plan_estimator(
+        long_array(count), pad_alpha,
+        {.structure = Structure::reflections_low_rank, .precision = Precision::float64}));
   };
   // On circles that nothing wraps around, which the finest accuracies need.
   const PlannedEstimator one = fft_plan(long_array(128), 1e-10);
@@ -202,7 +201,14 @@ TEST_CASE("a convolution that does not fit is refused", "[fft]") {
   refused([](ProductPlan& plan) { plan.spectra[3] = std::nan(""); }, "not finite");
   refused([](ProductPlan& plan) { plan.precision = Precision::float32; }, "float64");
   refused([](ProductPlan& plan) { plan.scale = 2.0; }, "scale 1");
-  refused([](ProductPlan& plan) { plan.column_signs = {1}; }, "blocks of one length");
+  refused([](ProductPlan& plan) { plan.column_grid = line_blocks(14, {1}); },
+          "blocks of one row and one length");
+  refused(
+      [](ProductPlan& plan) {
+        for (GridBlocks* blocks : {&plan.row_grid, &plan.column_grid})
+          std::swap(blocks->rows, blocks->columns);
+      },
+      "blocks of one row and one length");
   refused([](ProductPlan& plan) { plan.factors.pop_back(); }, "number of factors");
 }
 

@@ -19,8 +19,8 @@ TEST_CASE("every planned path keeps its accuracy, on random readings and on cont
   const double accuracy = GENERATE(1e-3, 1e-7, 1e-11);
   CAPTURE(name, alpha, accuracy);
   const Reconstruction dense = tikhonov(problem, alpha);
-  for (const Structure structure : {Structure::dense, Structure::low_rank, Structure::parity,
-                                    Structure::parity_low_rank, Structure::fft})
+  for (const Structure structure : {Structure::dense, Structure::low_rank, Structure::reflections,
+                                    Structure::reflections_low_rank, Structure::fft})
     for (const Precision precision : {Precision::float64, Precision::float32}) {
       if (structure == Structure::fft && precision == Precision::float32) continue;  // refused
       CAPTURE(tactile_net::name(structure), tactile_net::name(precision));
@@ -33,7 +33,7 @@ TEST_CASE("every planned path keeps its accuracy, on random readings and on cont
       } catch (const std::invalid_argument&) {
         const bool dead = name == "weighted, a dead taxel" || name.starts_with("a finer surface");
         const bool square = problem.surface.count == problem.taxels;
-        REQUIRE(((has_parity(structure) && dead) || (structure == Structure::fft && !square)));
+        REQUIRE(((has_reflections(structure) && dead) || (structure == Structure::fft && !square)));
         continue;
       }
       const Candidate& candidate = planned->candidates.front();

@@ -58,7 +58,7 @@ TEST_CASE("a plan for raw numbers finds in them what the plan for readings finds
   if (!per_reading)
     CHECK(raw_planned.plan.reconstruction.structure == planned.plan.reconstruction.structure);
   else
-    CHECK_FALSE(has_parity(raw_planned.plan.reconstruction.structure));
+    CHECK_FALSE(has_reflections(raw_planned.plan.reconstruction.structure));
 
   ContactEstimator estimator(planned.plan);
   ContactEstimator raw_estimator(decode_plan(encode_plan(raw_planned.plan)));
@@ -116,8 +116,9 @@ TEST_CASE("plans for raw numbers refuse what they cannot do", "[planner][calibra
   const InverseProblem problem = sample_problems().at(1).problem;
   Calibration calibration = calibration_of(problem, true);
   CHECK_THROWS_WITH(
-      plan_estimator(problem, 1e-3, {.structure = Structure::parity, .calibration = calibration}),
-      ContainsSubstring("not mirror symmetric (dead taxels, gains?)"));
+      plan_estimator(problem, 1e-3,
+                     {.structure = Structure::reflections, .calibration = calibration}),
+      ContainsSubstring("not mirror symmetric (dead or uneven taxels, gains?)"));
   CHECK_NOTHROW(plan_estimator(
       problem, 1e-3, {.structure = Structure::fft, .calibration = calibration_of(problem, false)}));
   calibration.gain[4] = 0.0;

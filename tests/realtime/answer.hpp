@@ -13,8 +13,8 @@
 
 namespace tactile_net {
 
-inline constexpr Structure structures[] = {Structure::dense, Structure::low_rank, Structure::parity,
-                                           Structure::parity_low_rank};
+inline constexpr Structure structures[] = {Structure::dense, Structure::low_rank,
+                                           Structure::reflections, Structure::reflections_low_rank};
 
 /// An estimate with memory of its own; everything set to what no frame gives.
 struct Answer {

@@ -11,6 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
 #include "tests/realtime/answer.hpp"
+#include "tests/realtime/batches.hpp"
 #include "tests/realtime/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 
@@ -236,8 +237,8 @@ TEST_CASE("equal frames give equal bits, whatever came between", "[contact_estim
 
 TEST_CASE("the baseline is subtracted, and a bad one leaves the old", "[contact_estimator]") {
   const bool diagnostics = GENERATE(true, false);
-  const Structure structure = GENERATE(Structure::dense, Structure::low_rank, Structure::parity,
-                                       Structure::parity_low_rank);
+  const Structure structure = GENERATE(Structure::dense, Structure::low_rank,
+                                       Structure::reflections, Structure::reflections_low_rank);
   const Precision precision = GENERATE(Precision::float64, Precision::float32);
   ContactEstimator estimator(made_plan(
       {.unknowns = 2, .structure = structure, .precision = precision, .diagnostics = diagnostics}));
@@ -325,6 +326,45 @@ TEST_CASE("a batch is frame after frame, to the bit", "[contact_estimator]") {
   CHECK(estimator.update_batch(readings, estimates) == FrameStatus::wrong_size);
   for (const Answer& each : answers)
     CHECK(each.tractions == std::vector<double>(estimator.tractions(), 17.0));
+}
+
+TEST_CASE("a batch of a line is frame after frame, to the bit, on every instruction set",
+          "[contact_estimator][batch]") {
+  constexpr std::size_t frames = 45;  // two blocks, a tile and some beyond
+  for (const std::size_t count : {2U, 3U, 13U, 40U})
+    for (const Structure structure : structures)
+      for (const Precision precision : {Precision::float64, Precision::float32})
+        for (const std::size_t blocks : {1U, 2U})
+          for (const bool diagnostics : {false, true}) {
+            CAPTURE(count, name(structure), name(precision), blocks, diagnostics);
+            EstimatorPlan plan = made_plan({.count = count,
+                                            .channels = blocks,
+                                            .unknowns = 3 - blocks,
+                                            .structure = structure,
+                                            .precision = precision,
+                                            .diagnostics = diagnostics});
+            plan.residual_limit = 0.1;
+            plan.force_deviation = 0.1;
+            std::vector<double> readings = some_readings(frames * plan.readings());
+            const std::size_t n = plan.readings();
+            readings[3 * n + 1] = not_a_number;
+            readings[21 * n] = 1e308;
+            readings[44 * n] = 2e9;  // beyond the channel's range
+            for (const InstructionSet set :
+                 {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+              ContactEstimator estimator(plan, set);
+              check_batch(estimator, readings);
+              REQUIRE(estimator.set_baseline(std::vector<double>(n, 0.25)) == FrameStatus::ok);
+              (void)estimator.set_dead(1);
+              check_batch(estimator, readings);
+            }
+          }
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name);
+    ContactEstimator estimator(
+        plan_estimator(problem, 1e-4, {.noise_rms = 1e-3, .friction_coefficient = 0.7}).plan);
+    check_batch(estimator, some_readings(frames * estimator.readings()));
+  }
 }
 
 TEST_CASE("copies are independent, and what was moved away can be assigned to again",

@@ -128,9 +128,9 @@ TEST_CASE("a dead taxel in float32 and in every structure, as accurate as the pl
       make_problem(one.array, {.youngs_modulus = 1.0, .poisson_ratio = 0.45}, one.options);
   ContactEstimator without(one.plan({12}));
   for (const Structure structure :
-       {Structure::low_rank, Structure::parity, Structure::parity_low_rank})
+       {Structure::low_rank, Structure::reflections, Structure::reflections_low_rank})
     for (const Precision precision : {Precision::float64, Precision::float32}) {
-      if (!one.options.dead_taxels.empty() && has_parity(structure)) continue;
+      if (!one.options.dead_taxels.empty() && has_reflections(structure)) continue;
       CAPTURE(one.name, name(structure), name(precision));
       PlannerOptions options{.accuracy = 1e-7, .structure = structure};
       options.precision = precision;

@@ -103,15 +103,27 @@ TEST_CASE("a product's plan is checked, rule by rule", "[product_plan]") {
       {"structure or precision is unknown",
        [](Plan& p) { p.reconstruction.precision = static_cast<Precision>(2); }},
       {"wrong number of factors", [](Plan& p) { p.reconstruction.factors.pop_back(); }},
-      {"wrong number of factors", [](Plan& p) { p.reconstruction.structure = Structure::parity; }},
-      {"wrong number of factors", [](Plan& p) { p.reconstruction.structure = Structure::dense; }},
-      {"signs of blocks", [](Plan& p) { p.reconstruction.row_signs.clear(); }},
-      {"signs of blocks", [](Plan& p) { p.reconstruction.column_signs.assign(4, 1); }},
-      {"must be 1 or -1", [](Plan& p) { p.reconstruction.row_signs[0] = 0; }},
-      {"must be 1 or -1", [](Plan& p) { p.reconstruction.column_signs[1] = 2; }},
+      {"wrong number of factors",
+       [](Plan& p) { p.reconstruction.structure = Structure::reflections; }},
+      {"grids belong to reflections",
+       [](Plan& p) { p.reconstruction.structure = Structure::dense; }},
+      {"one row for each unknown", [](Plan& p) { p.reconstruction.row_grid.signs_z.clear(); }},
+      {"one row for each unknown",
+       [](Plan& p) { p.reconstruction.row_grid = line_blocks(14, {1}); }},
+      {"two signs for each block", [](Plan& p) { p.reconstruction.column_grid.signs_y.clear(); }},
+      {"do not fit the product's size",
+       [](Plan& p) {
+         p.reconstruction.column_grid = line_blocks(7, {1, 1, 1, 1});
+       }},
+      {"grids of one row",
+       [](Plan& p) {
+         std::swap(p.reconstruction.column_grid.rows, p.reconstruction.column_grid.columns);
+       }},
+      {"must be 1 or -1", [](Plan& p) { p.reconstruction.row_grid.signs_z[0] = 0; }},
+      {"must be 1 or -1", [](Plan& p) { p.reconstruction.column_grid.signs_z[1] = 2; }},
       {"sizes do not fit",
        [](Plan& p) {
-         p.reconstruction.row_signs = {1, 1};
+         p.reconstruction.row_grid.signs_z = {1, 1};
        }},
       {"sizes do not fit",
        [](Plan& p) { std::swap(p.reconstruction.factors[0], p.reconstruction.factors[1]); }},
@@ -145,26 +157,29 @@ TEST_CASE("classes hold every value once", "[product_plan]") {
   for (const std::size_t n : {1U, 2U, 7U, 10U})
     for (const std::vector<std::int8_t>& signs :
          {std::vector<std::int8_t>{1}, {-1}, {1, -1}, {-1, -1, 1}}) {
-      const ClassSizes sizes = class_sizes(signs, n * signs.size());
-      CHECK(sizes.even + sizes.odd == n * signs.size());
+      const std::vector<std::size_t> sizes = class_sizes(line_blocks(n, signs));
+      CHECK(sizes.at(0) + sizes.at(1) == n * signs.size());
+      CHECK(sizes.at(2) + sizes.at(3) == 0);
     }
-  CHECK(class_sizes({1}, 7).even == 4);
-  CHECK(class_sizes({-1}, 7).even == 3);
+  CHECK(class_sizes(line_blocks(7, {1}))[0] == 4);
+  CHECK(class_sizes(line_blocks(7, {-1}))[0] == 3);
 }
 
 TEST_CASE("what is streamed is what the factors hold", "[product_plan]") {
   const ProductPlan plan = made_plan({.structure = Structure::dense}).reconstruction;
   CHECK(streamed_bytes(plan) == 13 * 13 * sizeof(double));
   const ProductPlan floats =
-      made_plan({.structure = Structure::parity, .precision = Precision::float32}).reconstruction;
+      made_plan({.structure = Structure::reflections, .precision = Precision::float32})
+          .reconstruction;
   CHECK(streamed_bytes(floats) == (7 * 7 + 6 * 6) * sizeof(float));
 }
 
 TEST_CASE("structures, precisions, statuses and instruction sets have names", "[product_plan]") {
   CHECK(name(Structure::dense) == "dense");
   CHECK(name(Structure::low_rank) == "low_rank");
-  CHECK(name(Structure::parity) == "parity");
-  CHECK(name(Structure::parity_low_rank) == "parity_low_rank");
+  CHECK(name(Structure::reflections) == "reflections");
+  CHECK(name(Structure::reflections_low_rank) == "reflections_low_rank");
+  CHECK(name(Structure::fft) == "fft");
   CHECK(name(Precision::float64) == "float64");
   CHECK(name(Precision::float32) == "float32");
   CHECK(name(FrameStatus::ok) == "ok");

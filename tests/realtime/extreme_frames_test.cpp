@@ -11,8 +11,8 @@ TEST_CASE("a bad frame is reported and leaves every member of the estimate alone
           "[contact_estimator]") {
   const Precision precision = GENERATE(Precision::float64, Precision::float32);
   const bool diagnostics = GENERATE(true, false);
-  const Structure structure = GENERATE(Structure::dense, Structure::low_rank, Structure::parity,
-                                       Structure::parity_low_rank);
+  const Structure structure = GENERATE(Structure::dense, Structure::low_rank,
+                                       Structure::reflections, Structure::reflections_low_rank);
   ContactEstimator estimator(made_plan(
       {.unknowns = 2, .structure = structure, .precision = precision, .diagnostics = diagnostics}));
   const std::vector<double> good = random_values(estimator.readings(), 1);

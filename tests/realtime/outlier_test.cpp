@@ -220,7 +220,7 @@ TEST_CASE("what the plan's own accuracy explains is not an outlier", "[outlier]"
   EstimatorPlan plan = plan_estimator(sensor.problem(), 1e-10, options).plan;
   // A prediction that is wrong for one reading, by as much as an accuracy of 1e-4 allows.
   const double size = l2_norm(g);
-  REQUIRE(plan.prediction->structure == Structure::parity);
+  REQUIRE(plan.prediction->structure == Structure::reflections);
   const EstimatorPlan whole = [&] {
     EstimatorPlan dense = plan;
     ProductPlan& prediction = *dense.prediction;
@@ -234,8 +234,7 @@ TEST_CASE("what the plan's own accuracy explains is not an outlier", "[outlier]"
     }
     for (std::size_t j = 0; j < n; ++j) factor.values[17 * n + j] += 0.9e-4 * g[j] / size;
     prediction.structure = Structure::dense;
-    prediction.row_signs.clear();
-    prediction.column_signs.clear();
+    prediction.row_grid = prediction.column_grid = {};
     prediction.factors = {factor};
     prediction.scale = 1.0;
     return dense;

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
 #include <vector>
 
 #include "tactile_net/realtime/estimator_plan.hpp"
+#include "tests/realtime/skin_plans.hpp"
 
 namespace tactile_net {
 
@@ -15,7 +18,7 @@ struct PlanShape {
   std::size_t count = 13;
   std::size_t channels = 1;
   std::size_t unknowns = 1;
-  Structure structure = Structure::parity_low_rank;
+  Structure structure = Structure::reflections_low_rank;
   Precision precision = Precision::float64;
   bool diagnostics = true;
 };
@@ -41,13 +44,19 @@ inline EstimatorPlan made_plan(const PlanShape& shape, unsigned seed = 1) {
   product.rows = plan.tractions();
   product.columns = plan.readings();
   product.scale = 0.5;
-  for (std::size_t i = 0; i < shape.unknowns; ++i) product.row_signs.push_back(i == 0 ? 1 : -1);
-  for (std::size_t i = 0; i < shape.channels; ++i) product.column_signs.push_back(i == 0 ? 1 : -1);
-  ClassSizes rows{product.rows, 0};
-  ClassSizes columns{product.columns, 0};
-  if (has_parity(shape.structure)) {
-    rows = class_sizes(product.row_signs, product.rows);
-    columns = class_sizes(product.column_signs, product.columns);
+  std::vector<std::size_t> heights{product.rows};
+  std::vector<std::size_t> widths{product.columns};
+  if (has_reflections(shape.structure)) {
+    std::vector<std::int8_t> signs(std::max(shape.unknowns, shape.channels), -1);
+    signs[0] = 1;
+    const auto first = [&](std::size_t blocks) {
+      return std::vector<std::int8_t>(signs.begin(),
+                                      signs.begin() + static_cast<std::ptrdiff_t>(blocks));
+    };
+    product.row_grid = line_blocks(plan.values, first(shape.unknowns));
+    product.column_grid = line_blocks(plan.count, first(shape.channels));
+    heights = class_sizes(product.row_grid);
+    widths = class_sizes(product.column_grid);
   }
   const auto add = [&](std::size_t height, std::size_t width) {
     Factor factor{height, width, {}};
@@ -58,13 +67,12 @@ inline EstimatorPlan made_plan(const PlanShape& shape, unsigned seed = 1) {
     }
     product.factors.push_back(std::move(factor));
   };
-  const auto add_class = [&](std::size_t height, std::size_t width) {
-    const std::size_t rank = 1 + std::min(height, width) / 2;
-    if (is_low_rank(shape.structure)) add(rank, width);
-    add(height, is_low_rank(shape.structure) ? rank : width);
-  };
-  add_class(rows.even, columns.even);
-  if (has_parity(shape.structure)) add_class(rows.odd, columns.odd);
+  for (std::size_t c = 0; c < heights.size(); ++c) {
+    const std::size_t least = std::min(heights[c], widths[c]);
+    const std::size_t rank = least == 0 ? 0 : 1 + least / 2;  // 0: a class without places
+    if (is_low_rank(shape.structure)) add(rank, widths[c]);
+    add(heights[c], is_low_rank(shape.structure) ? rank : widths[c]);
+  }
 
   plan.weights.assign(plan.readings(), 1.0);
   if (!shape.diagnostics) return plan;
@@ -81,50 +89,16 @@ inline EstimatorPlan made_plan(const PlanShape& shape, unsigned seed = 1) {
   return plan;
 }
 
-/// y = A x by the words of product_plan.hpp, pair by pair, in long double.
+/// y = A x by the words of product_plan.hpp, in long double.
 inline std::vector<double> by_definition(const ProductPlan& plan, const std::vector<double>& x) {
-  using Vector = std::vector<long double>;
-  const bool parity = has_parity(plan.structure);
-  // Whether block b belongs to class c by its sums.
-  const auto sums = [](int sign, int c) { return (sign > 0) == (c == 0); };
-  const auto times = [](const Factor& factor, const Vector& in) {
-    Vector out(factor.rows, 0.0L);
+  if (has_reflections(plan.structure)) return by_reflections(plan, x);
+  std::vector<long double> y(x.begin(), x.end());
+  for (const Factor& factor : plan.factors) {
+    std::vector<long double> product(factor.rows, 0.0L);
     for (std::size_t i = 0; i < factor.rows; ++i)
       for (std::size_t j = 0; j < factor.columns; ++j)
-        out[i] += static_cast<long double>(factor.values[i * factor.columns + j]) * in[j];
-    return out;
-  };
-  Vector y(plan.rows, 0.0L);
-  std::size_t next = 0;
-  for (int c = 0; c < (parity ? 2 : 1); ++c) {
-    Vector in(x.begin(), x.end());
-    if (parity) {
-      in.clear();
-      const std::size_t n = plan.columns / plan.column_signs.size();
-      for (std::size_t b = 0; b < plan.column_signs.size(); ++b) {
-        const auto at = [&](std::size_t i) { return static_cast<long double>(x[b * n + i]); };
-        const bool sum = sums(plan.column_signs[b], c);
-        for (std::size_t i = 0; i < n / 2; ++i)
-          in.push_back(sum ? at(i) + at(n - 1 - i) : at(i) - at(n - 1 - i));
-        if (sum && n % 2 == 1) in.push_back(at(n / 2));
-      }
-    }
-    Vector out = times(plan.factors[next++], in);
-    if (is_low_rank(plan.structure)) out = times(plan.factors[next++], out);
-    if (!parity) {
-      y = out;
-      break;
-    }
-    const std::size_t n = plan.rows / plan.row_signs.size();
-    auto value = out.begin();
-    for (std::size_t b = 0; b < plan.row_signs.size(); ++b) {
-      const bool sum = sums(plan.row_signs[b], c);
-      for (std::size_t i = 0; i < n / 2; ++i, ++value) {
-        y[b * n + i] += *value;
-        y[b * n + n - 1 - i] += sum ? *value : -*value;
-      }
-      if (sum && n % 2 == 1) y[b * n + n / 2] += *value++;
-    }
+        product[i] += static_cast<long double>(factor.values[i * factor.columns + j]) * y[j];
+    y = product;
   }
   std::vector<double> result;
   for (const long double value : y)

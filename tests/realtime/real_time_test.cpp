@@ -135,8 +135,8 @@ class Loop {
 
 std::vector<EstimatorPlan> plans() {
   std::vector<EstimatorPlan> all;
-  for (const Structure structure :
-       {Structure::dense, Structure::low_rank, Structure::parity, Structure::parity_low_rank})
+  for (const Structure structure : {Structure::dense, Structure::low_rank, Structure::reflections,
+                                    Structure::reflections_low_rank})
     for (const Precision precision : {Precision::float64, Precision::float32})
       for (const bool diagnostics : {true, false})
         all.push_back(made_plan({.count = 21,

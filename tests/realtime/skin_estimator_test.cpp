@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -10,31 +8,12 @@
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tests/catch.hpp"
+#include "tests/realtime/batches.hpp"
 #include "tests/realtime/skin_plans.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-std::vector<double> some_readings(std::size_t count, unsigned seed = 3) {
-  std::mt19937 generator(seed);
-  std::vector<double> readings(count);
-  for (double& reading : readings) reading = static_cast<double>(generator()) / 0x1p31 - 1.0;
-  return readings;
-}
-
-struct Update {
-  std::vector<double> tractions;
-  ContactEstimate estimate;
-  FrameStatus status;
-};
-
-Update update(ContactEstimator& estimator, const std::vector<double>& readings) {
-  Update result{std::vector<double>(estimator.tractions()), {}, FrameStatus::ok};
-  result.estimate.tractions = result.tractions;
-  result.status = estimator.update(readings, result.estimate);
-  return result;
-}
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;
@@ -87,61 +66,6 @@ TEST_CASE("products by reflections are what their words say, on every instructio
       }
     }
 }
-
-namespace {
-
-/// Everything but the tractions and the time, as numbers whose bits can be compared.
-std::vector<double> numbers_of(const ContactEstimate& e) {
-  return {e.normal_force,
-          e.tangential_force,
-          e.tangential_y,
-          e.tangential_z,
-          e.centre,
-          e.centre_z,
-          e.torsion,
-          e.angle,
-          e.friction_margin,
-          e.slip_margin,
-          e.residual_rms,
-          static_cast<double>(e.touching),
-          static_cast<double>(e.outlier),
-          static_cast<double>(8 * e.contact + 4 * e.pulls + 2 * e.misfit + e.saturated)};
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
-/// A batch beside the loop that it stands for: every bit, and which frames have an answer.
-void check_batch(ContactEstimator& estimator, const std::vector<double>& readings) {
-  const std::size_t frames = readings.size() / estimator.readings();
-  std::vector<std::vector<double>> tractions(frames,
-                                             std::vector<double>(estimator.tractions(), 17.0));
-  std::vector<ContactEstimate> estimates(frames);
-  for (std::size_t k = 0; k < frames; ++k) {
-    estimates[k].tractions = tractions[k];
-    estimates[k].time = static_cast<double>(k);
-  }
-  const FrameStatus all = estimator.update_batch(readings, estimates);
-  FrameStatus first = FrameStatus::ok;
-  for (std::size_t k = 0; k < frames; ++k) {
-    CAPTURE(k, frames);
-    const auto begin = readings.begin() + static_cast<std::ptrdiff_t>(k * estimator.readings());
-    const Update alone =
-        update(estimator, {begin, begin + static_cast<std::ptrdiff_t>(estimator.readings())});
-    if (first == FrameStatus::ok) first = alone.status;
-    CHECK(estimates[k].time == static_cast<double>(k));
-    if (alone.status == FrameStatus::ok) {
-      CHECK(same_bits(tractions[k], alone.tractions));
-      CHECK(same_bits(numbers_of(estimates[k]), numbers_of(alone.estimate)));
-    } else {
-      CHECK(tractions[k] == std::vector<double>(estimator.tractions(), 17.0));
-    }
-  }
-  CHECK(all == first);
-}
-
-}  // namespace
 
 TEST_CASE("a batch of a skin is frame after frame, to the bit, on every instruction set",
           "[skin][batch]") {
@@ -417,6 +341,24 @@ TEST_CASE("a product whose classes are all without places on one side is refused
   for (std::size_t c = 0; c < widths.size(); ++c)
     plan.reconstruction.factors.push_back({heights[c], widths[c], {}});
   CHECK_THROWS_WITH(check(plan), ContainsSubstring("nothing is multiplied"));
+}
+
+TEST_CASE("a skin has no convolution", "[skin]") {
+  EstimatorPlan plan =
+      made_skin_plan({.rows = 1, .columns = 4, .margin = 0, .unknowns = 1, .diagnostics = false});
+  ProductPlan& product = plan.reconstruction;
+  product.structure = Structure::fft;
+  product.scale = 1.0;
+  product.transform_size = 8;
+  product.spectra.assign(5, 0.5);
+  product.factors.clear();
+  for (const std::size_t size : class_sizes(product.row_grid)) {
+    const std::size_t rank = size > 0 ? 1 : 0;
+    product.factors.push_back({rank, size, std::vector<double>(size, 0.0)});
+    product.factors.push_back({size, rank, std::vector<double>(size, 0.0)});
+  }
+  CHECK_NOTHROW(check(product));
+  CHECK_THROWS_WITH(check(plan), ContainsSubstring("fft is of lines"));
 }
 
 TEST_CASE("reflections are those of the cells' own grid", "[skin]") {

@@ -59,10 +59,10 @@ inline Study measured() {
   study.sections.push_back({.job = {Kind::products}});
   add(study, product(Structure::dense, Precision::float64), {}, TimeOf::frame,
       {5.778125e-08, 5.764453125e-08, 5.78984375e-08}, 1.7033990924008643e-14, 0.09099117971275954);
-  add(study, product(Structure::parity, Precision::float64), {}, TimeOf::frame,
+  add(study, product(Structure::reflections, Precision::float64), {}, TimeOf::frame,
       {6.8619140625e-08, 6.859765625e-08, 7.14921875e-08}, 1.7033990924008643e-14,
       0.09099117971275951);
-  add(study, product(Structure::parity_low_rank, Precision::float64),
+  add(study, product(Structure::reflections_low_rank, Precision::float64),
       {.kind = Setting::ranks, .ranks = {11, 10}}, TimeOf::frame,
       {1.0003515625e-07, 9.912890625e-08, 1.008125e-07}, 1.7033990924008643e-14,
       0.09099117971275911);

@@ -20,8 +20,8 @@ namespace {
 constexpr std::string_view measured_csv =
     R"text(job,curve,knob,time_of,seconds,seconds_low,seconds_high,error_to_solution,error_to_truth,failure
 "products with M","dense float64","",frame,5.778125e-08,5.764453125e-08,5.78984375e-08,1.7033990924008643e-14,0.09099117971275954,""
-"products with M","parity float64","",frame,6.8619140625e-08,6.859765625e-08,7.14921875e-08,1.7033990924008643e-14,0.09099117971275951,""
-"products with M","parity low rank float64","rank 11 + 10",frame,1.0003515625e-07,9.912890625e-08,1.008125e-07,1.7033990924008643e-14,0.09099117971275911,""
+"products with M","reflections float64","",frame,6.8619140625e-08,6.859765625e-08,7.14921875e-08,1.7033990924008643e-14,0.09099117971275951,""
+"products with M","reflections low rank float64","rank 11 + 10",frame,1.0003515625e-07,9.912890625e-08,1.008125e-07,1.7033990924008643e-14,0.09099117971275911,""
 "products with M","dense float32","",frame,6.48828125e-08,6.48046875e-08,6.49609375e-08,5.813874928759419e-08,0.09099116192355575,""
 "products with M","FFT, ends corrected","rank 1 + 1",frame,2.01703125e-07,2.011640625e-07,2.023359375e-07,0.02464185221652351,0.09450559300692017,""
 "products with M","FFT, ends corrected","rank 11 + 10",frame,2.25734375e-07,2.250234375e-07,2.268984375e-07,1.7033990924008643e-14,0.09099117971275951,""

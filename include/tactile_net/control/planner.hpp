@@ -54,7 +54,7 @@ struct PlannerOptions {
   std::vector<ReadingRange> ranges{};  ///< one per channel, or none; of what the controller reads
   /// What the controller reads, if not readings: the plan is then one for raw numbers. Gains go
   /// into its matrices, baseline and offset into its baseline. Gains that differ within a channel
-  /// leave an array that is not mirror symmetric: `parity` and `fft` cannot be used.
+  /// leave an array that is not mirror symmetric: `reflections` and `fft` cannot be used.
   std::optional<Calibration> calibration{};
   std::string label{};
 };
@@ -63,9 +63,9 @@ struct PlannerOptions {
 struct Candidate {
   Structure structure = Structure::dense;
   Precision precision = Precision::float64;
-  std::vector<std::size_t> ranks{};  ///< of the classes; empty if not of low rank
+  std::vector<std::size_t> ranks{};  ///< of the classes with places; empty: not of low rank
   std::size_t transform_size = 0;    ///< of fft
-  bool exchanged = false;            ///< of reflections: exchanging y and z is used too
+  bool exchanged = false;            ///< of a skin's reflections: exchanging y and z is used too
   std::size_t bytes = 0;             ///< streamed per frame
   /// Predicted time of a frame in units of one streamed byte: bytes, `cost_of_a_factor` for each
   /// factor, and the transforms (constants in product_planner.cpp).
@@ -94,9 +94,10 @@ struct PlannedEstimator {
 /// An FFT of m points errs by at most 2 log2(2 m) eta in the 2-norm, eta = 6.7 2^-53: Higham (2002,
 /// theorem 24.2) for radix 2, a factor 2 for radices 3 and 5 and for real data.
 ///
-/// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; parity or fft is asked
-///                               for, and the array is not symmetric (dead taxels); fft in float32;
-///                               the calibration is not one of these readings; `check(plan)` does
+/// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; reflections or fft are
+///                               asked for, and the array is not symmetric (dead taxels); fft in
+///                               float32; the calibration is not one of these readings;
+///                               `check(plan)` does
 /// @throw std::domain_error      as `tikhonov`
 [[nodiscard]] PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
                                               const PlannerOptions& options = {});

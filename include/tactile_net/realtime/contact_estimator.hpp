@@ -137,9 +137,9 @@ class ContactEstimator {
                      double time = 0.0) noexcept;
 
   /// Recorded frames: as `update` on each, and the same bits. The time of an estimate stays as it
-  /// is. Of skins the matrix is read once for a block of frames and a number of it multiplied by
-  /// eight while it is in a register, so that a frame takes about half the time of an `update`. No
-  /// allocation here either. On several cores: control/batch.hpp.
+  /// is. But for fft the matrix is read once for a block of frames and a number of it multiplied by
+  /// eight while it is in a register; of skins a frame then takes about half the time of an
+  /// `update`. No allocation here either. On several cores: control/batch.hpp.
   ///
   /// @param readings   frames x channels x count
   /// @param estimates  one a frame; tractions may be the memory of their own frame's readings, of
@@ -182,7 +182,8 @@ class ContactEstimator {
   struct Input;
   FrameStatus prepare(std::span<const double> readings, bool stored, Input& input) noexcept;
   FrameStatus admit(std::span<const double> readings, double* x, bool& saturated) noexcept;
-  void finish(ContactEstimate& estimate, const double* x, const double* explained) noexcept;
+  void finish(ContactEstimate& estimate, std::span<const Moments> moments, const double* x,
+              const double* explained) noexcept;
   FrameStatus refused(std::span<const double> readings) const noexcept;
   void predict(const double* x, double* explained) noexcept;
   void judge(ContactEstimate& estimate, const double* x, const double* explained) noexcept;

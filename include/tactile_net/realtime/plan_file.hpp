@@ -26,8 +26,11 @@ enum class PlanVersion : std::uint32_t {
   skin = 6,      ///< tractions of a skin's cells
   windows = 7,   ///< what these tell together
   border = 8,    ///< where nothing is seen beyond, and whether offsets are known
+  /// Reflections of lines. Before, structures 2 and 3 stood for them, and the signs of blocks for
+  /// their grids of one row.
+  lines = 9,
 };
-inline constexpr auto newest_plan_version = PlanVersion::border;
+inline constexpr auto newest_plan_version = PlanVersion::lines;
 
 /// @throw std::invalid_argument  `check(plan)` does
 [[nodiscard]] std::vector<std::byte> encode_plan(const EstimatorPlan& plan);

@@ -1,22 +1,20 @@
 /// @file
 /// How y = A x is computed, as data: the structure of A that a planner found, and its factors.
 ///
-/// Mirror symmetry. A vector is blocks of equal length (channels of an array, unknowns), each with
-/// a sign: +1 where mirroring the array mirrors the block, -1 where it mirrors and negates it
-/// (shear, tangential traction). With J for that mirroring, A is symmetric if J A J = A. Then the
-/// vectors with J x = x and those with J x = -x do not mix: in the basis of sums and differences
-/// (x_i +- x_{n-1-i}), the centre of an odd block standing alone among the sums, A falls into two
-/// blocks of half its size, class 0 (J x = x) and class 1. A class lists, block after block, the
-/// sums of a block with its own sign, the differences of one with the other sign.
+/// Reflections. A vector is blocks of equal size (channels of an array, unknowns). A block is a
+/// grid of values, row after row: of a skin rows lie along y and the values of a row along z; of a
+/// line there is one row, along y. Two reflections turn a grid round, that of the order of its rows
+/// (y) and that of the values in each row (z); for each the block has a sign: +1 where reflecting
+/// the array reflects the block, -1 where it reflects and negates it (shear, tangential traction).
+/// With J for a reflection, A is symmetric if J A J = A. Then the vectors with J x = x and those
+/// with J x = -x do not mix: sums and differences of mirrored places part A into four classes of a
+/// quarter of its size, in this order: (+, +), (+, -), (-, +), (-, -), the first sign of y's
+/// reflection. Of a line (+, +) and (+, -) are a half each: in the others one row has no places. A
+/// class lists, block after block, the places of the first half of the rows (the middle one too
+/// where the block's parity in the class is +) and of their values alike, row after row.
 ///
-/// Skins. There a block is a grid of values, row after row (rows along y, values of a row along z),
-/// and has a sign for each of two reflections, y -> -y and z -> -z. Sums and differences of the
-/// four mirrored places of a grid part A into four classes, (+, +), (+, -), (-, +) and (-, -), the
-/// first sign of y's reflection: a quarter of A. A class lists, block after block, the places of
-/// the first half of the rows (the middle one too where the block's parity in the class is +) and
-/// of their values alike, row after row. Where A is also its own image when y and z are exchanged,
-/// blocks by their partners, (-, +) exchanged is (+, -) and has the same factor, which is read once
-/// for both;
+/// Where a skin's A is also its own image when y and z are exchanged, blocks by their partners,
+/// (-, +) exchanged is (+, -) and has the same factor, which is read once for both. The classes
 /// (+, +) and (-, -) part again into what the exchange leaves as it is and what it negates: an
 /// eighth of A. Those list the pairs i < j that the exchange makes of a class's places, their sums
 /// or differences, and the sums then the places that it leaves alone.
@@ -29,18 +27,18 @@
 
 namespace tactile_net {
 
+/// The numbers are those of plan files; 2 and 3 stand in older ones (plan_file.hpp).
 enum class Structure : std::uint8_t {
-  dense,            ///< one factor, A
-  low_rank,         ///< two factors: A = second x first
-  parity,           ///< one factor for each class
-  parity_low_rank,  ///< two factors for each class: those of class 0, then those of class 1
-  /// A = T + E: T a circulant's corner, by FFT; E, which corrects its ends, as parity_low_rank. Who
-  /// multiplies by T is passed to the estimator (convolution.hpp): this library has no FFT.
-  fft,
-  /// Of skins: one factor for each class, (+, +), (+, -), (-, +), (-, -); with partners those of
-  /// (+, +) left and negated, (+, -), (-, -) left and negated.
-  reflections,
-  reflections_low_rank,  ///< two factors for each class, one class after the other
+  dense = 0,     ///< one factor, A
+  low_rank = 1,  ///< two factors: A = second x first
+  /// Of lines, A = T + E: T a circulant's corner, by FFT; E, which corrects its ends, as
+  /// reflections_low_rank. Who multiplies by T is passed to the estimator (convolution.hpp): this
+  /// library has no FFT.
+  fft = 4,
+  /// One factor for each class, (+, +), (+, -), (-, +), (-, -), without values where a class has no
+  /// places; with partners those of (+, +) left and negated, (+, -), (-, -) left and negated.
+  reflections = 5,
+  reflections_low_rank = 6,  ///< two factors for each class, one class after the other
 };
 
 enum class Precision : std::uint8_t { float64, float32 };
@@ -48,18 +46,23 @@ enum class Precision : std::uint8_t { float64, float32 };
 [[nodiscard]] std::string_view name(Structure structure) noexcept;
 [[nodiscard]] std::string_view name(Precision precision) noexcept;
 
-/// Of the factors: what is said of parity_low_rank holds for the correction of fft.
-[[nodiscard]] constexpr bool has_parity(Structure structure) noexcept {
-  return structure == Structure::parity || structure == Structure::parity_low_rank ||
-         structure == Structure::fft;
+/// Of numbers that were read.
+[[nodiscard]] constexpr bool is_known(Structure structure) noexcept {
+  return structure == Structure::dense || structure == Structure::low_rank ||
+         (structure >= Structure::fft && structure <= Structure::reflections_low_rank);
 }
+[[nodiscard]] constexpr bool is_known(Precision precision) noexcept {
+  return precision <= Precision::float32;
+}
+
 [[nodiscard]] constexpr bool is_low_rank(Structure structure) noexcept {
-  return structure == Structure::low_rank || structure == Structure::parity_low_rank ||
-         structure == Structure::fft || structure == Structure::reflections_low_rank;
+  return structure == Structure::low_rank || structure == Structure::fft ||
+         structure == Structure::reflections_low_rank;
 }
-/// Whether classes are those of grids.
+/// Whether the factors are those of classes: of fft the ones that correct its ends.
 [[nodiscard]] constexpr bool has_reflections(Structure structure) noexcept {
-  return structure == Structure::reflections || structure == Structure::reflections_low_rank;
+  return structure == Structure::reflections || structure == Structure::reflections_low_rank ||
+         structure == Structure::fft;
 }
 
 /// What the reflections make of a vector of grids.
@@ -73,6 +76,10 @@ struct GridBlocks {
 
   [[nodiscard]] std::size_t size() const noexcept { return rows * columns * signs_y.size(); }
 };
+
+/// Blocks of a line, `count` values each.
+/// @param signs  of each block: 1 where mirroring the line mirrors it, -1 where it negates it too
+[[nodiscard]] GridBlocks line_blocks(std::size_t count, std::vector<std::int8_t> signs);
 
 /// A matrix, row-major.
 struct Factor {
@@ -88,42 +95,29 @@ struct ProductPlan {
   Precision precision = Precision::float64;
   std::size_t rows = 0;
   std::size_t columns = 0;
-  std::vector<std::int8_t> row_signs{};     ///< of each block of y; needed for parity only
-  std::vector<std::int8_t> column_signs{};  ///< of each block of x
-  /// Applied in the order of `Structure`. With parity they take plain sums and differences of x and
+  // Of reflections, else of no size.
+  GridBlocks row_grid{};     ///< of y
+  GridBlocks column_grid{};  ///< of x
+  /// Applied in the order of `Structure`. Those of classes take plain sums and differences of x and
   /// give those of y: the scaling to an orthonormal basis is in them.
   std::vector<Factor> factors{};
   double scale = 1.0;  ///< A is the factors' product times this power of two; 1 for fft
 
   /// fft only: m, the length of the circle on which T convolves blocks of n values, the rest of it
-  /// zero. Even, >= n, < 2^30, no prime factor above 7: an FFT then allocates nothing. With m >= 2
-  /// n
-  /// - 1 nothing wraps around; with less, what does is in the correction too.
+  /// zero. Even, >= n, < 2^30, no prime factor above 7: an FFT then allocates nothing. With
+  /// m >= 2 n - 1 nothing wraps around; with less, what does is in the correction too.
   std::size_t transform_size = 0;
   /// fft only: row blocks x column blocks x (m / 2 + 1), the DFT of each block's convolution. It is
   /// real where the two signs are equal and i times this where they differ, by mirror symmetry.
   std::vector<double> spectra{};
-
-  // Of reflections.
-  GridBlocks row_grid{};     ///< of y
-  GridBlocks column_grid{};  ///< of x
 };
-
-/// Sizes of class 0 and class 1 of a vector of `signs.size()` blocks, `size` values together.
-struct ClassSizes {
-  std::size_t even = 0;
-  std::size_t odd = 0;
-};
-[[nodiscard]] ClassSizes class_sizes(const std::vector<std::int8_t>& signs,
-                                     std::size_t size) noexcept;
 
 /// Sizes of the classes of reflections: four, with partners five.
 /// @pre  as many signs of z as of y, and partners that fit
 [[nodiscard]] std::vector<std::size_t> class_sizes(const GridBlocks& grid);
 
-/// @throw std::invalid_argument  sizes do not fit, a value is not finite, or is no float of at most
-/// 2^20
-///                               where the precision is float32
+/// @throw std::invalid_argument  sizes do not fit, a value is not finite, or, of precision float32,
+///                               is no float of at most 2^20
 void check(const ProductPlan& plan);
 
 /// Bytes of factors and spectra that one product streams: what its time is made of beyond a few

@@ -105,7 +105,7 @@ std::optional<std::size_t> count_in(std::string_view text) {
   return static_cast<std::size_t>(number);
 }
 
-/// "parity low rank float64"
+/// "reflections low rank float64"
 std::string product_in_words(Structure structure, Precision precision) {
   if (structure == Structure::fft) return std::string(corrected_fft);
   std::string text = std::string(name(structure)) + ' ' + std::string(name(precision));
@@ -239,10 +239,13 @@ std::string in_words(const study::WorkCurve& curve) {
 
 std::optional<study::WorkCurve> curve_named(std::string_view text) {
   using enum Structure;
+  // What studies of lines once called it.
+  constexpr std::string_view older = "parity";
+  std::string own(text);
+  if (text.starts_with(older)) own.replace(0, older.size(), name(reflections));
   for (const Precision precision : {Precision::float64, Precision::float32})
-    for (const Structure structure :
-         {dense, low_rank, parity, parity_low_rank, fft, reflections, reflections_low_rank})
-      if (product_in_words(structure, precision) == text)
+    for (const Structure structure : {dense, low_rank, reflections, reflections_low_rank, fft})
+      if (product_in_words(structure, precision) == own)
         return study::WorkCurve{
             .family = Family::product, .structure = structure, .precision = precision};
   if (const auto family = key_of(family_words, text)) return study::WorkCurve{.family = *family};

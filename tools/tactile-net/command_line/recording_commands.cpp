@@ -191,17 +191,11 @@ void add_plan(AllCommands& all) {
   command.add_option("--friction", options.friction, number(),
                      "Friction coefficient for the friction margin (default: the scene's "
                      "friction_limit)");
-  constexpr std::array structures = {Structure::dense,
-                                     Structure::low_rank,
-                                     Structure::parity,
-                                     Structure::parity_low_rank,
-                                     Structure::fft,
-                                     Structure::reflections,
-                                     Structure::reflections_low_rank};
-  command.add_choice(
-      "--structure", options.structure, structures,
-      "Of the product (default: the cheapest); reflections are of skins, parity and fft "
-      "of lines");
+  constexpr std::array structures = {Structure::dense, Structure::low_rank, Structure::reflections,
+                                     Structure::reflections_low_rank, Structure::fft};
+  command.add_choice("--structure", options.structure, structures,
+                     "Of the product (default: the cheapest); reflections use the array's mirror "
+                     "symmetry, fft is of lines");
   constexpr std::array precisions = {Precision::float64, Precision::float32};
   command.add_choice("--precision", options.precision, precisions,
                      "Of its numbers (default: the cheapest)");

@@ -1,7 +1,7 @@
 /// @file
 /// The words for what a study measured, and back: the strings of its CSV and JSON.
 ///
-///     in_words(WorkCurve)  "parity low rank float64", "nic, 10 MHz"
+///     in_words(WorkCurve)  "reflections low rank float64", "nic, 10 MHz"
 ///     in_words(Knob)       "rank 24 + 23", "settled to 0.01, by its poles"
 ///     in_words(Job)        "settling, nic"
 #pragma once
@@ -21,7 +21,7 @@ namespace tactile_net::report {
 [[nodiscard]] std::string in_words(const study::Knob& knob);
 [[nodiscard]] std::string in_words(const study::Failure& failure);
 
-/// "parity low rank float64, rank 24 + 23"
+/// "reflections low rank float64, rank 24 + 23"
 [[nodiscard]] std::string in_words(const study::WorkPoint& point);
 
 /// "12 %, settling, nic, about 34 s left"
