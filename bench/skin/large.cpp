@@ -1,6 +1,6 @@
 // Large skins: the product K f of 256 x 256 cells and three tractions over the transforms that it
 // needs; the steps of conjugate gradients to a residual of 1e-8, with what the tractions are off by
-// there and the processor's seconds. Alpha counts in the square of what even pressure reads of
+// there and the processor's seconds. Alpha counts in the square of what uniform pressure reads of
 // itself: 1.
 #include <algorithm>
 #include <array>

@@ -22,7 +22,7 @@ constexpr double known_share = 1e-7;  // another start's minimum, found again
 constexpr std::size_t tries_a_step = 4;
 /// A start whose residuals are still so many times the noise after so many steps goes nowhere.
 constexpr std::size_t patience = 25;
-constexpr double hopeless = 5.0;
+constexpr double abandoned_rms = 5.0;
 
 /// No logarithm moves by more than 1, no centre by more than the array's length over four.
 double shortening(const FitProblem& problem, const Eigen::VectorXd& common,
@@ -87,7 +87,8 @@ Descent descend(const FitProblem& problem, FitState state, std::optional<PadPara
   const auto rows = static_cast<double>(state.presses.size() * problem.readings_used());
   while (descent.iterations < problem.options().most_iterations && !descent.converged &&
          tries < most_tries) {
-    if (descent.iterations >= patience && objective > 0.5 * hopeless * hopeless * rows) break;
+    if (descent.iterations >= patience && objective > 0.5 * abandoned_rms * abandoned_rms * rows)
+      break;
     ++descent.iterations;
     if (problem.watch) problem.watch(descent.iterations);
     const SystemColumns columns = system_columns(problem, state, readings);

@@ -7,7 +7,7 @@
 namespace tactile_net {
 namespace {
 
-/// Sum over the circle of values at 0 ... m/2, continued evenly (sign 1) or oddly:
+/// Sum over the circle of values at 0 ... m/2, continued with even (sign 1) or odd parity:
 ///
 ///     v_0 + 2 sum v_l cos(2 pi k l / m) + v_{m/2} cos(pi k), or -2 sum v_l sin(2 pi k l / m)
 ///

@@ -21,7 +21,7 @@ namespace tactile_net {
 /// is taken.
 ///
 /// @param block  n x n, J B J = sign B
-/// @param size   even, >= n
+/// @param size   an even number, >= n
 [[nodiscard]] std::vector<double> circulant_spectrum(const Eigen::MatrixXd& block, int sign,
                                                      std::size_t size);
 

@@ -101,7 +101,7 @@ std::vector<double> leverages_of(const Eigen::MatrixXd& prediction) {
 double noise_limit(const std::vector<double>& weights, std::size_t degrees) {
   const auto live = static_cast<double>(
       std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; }));
-  return std::sqrt(chi_squared_limit(static_cast<double>(degrees), 1e-3) / live);
+  return std::sqrt(chi_squared_quantile(static_cast<double>(degrees), 1e-3) / live);
 }
 
 }  // namespace tactile_net

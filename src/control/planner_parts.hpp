@@ -18,21 +18,22 @@ void check(const PlannerOptions& options, std::size_t readings);
 /// @throw std::invalid_argument  a structure is asked for that it does not have
 void check_structure(const ProductTask& task, bool symmetric);
 
-/// Whether two factors for each class were cheaper than one, of the classes without the exchange:
-/// with it they have the same ranks.
+/// True if low rank paid in the candidates without the exchange of y and z: two factors for each
+/// class cost less than one. It then pays with the exchange too, since the ranks are the same.
 [[nodiscard]] bool low_rank_pays(const std::vector<Candidate>& tried);
 
 /// An accurate candidate before one that is not; of accurate ones the cheaper, else the one that
 /// errs less.
 [[nodiscard]] bool is_better(const Candidate& one, const Candidate& other);
 
-/// In raw numbers r = g / gain + ... the rows of K are K / gain and their weights W gain: W K, and
-/// so the tractions, stay as they are.
+/// Turns a task for readings g into one for raw numbers r = g / gain + ...: the rows of K become K
+/// / gain and their weights W gain, so that W K and the tractions stay as they are.
 ///
 /// @param count  readings of a channel, which have to have one gain for the array to be symmetric
 void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count);
 
-/// What does not follow from the problem; after the reconstruction and the weights.
+/// Fills in what the options say of a plan. Call it after the reconstruction and the weights are
+/// set.
 ///
 /// @param unknown_offsets  the problem's: channels have constants that nobody knows
 void take_options(PlannedEstimator& planned, const PlannerOptions& options, bool unknown_offsets);
@@ -40,7 +41,8 @@ void take_options(PlannedEstimator& planned, const PlannerOptions& options, bool
 /// The diagonal of a prediction, kept below 1.
 [[nodiscard]] std::vector<double> leverages_of(const Eigen::MatrixXd& prediction);
 
-/// What the rms of the live readings of white noise exceeds once in 1000 frames, per unit of it.
+/// Limit that the rms of the live readings exceeds in one of 1000 frames of white noise, per unit
+/// of the noise's rms.
 ///
 /// @param degrees  independent readings
 [[nodiscard]] double noise_limit(const std::vector<double>& weights, std::size_t degrees);

@@ -19,7 +19,7 @@ using Eigen::Index;
 
 int sign(bool is_negative) { return is_negative ? -1 : 1; }
 
-/// Channels of an even skin as grids; of no size where taxels are uneven.
+/// Channels of a regular skin as grids; of no size for an irregular one.
 GridBlocks reading_grid(const SkinProblem& problem) {
   const SkinGrid& grid = problem.grid;
   if (grid.stride_rows == 0 || grid.stride_columns == 0) return {};

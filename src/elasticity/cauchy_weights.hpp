@@ -29,8 +29,8 @@ struct CauchyWeights {
   }
 };
 
-/// Even readings are made of -Im C and depth Re C', odd ones of Re C and depth Im C', so that
-/// Hooke's law cancels in the weights, before any value is rounded.
+/// Readings of even parity are made of -Im C and depth Re C', odd ones of Re C and depth Im C', so
+/// that Hooke's law cancels in the weights, before any value is rounded.
 [[nodiscard]] inline CauchyWeights cauchy_weights(Quantity quantity, Traction component,
                                                   const Material& material) noexcept {
   const bool normal = component == Traction::normal;

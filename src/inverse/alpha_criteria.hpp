@@ -57,13 +57,13 @@ struct AlphaTables::Parts {
   std::vector<double> relative{};  ///< over the largest; 0 for those that outnumber the rows
   std::size_t rows = 0;
   double largest = 0.0;
-  double unexplained = 0.0;           ///< rows less the components that show in them
-  double low = 0.0;                   ///< log of the smallest alpha
-  std::size_t first = 0, last = 0;    ///< steps at the squares of the smallest and largest gamma
-  std::vector<double> alphas{};       ///< at every step
-  Eigen::VectorXd relative_alphas{};  ///< over the largest gamma's square
-  bool few_rows = false;              ///< too few to tell noise from signal
-  Eigen::MatrixXd lost{};             ///< 1 - phi, a column per step
+  double unexplained = 0.0;            ///< rows less the components that show in them
+  double low = 0.0;                    ///< log of the smallest alpha
+  std::size_t first = 0, last = 0;     ///< steps at the squares of the smallest and largest gamma
+  std::vector<double> alphas{};        ///< at every step
+  Eigen::VectorXd relative_alphas{};   ///< over the largest gamma's square
+  bool cannot_estimate_noise = false;  ///< see `AlphaTables`
+  Eigen::MatrixXd lost{};              ///< 1 - phi, a column per step
   /// What the squares of a frame's coefficients are multiplied by, in blocks of rows for
   /// `FrameCurves`.
   Eigen::MatrixXd weights{};

@@ -33,7 +33,7 @@ struct FoundAlpha {
 
 /// True if the rule's answer counts: it knows the noise, or there are readings to guess it by.
 [[nodiscard]] inline bool trusted(const AlphaTables::Parts& tables, AlphaRule rule) noexcept {
-  return needs_noise(rule) || !tables.few_rows;
+  return needs_noise(rule) || !tables.cannot_estimate_noise;
 }
 
 /// The verdict on one candidate among all: the rule can tell noise from signal, ten times alpha

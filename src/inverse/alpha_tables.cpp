@@ -69,7 +69,7 @@ AlphaTables::Parts::Parts(std::span<const double> all_gamma, std::size_t all_row
     first = step(std::min(half_kept, -1.0));  // all gamma equal: a bracket needs a width
     last = step(0.0);
   }
-  few_rows = traces(2.0 * std::log(silent_share)).left < fewest_silent;
+  cannot_estimate_noise = traces(2.0 * std::log(silent_share)).left < fewest_silent;
   fill();
 }
 
@@ -120,10 +120,10 @@ void AlphaTables::Parts::fill() {
 AlphaTables::AlphaTables(std::span<const double> gamma, std::size_t rows,
                          std::span<const double> shares)
     : parts_(std::make_unique<const Parts>(gamma, rows, shares)) {}
-bool AlphaTables::few_rows() const noexcept { return parts_->few_rows; }
+bool AlphaTables::cannot_estimate_noise() const noexcept { return parts_->cannot_estimate_noise; }
 
 AlphaRule default_rule(const AlphaTables& tables, bool noise_known) noexcept {
-  if (!tables.few_rows()) return AlphaRule::aicc;
+  if (!tables.cannot_estimate_noise()) return AlphaRule::aicc;
   return noise_known ? AlphaRule::evidence : AlphaRule::gml;
 }
 

@@ -135,7 +135,7 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
   free_constants.columns = all(Eigen::indexing::all, channels);
   most = limit(0.0);
   if (!channels.empty())
-    constant_gain = chi_squared_limit(static_cast<double>(channels.size()), 0.1 * false_alarms);
+    constant_gain = chi_squared_quantile(static_cast<double>(channels.size()), 0.1 * false_alarms);
 }
 
 std::vector<DataJudge::Parts::Side> DataJudge::Parts::sides(const Surface& surface) const {
@@ -211,7 +211,7 @@ double DataJudge::Parts::strain(std::span<const double> g, std::span<const doubl
 
 /// Of a residual's norm, where so many rows are taken by something else than noise.
 double DataJudge::Parts::limit(double taken) const {
-  return std::sqrt(chi_squared_limit(std::max(rows - taken, 1.0), false_alarms));
+  return std::sqrt(chi_squared_quantile(std::max(rows - taken, 1.0), false_alarms));
 }
 
 Freedom DataJudge::Parts::without(std::size_t taxel) const {
@@ -329,8 +329,9 @@ bool DataJudge::Parts::is_turned_round(const Eigen::VectorXd& y, std::span<const
   const double turned_squares = turned.norm * turned.norm;
   if (!limits.noise_rms) {
     const double left = rows - turned.free;
-    return left >= 1.0 && squares / rows > turned_squares / left *
-                                               variance_ratio_limit(rows, left, 0.1 * false_alarms);
+    return left >= 1.0 &&
+           squares / rows >
+               turned_squares / left * variance_ratio_quantile(rows, left, 0.1 * false_alarms);
   }
   constexpr double margin = 20.0;  // of log-likelihoods, doubled: noise alone differs by less
   return turned.norm <= most && squares - turned_squares + 2.0 * (base.free - turned.free) > margin;
@@ -390,7 +391,7 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
   // One taxel, one constant a channel, or either of them.
   const auto gains = [&](const Fit& fit, double taken, double alarms) {
     return fit.norm <= limit(taken) &&
-           base.norm * base.norm - fit.norm * fit.norm >= chi_squared_limit(taken, alarms);
+           base.norm * base.norm - fit.norm * fit.norm >= chi_squared_quantile(taken, alarms);
   };
   double by_taxel = std::numeric_limits<double>::infinity();
   double least = by_taxel;
@@ -412,7 +413,7 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
   if (limits.inner && !channels.empty()) {
     const auto constants = static_cast<double>(channels.size());
     constant = with_constants(widest(), y, free_constants);
-    far = chi_squared_limit(constants, false_alarms);
+    far = chi_squared_quantile(constants, false_alarms);
     if (gains(constant, constants, false_alarms)) by_constant = constant.norm;
   }
   if (by_constant * by_constant + far < by_taxel * by_taxel) verdict.taxel.reset();

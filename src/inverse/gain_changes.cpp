@@ -26,9 +26,9 @@ constexpr std::size_t fewest_frames = 8;
 /// Of all gains about what the calibration says, sds to choose from.
 constexpr std::array spreads = {0.001, 0.003, 0.006, 0.01, 0.015, 0.02, 0.03, 0.05};
 
-/// What frames say of the gains where their loads, and offsets, are whatever suits them best: the
-/// misfit is c - 2 slope'd + d'information d, d from zero on.
-struct Told {
+/// The likelihood of changes d of the gains, with loads and offsets whatever suits them best: the
+/// misfit (-2 log of it) is c - 2 slope'd + d'information d.
+struct GainLikelihood {
   Eigen::MatrixXd information{};
   Eigen::VectorXd slope{};
   Eigen::VectorXd offsets{};  // that suit the gains of the state
@@ -38,7 +38,7 @@ struct Told {
 
 struct Fitted {
   Eigen::VectorXd changes{}, variances{};
-  Told told{};
+  GainLikelihood likelihood{};
 };
 
 class Changes {
@@ -53,8 +53,9 @@ class Changes {
                            const std::vector<std::size_t>& frames) const;
 
  private:
-  [[nodiscard]] Told told(const Eigen::VectorXd& gains, const Eigen::VectorXd& offsets,
-                          const std::vector<std::size_t>& frames) const;
+  [[nodiscard]] GainLikelihood likelihood(const Eigen::VectorXd& gains,
+                                          const Eigen::VectorXd& offsets,
+                                          const std::vector<std::size_t>& frames) const;
   [[nodiscard]] static std::vector<bool> widened(const std::vector<bool>& free);
 
   const Eigen::MatrixXd& cone_;
@@ -74,15 +75,15 @@ std::vector<bool> Changes::widened(const std::vector<bool>& free) {
   return wide;
 }
 
-Told Changes::told(const Eigen::VectorXd& gains, const Eigen::VectorXd& offsets,
-                   const std::vector<std::size_t>& frames) const {
+GainLikelihood Changes::likelihood(const Eigen::VectorXd& gains, const Eigen::VectorXd& offsets,
+                                   const std::vector<std::size_t>& frames) const {
   const Eigen::Index n = cone_.rows();
   Eigen::MatrixXd gain_gain = Eigen::MatrixXd::Zero(n, n);
   Eigen::MatrixXd gain_offset = gain_gain;
   Eigen::MatrixXd offset_offset = gain_gain;
   Eigen::VectorXd gain_pull = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd offset_pull = gain_pull;
-  Told all;
+  GainLikelihood all;
   const Eigen::VectorXd factors = (gains.array() + 1.0).matrix();
   Eigen::MatrixXd columns = factors.asDiagonal() * cone_;
   for (Eigen::Index j = 0; j < columns.cols(); ++j)
@@ -131,20 +132,21 @@ void settle(const Eigen::VectorXd& variances, Fitted& fitted) {
   const Eigen::Index n = variances.size();
   const Lu system(
       Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n) +
-                      roots.asDiagonal() * fitted.told.information * roots.asDiagonal()));
+                      roots.asDiagonal() * fitted.likelihood.information * roots.asDiagonal()));
   const Eigen::MatrixXd inverse = system.inverse();
   fitted.changes =
-      roots.cwiseProduct(inverse * Eigen::VectorXd(roots.cwiseProduct(fitted.told.slope)));
+      roots.cwiseProduct(inverse * Eigen::VectorXd(roots.cwiseProduct(fitted.likelihood.slope)));
   fitted.variances = inverse.diagonal().cwiseProduct(variances);
 }
 
-/// -2 log of the likelihood of gains with these variances.
-double surprise(const Told& told, const Eigen::VectorXd& variances) {
+/// -2 log of the evidence for these variances of the gains' changes, but for a constant.
+double twice_negative_log_evidence(const GainLikelihood& likelihood,
+                                   const Eigen::VectorXd& variances) {
   const Eigen::VectorXd roots = variances.cwiseSqrt();
   const Eigen::Index n = variances.size();
-  const Eigen::MatrixXd system =
-      Eigen::MatrixXd::Identity(n, n) + roots.asDiagonal() * told.information * roots.asDiagonal();
-  const Eigen::VectorXd pull = roots.cwiseProduct(told.slope);
+  const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(n, n) +
+                                 roots.asDiagonal() * likelihood.information * roots.asDiagonal();
+  const Eigen::VectorXd pull = roots.cwiseProduct(likelihood.slope);
   return symmetric_eigenvalues(system).cwiseMax(1e-12).array().log().sum() -
          pull.dot(solve_definite(system, pull));
 }
@@ -156,12 +158,12 @@ Fitted Changes::fit(const Eigen::VectorXd& variances,
   Eigen::VectorXd gains = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd offsets = gains;
   for (int step = 0; step < newton_steps; ++step) {
-    fitted.told = told(gains, offsets, frames);
-    fitted.told.rows =
+    fitted.likelihood = likelihood(gains, offsets, frames);
+    fitted.likelihood.rows =
         static_cast<double>(frames.size()) * static_cast<double>((variances.array() > 0.0).count());
     settle(variances, fitted);
     gains = fitted.changes.cwiseMax(-0.8).cwiseMin(2.0);
-    offsets = fitted.told.offsets;
+    offsets = fitted.likelihood.offsets;
   }
   return fitted;
 }
@@ -216,11 +218,12 @@ GainChanges gain_changes(const InverseProblem& contacts, double friction_limit,
   Fitted found;
   while (true) {
     found = changes.fit(variances(spread), frames);
-    if (suspects.empty()) result.rms = std::sqrt(found.told.residual / found.told.rows);
+    if (suspects.empty()) result.rms = std::sqrt(found.likelihood.residual / found.likelihood.rows);
     // How far apart the gains lie anyhow is what the frames themselves make likeliest.
     const auto choose_spread = [&] {
       spread = *std::min_element(spreads.begin(), spreads.end(), [&](double a, double b) {
-        return surprise(found.told, variances(a)) < surprise(found.told, variances(b));
+        return twice_negative_log_evidence(found.likelihood, variances(a)) <
+               twice_negative_log_evidence(found.likelihood, variances(b));
       });
       Eigen::VectorXd own = variances(spread);
       settle(own, found);
@@ -248,7 +251,7 @@ GainChanges gain_changes(const InverseProblem& contacts, double friction_limit,
     choose_spread();
     break;
   }
-  if (suspects.empty() || found.told.residual > explained * explained * found.told.rows)
+  if (suspects.empty() || found.likelihood.residual > explained * explained * found.likelihood.rows)
     return result;
 
   const Eigen::VectorXd own = variances(spread);

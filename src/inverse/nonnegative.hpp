@@ -31,8 +31,9 @@ struct GoodEnough {
   double gradient = 0.0;  ///< of every variable, over |d|: what freeing it would gain
 };
 
-/// The same from no free variable on, for solutions of which few are: A may have more columns than
-/// rows, dependent ones too. Of several minimisers it finds one.
+/// Minimises |A z - d| with z_i >= 0 where `bounded`, starting from the empty passive set: for
+/// sparse solutions. A may have more columns than rows, dependent ones too. Of several minimisers
+/// it finds one.
 [[nodiscard]] NonnegativeSolution sparse_nonnegative_least_squares(const Eigen::MatrixXd& a,
                                                                    const Eigen::VectorXd& d,
                                                                    const std::vector<bool>& bounded,

@@ -26,7 +26,8 @@ std::vector<bool> dead_places(const SensorArray& array, const ProblemOptions& op
   return dead;
 }
 
-/// Of even taxels, which lie on values' places: every block of K is a Toeplitz matrix.
+/// Fills K for a regular array, whose taxels lie on values' places: each block is a Toeplitz
+/// matrix.
 void add_lags(const SensorArray& array, const Material& material, const ProblemOptions& options,
               InverseProblem& problem) {
   const Surface& surface = problem.surface;

@@ -52,8 +52,9 @@ struct Row {
   double weight;
 };
 
-/// Of an even array its channels. Of an uneven one every reading, as a `count`-th of a taxel: what
-/// a wave gives to all of them on average.
+/// The rows of a wave's problem. For a regular array one for each channel; for an irregular one a
+/// row for each reading, weighted as a `count`-th of a taxel: what a wave gives to all of them on
+/// average.
 std::vector<Row> rows_of(const SensorArray& array, const ProblemOptions& options) {
   const auto weight = [&](std::size_t channel) {
     return options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[channel];

@@ -1,22 +1,17 @@
 /// @file
-/// What chance alone exceeds in a given share of cases. Private.
+/// Upper quantiles: what chance alone exceeds in a given share of cases. Private.
 #pragma once
-
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
 
 namespace tactile_net {
 
-/// Of a sum of squares of white noise of rms 1.
-inline double chi_squared_limit(double degrees, double alarms) {
-  return boost::math::quantile(
-      boost::math::complement(boost::math::chi_squared_distribution<double>(degrees), alarms));
-}
+/// Upper `alarms` quantile of chi-squared with `degrees` degrees of freedom: the sum of squares of
+/// white noise of rms 1 exceeds it in this share of frames.
+/// @pre  degrees > 0, 0 < alarms < 1
+[[nodiscard]] double chi_squared_quantile(double degrees, double alarms);
 
-/// Of the ratio of two variances with so many degrees of freedom.
-inline double variance_ratio_limit(double above, double below, double alarms) {
-  return boost::math::quantile(
-      boost::math::complement(boost::math::fisher_f_distribution<double>(above, below), alarms));
-}
+/// Upper `alarms` quantile of F: the ratio of two variances with `above` and `below` degrees of
+/// freedom exceeds it in this share of cases.
+/// @pre  above > 0, below > 0, 0 < alarms < 1
+[[nodiscard]] double variance_ratio_quantile(double above, double below, double alarms);
 
 }  // namespace tactile_net

@@ -8,7 +8,7 @@
 namespace tactile_net {
 
 double taxel_gain(double readings, std::size_t taxels) {
-  return chi_squared_limit(readings, false_alarms / static_cast<double>(taxels));
+  return chi_squared_quantile(readings, false_alarms / static_cast<double>(taxels));
 }
 
 SingleLiar::SingleLiar(double rows) : rows_(rows) {

@@ -33,7 +33,8 @@ namespace tactile_net {
 /// What the sum over a taxel's readings takes of noise by chance, whichever the taxel is.
 [[nodiscard]] double taxel_gain(double readings, std::size_t taxels);
 
-/// Of residuals and readings over the noise, in vectors of any kind.
+/// Tells from residuals whether a taxel lies. Residuals and readings are over the noise, in vectors
+/// of any kind.
 class SingleLiar {
  public:
   /// @param rows  independent ones

@@ -8,12 +8,12 @@
 
 namespace tactile_net {
 
-double surprise_of_weight(double tangential_weight) noexcept {
+double negative_log_prior(double tangential_weight) noexcept {
   return std::log(0.5 * (tangential_weight + 1.0 / tangential_weight));
 }
 
-double surprise(const FilterFrame& frame, const AlphaTables& tables,
-                std::optional<double> noise_rms, std::optional<double> alpha) {
+double negative_log_evidence(const FilterFrame& frame, const AlphaTables& tables,
+                             std::optional<double> noise_rms, std::optional<double> alpha) {
   if (noise_rms && !(*noise_rms > 0.0)) throw std::invalid_argument("noise_rms must be > 0");
   const AlphaTables::Parts& parts = tables.parts();
   check_family(frame, parts);

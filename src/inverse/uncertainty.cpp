@@ -91,20 +91,20 @@ TractionCovariance::TractionCovariance(const InverseProblem& problem, double alp
 TractionCovariance::TractionCovariance(const Matrix& root, double degrees_of_freedom)
     : factor_(std::make_unique<const Factor>(as_eigen(root), degrees_of_freedom)) {}
 
-TractionCovariance::TractionCovariance(std::span<const Part> parts) {
-  if (parts.empty()) throw std::invalid_argument("a covariance of no estimate");
-  const Eigen::Index rows = parts.front().covariance->factor_->root.rows();
+TractionCovariance::TractionCovariance(std::span<const MixtureTerm> terms) {
+  if (terms.empty()) throw std::invalid_argument("a covariance of no estimate");
+  const Eigen::Index rows = terms.front().covariance->factor_->root.rows();
   Eigen::MatrixXd root(rows, 0);
   double degrees = 0.0;
-  for (const auto& [probability, covariance, apart] : parts) {
+  for (const auto& [probability, covariance, difference] : terms) {
     const Factor& factor = *covariance->factor_;
-    if (factor.root.rows() != rows || std::ssize(apart) != rows)
+    if (factor.root.rows() != rows || std::ssize(difference) != rows)
       throw std::invalid_argument("covariances of estimates that differ in size");
     const Eigen::Index first = root.cols();
     const double share = std::sqrt(probability);
     root.conservativeResize(rows, first + factor.root.cols() + 1);
     root.middleCols(first, factor.root.cols()) = share * factor.root;
-    root.rightCols<1>() = share * as_eigen(std::span(apart));
+    root.rightCols<1>() = share * as_eigen(std::span(difference));
     degrees += probability * factor.degrees;
   }
   factor_ = std::make_unique<const Factor>(std::move(root), degrees);
@@ -153,7 +153,7 @@ NoiseEstimate estimate_noise(double residual, std::size_t rows, double degrees_o
   const double free = std::max(static_cast<double>(rows) - degrees_of_freedom, 1.0);
   noise.residual_rms = residual / std::sqrt(free);
   if (stated_rms) {
-    const double limit = chi_squared_limit(free, 0.01) / free;
+    const double limit = chi_squared_quantile(free, 0.01) / free;
     const double ratio = *stated_rms / noise.residual_rms;
     if (1.0 > limit * ratio * ratio)
       noise.model_rms = noise.residual_rms * std::sqrt(1.0 - ratio * ratio);

@@ -125,12 +125,12 @@ class LargeContacts::OfGroups final : public Covariance {
 };
 
 std::unique_ptr<const Covariance> LargeContacts::covariance(
-    const ConeFace& face, const std::function<std::vector<double>(const LargeSkinPart&)>& readings,
-    double alpha, const std::function<double(const FilterFrame&)>& prior,
-    const Covariance& free) const {
+    const ActiveFace& face,
+    const std::function<std::vector<double>(const LargeSkinPart&)>& readings, double alpha,
+    const std::function<double(const FilterFrame&)>& prior, const Covariance& free) const {
   std::vector<OfGroups::One> all;
   for (const Group& group : groups_) {
-    const ConeFace own = group.part.face(face);
+    const ActiveFace own = group.part.face(face);
     if (own.free.empty() || !measures_anything(problem_of(*group.part.system()))) return nullptr;
     const LargeSkinFamily family(group.part.system(), own);
     const double prior_alpha = prior(family.analyse(readings(group.part)));

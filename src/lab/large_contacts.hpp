@@ -36,7 +36,7 @@ class LargeContacts {
   /// @param prior     the prior's alpha, of a part's frame
   /// @param free      without constraints, of the whole: kept by reference
   [[nodiscard]] std::unique_ptr<const Covariance> covariance(
-      const ConeFace& face,
+      const ActiveFace& face,
       const std::function<std::vector<double>(const LargeSkinPart&)>& readings, double alpha,
       const std::function<double(const FilterFrame&)>& prior, const Covariance& free) const;
 

@@ -58,7 +58,7 @@ const LargeSkinFamily& LargeSkin::family() {
   return *family_;
 }
 
-double LargeSkin::degrees_of_freedom(const ConeFace& face, double alpha) const {
+double LargeSkin::degrees_of_freedom(const ActiveFace& face, double alpha) const {
   if (face.free.empty()) return 0.0;
   constexpr std::size_t probes = 1;
   return LargeSkinFamily(system_, face, probes).degrees_of_freedom(alpha);

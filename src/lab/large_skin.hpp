@@ -37,7 +37,7 @@ class LargeSkin {
   [[nodiscard]] const LargeSkinFamily& family();
   /// tr H of the tractions that the face leaves free, by one probe of random signs: of a large
   /// skin's many readings one is enough.
-  [[nodiscard]] double degrees_of_freedom(const ConeFace& face, double alpha) const;
+  [[nodiscard]] double degrees_of_freedom(const ActiveFace& face, double alpha) const;
   /// With this alpha.
   [[nodiscard]] LargeSkinTikhonov& solver(double alpha);
   /// @throw FrameOverflow          the tractions overflow a double

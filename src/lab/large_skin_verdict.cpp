@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "inverse/data_limits.hpp"
+#include "inverse/significance.hpp"
 #include "inverse/single_liar.hpp"
 #include "lab/large_skin.hpp"
 #include "tactile_net/skin/data_verdict.hpp"
@@ -16,7 +17,7 @@ namespace tactile_net::lab {
 namespace {
 
 /// Steps from nothing smooth as alpha does, and the more of them the less: one small alpha serves.
-constexpr double search_smoothing = 1e-8;  // over the square of what even pressure reads
+constexpr double search_smoothing = 1e-8;  // over the square of what uniform pressure reads
 /// Of `sought_liar`, over that square, which is some five times the largest singular value's.
 constexpr std::array liar_smoothings = {2e-5, 2e-7};
 constexpr std::size_t most_search_steps = 500;
@@ -42,7 +43,7 @@ class ContactSearch {
     return left(readings, enough, press, search_smoothing);
   }
   /// The same where the search goes on however well readings are explained.
-  /// @param smoothing  over the square of what even pressure reads
+  /// @param smoothing  over the square of what uniform pressure reads
   [[nodiscard]] std::vector<double> least_left(std::span<const double> readings,
                                                const Constraints& press, double smoothing) const {
     return left(readings, 0.0, press, smoothing);
@@ -85,7 +86,7 @@ class ContactSearch {
 
   std::shared_ptr<LargeSkinSystem> system_;
   double unit_;
-  double square_;                     // of what even pressure reads
+  double square_;                     // of what uniform pressure reads
   std::optional<double> friction_{};  // that is stated, or else usual; absent: nothing drags
   Constraints press_{};               // contacts of any friction that is likely
 };
@@ -109,7 +110,7 @@ bool is_explained_elsewhere(const SkinProblem& problem, const SkinArray& skin, s
     sum += std::pow(left[i], 2);
     rows += 1.0;
   }
-  return rows == 0.0 || sum <= slack * slack * noise_square_limit(rows, false_alarms);
+  return rows == 0.0 || sum <= slack * slack * chi_squared_quantile(rows, false_alarms);
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ DataVerdict LargeSkin::judge(std::span<const double> readings, std::span<const d
 
   const auto rows = static_cast<double>(independent_readings(problem()));
   const double rms = *limits_.noise_rms / std::sqrt(rows);  // of a norm
-  const double most = std::sqrt(noise_square_limit(rows, false_alarms));
+  const double most = std::sqrt(chi_squared_quantile(rows, false_alarms));
   verdict.residual_limit = most * rms;
   size /= *limits_.noise_rms;
   verdict.noise_alone = size <= most;
@@ -188,7 +189,7 @@ DataVerdict LargeSkin::judge(std::span<const double> readings, std::span<const d
                                     .left(readings, most, search.widest()));
     const double chance = taxel_gain(taken, problem().taxels);
     const double gain = SingleLiar::squares(left) - without * without;
-    if (without <= std::sqrt(noise_square_limit(std::max(rows - taken, 1.0), false_alarms)) &&
+    if (without <= std::sqrt(chi_squared_quantile(std::max(rows - taken, 1.0), false_alarms)) &&
         gain >= chance) {
       verdict.taxel = worst;
       verdict.doubts.push_back(DataDoubt::bad_taxel);

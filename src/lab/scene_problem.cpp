@@ -281,8 +281,8 @@ std::vector<SceneFrame::LikelyWeight> likely_weights_of(const SceneProblem& prob
     const SceneProblem& weighed = problem.weighed(weight);
     const FilterFrame frame = weighed.family().analyse(readings);
     const double value =
-        surprise(frame, weighed.alpha_tables(frame), problem.stated_noise(), alpha) +
-        surprise_of_weight(weight);
+        negative_log_evidence(frame, weighed.alpha_tables(frame), problem.stated_noise(), alpha) +
+        negative_log_prior(weight);
     weights.push_back({weight, value});
     least = std::min(least, value);
   }
@@ -364,7 +364,8 @@ ChosenAlpha SceneFrame::alpha() const {
 const AlphaChoice& SceneFrame::prior() const {
   if (!prior_) {
     // Of many readings gml bears a noise that is not as stated, and a model that is not the pad.
-    const bool known = problem_.stated_noise() && problem_.alpha_tables(analysed()).few_rows();
+    const bool known =
+        problem_.stated_noise() && problem_.alpha_tables(analysed()).cannot_estimate_noise();
     prior_ = choose_alone(analysed(), problem_.alpha_tables(analysed()), prior_rule(known),
                           problem_.stated_noise());
     // Not even the weakest component shows any noise: there is none to size a prior by.

@@ -143,9 +143,9 @@ double moved_by_constraints(const Uncertain& held, const Uncertain& free) {
 
 /// A face on which the cells beside those that press may press too: which of them do nobody knows
 /// better than by a cell.
-ConeFace with_cells_beside(ConeFace face, const SkinGrid& grid) {
+ActiveFace with_cells_beside(ActiveFace face, const SkinGrid& grid) {
   std::vector<bool> presses(grid.count());
-  for (const ConeFace::Direction& one : face.free)
+  for (const ActiveFace::Direction& one : face.free)
     if (one.along[0] != 0.0) presses[one.cell] = true;
   std::vector<std::size_t> pressed;
   for (std::size_t cell = 0; cell < presses.size(); ++cell)

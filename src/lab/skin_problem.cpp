@@ -237,8 +237,9 @@ double SkinSceneProblem::likeliest_weight(std::span<const double> readings) cons
   return likeliest_tangential_weight([&](double weight) {
     const SkinSceneProblem one = weighed(weight);
     const FilterFrame frame = one.family().analyse(readings);
-    return surprise(frame, one.alpha_tables(frame), stated_noise(), scene().reconstruct.alpha) +
-           surprise_of_weight(weight);
+    return negative_log_evidence(frame, one.alpha_tables(frame), stated_noise(),
+                                 scene().reconstruct.alpha) +
+           negative_log_prior(weight);
   });
 }
 

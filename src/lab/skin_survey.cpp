@@ -220,8 +220,8 @@ class SkinComparison {
             std::array{WaveDirection::along_y, WaveDirection::along_z, WaveDirection::any}[d],
             survey_.traction);
     const double k = 2.0 * pi / survey_.wave;
-    choice.wave_condition = wave_sight(skin, scene_.material, options, k * std::cos(wave_angle),
-                                       k * std::sin(wave_angle))
+    choice.wave_condition = wave_observability(skin, scene_.material, options,
+                                               k * std::cos(wave_angle), k * std::sin(wave_angle))
                                 .condition;
     choice.unseen =
         skin_unseen_width(skin, scene_.material, options.channel_rms,

@@ -55,12 +55,13 @@ std::vector<double> without_margins(std::span<const double> all, const Surface& 
 TractionCovariance covariance_about(const SceneFrame& frame, std::span<const double> tractions,
                                     double alpha, double rms) {
   const SceneProblem& scene = frame.problem();
-  std::vector<double> apart = scene.family().solve(frame.analysed(), alpha);
-  for (std::size_t i = 0; i < apart.size(); ++i)
-    apart[i] = rms > 0.0 ? (tractions[i] - apart[i]) / rms : 0.0;
+  std::vector<double> difference = scene.family().solve(frame.analysed(), alpha);
+  for (std::size_t i = 0; i < difference.size(); ++i)
+    difference[i] = rms > 0.0 ? (tractions[i] - difference[i]) / rms : 0.0;
   const TractionCovariance own(scene.family(), alpha, prior_of(frame, alpha));
-  const TractionCovariance::Part part{.covariance = &own, .apart = std::move(apart)};
-  return TractionCovariance(std::span(&part, 1));
+  const TractionCovariance::MixtureTerm term{.covariance = &own,
+                                             .difference = std::move(difference)};
+  return TractionCovariance(std::span(&term, 1));
 }
 
 /// What `covariance` makes of the frame with its weight, or with each that the readings leave
@@ -72,12 +73,12 @@ TractionCovariance over_weights(const SceneFrame& frame, std::size_t tractions,
   std::vector<TractionCovariance> covariances;
   for (const auto& [weight, probability] : frame.likely_weights())
     covariances.push_back(covariance(frame.weighed(weight)));
-  std::vector<TractionCovariance::Part> parts;
+  std::vector<TractionCovariance::MixtureTerm> terms;
   for (std::size_t i = 0; i < covariances.size(); ++i)
-    parts.push_back({.probability = frame.likely_weights()[i].probability,
+    terms.push_back({.probability = frame.likely_weights()[i].probability,
                      .covariance = &covariances[i],
-                     .apart = std::vector<double>(tractions)});
-  return TractionCovariance(parts);
+                     .difference = std::vector<double>(tractions)});
+  return TractionCovariance(terms);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 namespace tactile_net {
 
-/// The share `at` of the values lies below, 0 to 1; 0 without values. Takes its copy apart.
+/// The `at`-quantile (nearest rank) of the values, at from 0 to 1; 0 without values.
 [[nodiscard]] inline double quantile(std::vector<double> values, double at) {
   if (values.empty()) return 0.0;
   const auto place = values.begin() + std::lround(at * static_cast<double>(values.size() - 1));

@@ -229,9 +229,9 @@ std::string judgement(const lab::SkinExperiment& experiment) {
               ". Data: " + report::data_word(answer.data, scene) + ".")) +
           "</p>\n";
   if (answer.cone)
-    html += element("p", "Under the constraints " + std::to_string(answer.cone->sliding) +
-                             " cells slide, " + std::to_string(answer.cone->sticking) + " stick, " +
-                             std::to_string(answer.cone->apart) + " touch nothing; found in " +
+    html += element("p", "Under the constraints " + std::to_string(answer.cone->slip) +
+                             " cells slide, " + std::to_string(answer.cone->stick) + " stick, " +
+                             std::to_string(answer.cone->separation) + " touch nothing; found in " +
                              std::to_string(answer.cone->iterations) + " iterations.");
   return html;
 }

@@ -325,8 +325,8 @@ std::vector<double> exact_readings(const Channel& channel, std::span<const doubl
 std::vector<double> exact_readings(const SensorArray& array, const Material& material,
                                    std::span<const Contact> contacts, const Quadrature& rule) {
   check(array);
-  // Taxels of one quantity at one depth, equally wide, share their kernels; even arrays have them
-  // side by side.
+  // Taxels of one quantity at one depth, equally wide, share their kernels; regular arrays have
+  // them side by side.
   const std::vector<Site> all = sites(array);
   // By channel, depth, width.
   std::map<std::tuple<std::size_t, double, double>, std::vector<std::size_t>> alike;

@@ -62,7 +62,8 @@ Surface surface_of(const SensorArray& array, const SurfaceOptions& options) {
   const double depth = least_depth(array);
   const double wanted =
       options.spacing.value_or(is_dense(array) ? std::min(array.pitch, 0.5 * depth) : 0.25 * depth);
-  // Whole steps from taxel to taxel where these are even, from the first to the last where not.
+  // Whole steps from taxel to taxel of a regular array, from the first to the last of an irregular
+  // one.
   const double first = position(array, 0);
   const double length = is_even(array) ? array.pitch : position(array, array.count - 1) - first;
   const double parts = is_even(array) ? static_cast<double>(array.count - 1) : 1.0;

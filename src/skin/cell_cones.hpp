@@ -14,10 +14,11 @@
 
 namespace tactile_net {
 
-/// Where a projection onto the cone ends.
-enum class ConePart { apart, sliding, sticking };
+/// The contact state of a cell: where on its friction cone the projection ends. Separation: the
+/// tip, nothing touches. Slip: the surface, friction is at its limit. Stick: the inside.
+enum class ContactState { separation, slip, stick };
 
-/// (p, q_y, q_z) of every cell, projected; without a limit p alone.
+/// Projects (p, q_y, q_z) of every cell onto its cone; without a friction limit p alone.
 class CellCones {
  public:
   using Index = Eigen::Index;
@@ -25,53 +26,53 @@ class CellCones {
   CellCones(Index cells, const Constraints& constraints)
       : cells_(cells), constraints_(constraints) {}
 
-  /// @param visit  of each cell, and the part of the cone on which it ends
+  /// @param visit  is called with each cell and its contact state
   void project(Eigen::VectorXd& f, const auto& visit) const {
     for (Index i = 0; i < cells_; ++i) visit(i, project_cell(f, i));
   }
   void project(Eigen::VectorXd& f) const {
-    project(f, [](Index, ConePart) {});
+    project(f, [](Index, ContactState) {});
   }
 
  private:
-  ConePart project_cell(Eigen::VectorXd& f, Index i) const {
+  ContactState project_cell(Eigen::VectorXd& f, Index i) const {
     double& p = f(i);
     if (!constraints_.friction_limit) {
-      if (!constraints_.nonnegative || p > 0.0) return ConePart::sticking;
+      if (!constraints_.nonnegative || p > 0.0) return ContactState::stick;
       p = 0.0;
-      return ConePart::apart;
+      return ContactState::separation;
     }
     const double limit = *constraints_.friction_limit;
     double& y = f(cells_ + i);
     double& z = f(2 * cells_ + i);
     const double drag = std::hypot(y, z);
-    if (drag < limit * p) return ConePart::sticking;
+    if (drag < limit * p) return ContactState::stick;
     const double along = (p + limit * drag) / (1.0 + limit * limit);
     if (!(along > 0.0)) {
       p = y = z = 0.0;
-      return ConePart::apart;
+      return ContactState::separation;
     }
     p = along;
     const double shrunk = drag > 0.0 ? limit * along / drag : 0.0;
     y *= shrunk;
     z *= shrunk;
-    return ConePart::sliding;
+    return ContactState::slip;
   }
 
   Index cells_;
   Constraints constraints_;
 };
 
-/// Adds the directions in which the tractions of a cell may still change.
+/// Adds to a face the directions in which the tractions of a cell may still change.
 ///
 /// @param before  tractions whose projection the answer is; drags of any one scale
 /// @param limit   of friction, of the tractions themselves
-inline void add_free_directions(ConeFace& face, const Eigen::VectorXd& before, Eigen::Index cells,
-                                Eigen::Index at, ConePart part, std::optional<double> limit) {
+inline void add_free_directions(ActiveFace& face, const Eigen::VectorXd& before, Eigen::Index cells,
+                                Eigen::Index at, ContactState state, std::optional<double> limit) {
   const auto cell = static_cast<std::size_t>(at);
   const auto add = [&](double p, double y, double z) { face.free.push_back({cell, {p, y, z}}); };
   const bool three = before.size() == 3 * cells;
-  if (part == ConePart::sliding) {
+  if (state == ContactState::slip) {
     // Of what is projected: the answer of a cell that hardly touches may have been rounded to 0.
     const double drag = std::hypot(before(cells + at), before(2 * cells + at));
     const double y = drag > 0.0 ? before(cells + at) / drag : 1.0;
@@ -81,8 +82,8 @@ inline void add_free_directions(ConeFace& face, const Eigen::VectorXd& before, E
     add(0.0, -z, y);
     return;
   }
-  if (part == ConePart::sticking) add(1.0, 0.0, 0.0);
-  if (three && (part == ConePart::sticking || !limit)) {
+  if (state == ContactState::stick) add(1.0, 0.0, 0.0);
+  if (three && (state == ContactState::stick || !limit)) {
     add(0.0, 1.0, 0.0);
     add(0.0, 0.0, 1.0);
   }

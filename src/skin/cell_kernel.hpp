@@ -69,7 +69,7 @@ class LatticeKernel {
   std::vector<double> quadrant_;
 };
 
-/// Where a taxel of an even skin lies on the grid.
+/// Where a taxel of a regular skin lies on the grid.
 struct LatticeCell {
   std::size_t row;
   std::size_t column;

@@ -11,7 +11,7 @@ double constrained_alpha(AlphaRule rule, double alpha) noexcept {
   return rule == AlphaRule::rgcv || rule == AlphaRule::aicc ? 0.5 * alpha : alpha;
 }
 
-Matrix edges(const SkinProblem& problem, const ConeFace& face) {
+Matrix edges(const SkinProblem& problem, const ActiveFace& face) {
   const std::size_t cells = problem.grid.count();
   Matrix map{problem.components * cells, face.free.size(),
              std::vector<double>(problem.components * cells * face.free.size())};

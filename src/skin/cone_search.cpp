@@ -86,7 +86,7 @@ ConeSearch ConeSearch::without(std::span<const std::size_t> taxels) const {
 }
 
 SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t iteration_limit,
-                                   double enough, const Hopeless& hopeless,
+                                   double enough, const EarlyStop& stop_early,
                                    std::span<const double> nearby) const {
   const ConeSystem& system = *system_;
   const ConeProblem& s = system.problem();
@@ -145,23 +145,23 @@ SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t
         solution.verdict = ConstrainedVerdict::ok;
         break;
       }
-      if (!hopeless || solution.iterations != next_look) continue;
+      if (!stop_early || solution.iterations != next_look) continue;
       next_look *= 2;
       const Eigen::VectorXd now = in_units(z);
-      if (hopeless(std::span(now.data(), static_cast<std::size_t>(now.size())))) break;
+      if (stop_early(std::span(now.data(), static_cast<std::size_t>(now.size())))) break;
     }
     solution.residual = residual();
     Eigen::VectorXd before = z + u;  // whose projection z is
     std::optional<double> limit = constraints_.friction_limit;
     if (limit) *limit /= s.scales.drag;
-    cones.project(before, [&](Index i, ConePart part) {
-      solution.apart += part == ConePart::apart ? 1 : 0;
-      solution.sliding += part == ConePart::sliding ? 1 : 0;
-      solution.sticking += part == ConePart::sticking ? 1 : 0;
-      add_free_directions(solution.face, before, s.cells, i, part, limit);
+    cones.project(before, [&](Index i, ContactState state) {
+      solution.separation += state == ContactState::separation ? 1 : 0;
+      solution.slip += state == ContactState::slip ? 1 : 0;
+      solution.stick += state == ContactState::stick ? 1 : 0;
+      add_free_directions(solution.face, before, s.cells, i, state, limit);
     });
   } else {
-    solution.apart = static_cast<std::size_t>(s.cells);
+    solution.separation = static_cast<std::size_t>(s.cells);
   }
   z = in_units(std::move(z));
   if (!z.allFinite()) return {.status = FrameStatus::too_large};

@@ -20,30 +20,30 @@ class ConeSearch {
   /// @throw std::invalid_argument  as `SkinCone`
   ConeSearch(const SkinProblem& problem, double alpha, const Constraints& constraints);
 
-  /// All readings' of another alpha: what does not depend on it is shared, and tractions are those
-  /// of a search made anew, to the last bit.
+  /// The search with another alpha, no taxel left out: shares what does not depend on alpha; the
+  /// tractions have the same bits as those of a new search.
   /// @throw std::invalid_argument  alpha is not > 0 and finite
   [[nodiscard]] ConeSearch with_alpha(double alpha) const;
 
-  /// The same with these taxels' readings left out, as if they had been dead: one solve with what
-  /// has been factored for each of their readings.
+  /// The search without these taxels' readings, as if the taxels were dead: one solve with the
+  /// shared factors for each of their readings.
   [[nodiscard]] ConeSearch without(std::span<const std::size_t> taxels) const;
 
-  /// The same under another limit of friction: what has been factored is shared.
-  /// @pre  > 0 and finite, and there are tangential tractions
+  /// The search under another limit of friction; shares the factors.
+  /// @pre  limit > 0 and finite, and there are tangential tractions
   [[nodiscard]] ConeSearch with_friction(double limit) const;
 
-  /// Asked after 100 steps, 200, 400, 800 ... whether these tractions [Pa], the last found, say
-  /// that more steps are in vain.
-  using Hopeless = std::function<bool(std::span<const double> tractions)>;
+  /// Called after 100, 200, 400, 800 ... steps with the tractions found so far [Pa]; true: stop,
+  /// more steps are in vain.
+  using EarlyStop = std::function<bool(std::span<const double> tractions)>;
 
   /// As `SkinCone::solve`.
-  /// @param hopeless  absent: it never is; where it is the verdict is `iteration_limit`
-  /// @param nearby    tractions [Pa] that obey the constraints, from which fewer steps lead to the
-  ///                  same; none: steps begin with nothing pressed
+  /// @param stop_early  absent: never; where it stops the verdict is `iteration_limit`
+  /// @param nearby      tractions [Pa] that obey the constraints, from which fewer steps lead to
+  ///                    the same solution; none: steps begin with nothing pressed
   [[nodiscard]] SkinConeSolution solve(std::span<const double> readings,
                                        std::size_t iteration_limit, double enough,
-                                       const Hopeless& hopeless = {},
+                                       const EarlyStop& stop_early = {},
                                        std::span<const double> nearby = {}) const;
 
  private:

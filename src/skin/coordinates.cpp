@@ -33,7 +33,7 @@ Eigen::MatrixXd along_both(Eigen::MatrixXd columns, const Eigen::MatrixXd& left,
 }
 
 /// As `edges`, which of a large skin's face would be too many numbers.
-Eigen::SparseMatrix<double> sparse_edges(const SkinProblem& problem, const ConeFace& face) {
+Eigen::SparseMatrix<double> sparse_edges(const SkinProblem& problem, const ActiveFace& face) {
   const std::size_t cells = problem.grid.count();
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t j = 0; j < face.free.size(); ++j) {
@@ -112,7 +112,7 @@ Eigen::VectorXd CosineCoordinates::squares(const SkinGrid&, const CellWindow& wi
                     sums(z_, window.columns));
 }
 
-FaceCoordinates::FaceCoordinates(const SkinProblem& problem, const ConeFace& face) {
+FaceCoordinates::FaceCoordinates(const SkinProblem& problem, const ActiveFace& face) {
   if (face.free.empty())
     throw std::invalid_argument("every traction is held at zero: no family of any");
   edges_ = sparse_edges(problem, face);

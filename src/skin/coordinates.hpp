@@ -80,7 +80,7 @@ class FaceCoordinates final : public SkinCoordinates {
   static constexpr double too_narrow = 1e-3;
 
   /// @throw std::invalid_argument  nothing is free, or the face is of another problem
-  FaceCoordinates(const SkinProblem& problem, const ConeFace& face);
+  FaceCoordinates(const SkinProblem& problem, const ActiveFace& face);
 
   [[nodiscard]] Eigen::Index count() const noexcept override { return edges_.cols(); }
   [[nodiscard]] Eigen::Index traction_count() const noexcept override { return edges_.rows(); }

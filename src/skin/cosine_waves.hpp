@@ -8,7 +8,7 @@
 
 namespace tactile_net {
 
-/// Column m: cos(pi m (i + 1/2) / count), of unit norm; even and odd to the bit.
+/// Column m: cos(pi m (i + 1/2) / count), of unit norm; of even or odd parity to the bit.
 ///
 /// @param waves  the first so many, <= count
 [[nodiscard]] Eigen::MatrixXd cosine_waves(std::size_t count, std::size_t waves);

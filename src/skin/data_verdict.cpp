@@ -32,7 +32,7 @@ constexpr std::array smoothings = {1e-4, 1e-6, 1e-8};
 /// Of a contact's readings the first hundred steps, with most smoothing, explain most. Where they
 /// leave this share no contact is near, and finding the nearest one would take a thousand times
 /// three.
-constexpr double hopeless = 0.3;
+constexpr double far_share = 0.3;
 /// A search ends where twice the steps, or a hundredth of the smoothing, have gained less than this
 /// share of what is still missing: it would take ten times as many again.
 constexpr double least_gain = 0.1;
@@ -44,9 +44,10 @@ double largest_square(const SkinProblem& problem) {
   return largest * largest;
 }
 
-/// Of norms: what is left, and all readings'.
-bool is_hopeless(double left, double all, double enough) {
-  return left > enough && left / all > hopeless;
+/// True if the best contact so far leaves so much that no contact is near.
+/// @param left, all  norms of what is left and of all readings
+bool is_far_from_contacts(double left, double all, double enough) {
+  return left > enough && left / all > far_share;
 }
 
 /// A problem's cones, each factored when it is first asked for, by any thread.
@@ -86,10 +87,6 @@ class Cones {
 };
 
 }  // namespace
-
-double noise_square_limit(double degrees, double alarms) {
-  return chi_squared_limit(degrees, alarms);
-}
 
 double frame_strain(const SkinProblem& problem, const DataLimits& limits,
                     std::span<const double> readings, std::span<const double> tractions) {
@@ -154,7 +151,7 @@ struct SkinDataJudge::Parts {
                                                      const Eigen::VectorXd& residual) const;
   /// Of a residual's norm, where so many rows are taken by something else than noise.
   [[nodiscard]] double limit(double taken) const {
-    return std::sqrt(chi_squared_limit(std::max(rows - taken, 1.0), false_alarms));
+    return std::sqrt(chi_squared_quantile(std::max(rows - taken, 1.0), false_alarms));
   }
   /// What contacts are sought with.
   [[nodiscard]] Cones& contacts() const;
@@ -220,7 +217,7 @@ Eigen::VectorXd SkinDataJudge::Parts::left_by_contact(
     const auto look = [&](std::span<const double> tractions) {
       if (!std::exchange(first, false)) return false;
       residual = left(of.problem(), readings, tractions);
-      in_vain = is_hopeless(residual.norm(), all, enough);
+      in_vain = is_far_from_contacts(residual.norm(), all, enough);
       return in_vain;
     };
     const ConeSearch& all_contacts = of.cone(i);
@@ -254,7 +251,7 @@ double SkinDataJudge::Parts::least_left(std::span<const double> readings, double
     const auto is_vain = [&](std::span<const double> tractions) {
       const double now = norm(tractions);
       const bool vain = before ? now > enough && *before - now < least_gain * (now - enough)
-                               : i == 0 && is_hopeless(now, all, enough);
+                               : i == 0 && is_far_from_contacts(now, all, enough);
       before = now;
       return vain;
     };

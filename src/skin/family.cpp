@@ -114,7 +114,7 @@ SkinFamily::SkinFamily(const SkinProblem& problem)
                                                     stabiliser_spectrum(problem).cwiseSqrt()),
           mirror_classes(problem), tactile_net::stabiliser_condition(problem))) {}
 
-SkinFamily::SkinFamily(const SkinProblem& problem, const ConeFace& face) {
+SkinFamily::SkinFamily(const SkinProblem& problem, const ActiveFace& face) {
   auto coordinates = std::make_shared<const FaceCoordinates>(problem, face);
   std::vector<SkinClass> whole{whole_class(problem, coordinates->count())};
   factors_ = std::make_shared<const Factors>(problem, std::move(coordinates), std::move(whole),

@@ -21,7 +21,7 @@ struct Line {
   double count;
   double spacing;
   double margin;
-  double stride;  // 0: taxels are uneven
+  double stride;  // 0: an irregular skin
 };
 
 /// @param wanted  spacing and margin [m], at most and at least
@@ -39,7 +39,7 @@ Line uneven_line(double length, double spacing, double margin) {
   return {steps + 2.0 * outside + 1.0, own, outside, 0.0};
 }
 
-/// Where an uneven skin's taxels lie along one axis.
+/// Where an irregular skin's taxels lie along one axis.
 struct Extent {
   double from = 0.0;
   double to = 0.0;

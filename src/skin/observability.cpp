@@ -97,21 +97,21 @@ Spectrum spectrum_of(const SkinProblem& problem) {
   return spectrum;
 }
 
-FiniteSight finite_sight(const SkinArray& skin, const Material& material,
-                         SkinProblemOptions options, const WaveSymbol& symbol) {
+FiniteObservability finite_observability(const SkinArray& skin, const Material& material,
+                                         SkinProblemOptions options, const WaveSymbol& symbol) {
   std::vector<std::size_t> dead_taxels = std::exchange(options.dead_taxels, {});
   options.grid = {.spacing = std::max(skin.rows > 1 ? skin.pitch_y : 0.0,
                                       skin.columns > 1 ? skin.pitch_z : 0.0),
                   .margin = 0.0};
   if (*options.grid.spacing == 0.0) options.grid.spacing.reset();
   const Spectrum all = spectrum_of(make_problem(skin, material, options));
-  FiniteSight sight{.tractions = options.components * taxel_count(skin),
-                    .hidden = all.hidden,
-                    .condition = all.condition,
-                    .noise_gain = all.hidden > 0 ? infinity : 1.0 / all.smallest};
+  FiniteObservability found{.tractions = options.components * taxel_count(skin),
+                            .hidden = all.hidden,
+                            .condition = all.condition,
+                            .noise_gain = all.hidden > 0 ? infinity : 1.0 / all.smallest};
   if (!dead_taxels.empty()) {
     options.dead_taxels = std::move(dead_taxels);
-    sight.dead = spectrum_of(make_problem(skin, material, options)).hidden - all.hidden;
+    found.dead = spectrum_of(make_problem(skin, material, options)).hidden - all.hidden;
   }
 
   const LatticeLine y = lattice_line(skin, false);
@@ -121,10 +121,10 @@ FiniteSight finite_sight(const SkinArray& skin, const Material& material,
       const Eigen::VectorXd values = full_decomposition(symbol(y.wavenumber(i), z.wavenumber(j),
                                                                y.is_nyquist(i), z.is_nyquist(j)))
                                          .values;
-      sight.hidden_waves += static_cast<std::size_t>(values.size() - rank_of(values));
+      found.hidden_waves += static_cast<std::size_t>(values.size() - rank_of(values));
     }
-  sight.boundary_only = sight.hidden_waves - std::min(sight.hidden_waves, sight.hidden);
-  return sight;
+  found.boundary_only = found.hidden_waves - std::min(found.hidden_waves, found.hidden);
+  return found;
 }
 
 }  // namespace
@@ -141,15 +141,16 @@ std::vector<std::complex<double>> skin_symbol(const SkinArray& skin, const Mater
   return entries;
 }
 
-WaveSight wave_sight(const SkinArray& skin, const Material& material,
-                     const SkinProblemOptions& options, double wavenumber_y, double wavenumber_z) {
+WaveObservability wave_observability(const SkinArray& skin, const Material& material,
+                                     const SkinProblemOptions& options, double wavenumber_y,
+                                     double wavenumber_z) {
   const Eigen::VectorXd values =
       full_decomposition(WaveSymbol(skin, material, options)(wavenumber_y, wavenumber_z)).values;
-  WaveSight sight{.singular_values = {values.begin(), values.end()},
-                  .rank = static_cast<std::size_t>(rank_of(values))};
-  sight.condition =
-      sight.rank == options.components ? values(0) / values(values.size() - 1) : infinity;
-  return sight;
+  WaveObservability found{.singular_values = {values.begin(), values.end()},
+                          .rank = static_cast<std::size_t>(rank_of(values))};
+  found.condition =
+      found.rank == options.components ? values(0) / values(values.size() - 1) : infinity;
+  return found;
 }
 
 SkinObservability observability(const SkinArray& skin, const Material& material,
@@ -167,7 +168,7 @@ SkinObservability observability(const SkinArray& skin, const Material& material,
   add(hidden_along(symbol, depth, WaveDirection::along_z, std::array{0.5 * pi}));
   add(hidden_along(symbol, depth, WaveDirection::diagonal, std::array{0.25 * pi}));
   add(hidden_in(symbol(0.0, 0.0), WaveDirection::mean));
-  if (is_even(skin)) told.finite = finite_sight(skin, material, options, symbol);
+  if (is_even(skin)) told.finite = finite_observability(skin, material, options, symbol);
   return told;
 }
 

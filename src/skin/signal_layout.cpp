@@ -14,7 +14,7 @@ constexpr double reach = 1.3;  // between 1 and sqrt 2, the diagonal of a square
 
 using Neighbours = SignalLayout::Neighbours;
 
-/// Of a channel of an even skin, by their places in it.
+/// Neighbours in a channel of a regular skin, by their places in it.
 std::vector<Neighbours> on_lattice(const SkinArray& skin) {
   std::vector<Neighbours> all;
   const std::size_t taxels = taxel_count(skin);
@@ -25,7 +25,7 @@ std::vector<Neighbours> on_lattice(const SkinArray& skin) {
   return all;
 }
 
-/// Of a channel of an uneven one.
+/// Neighbours in a channel of an irregular skin.
 std::vector<Neighbours> nearby(std::span<const Site> sites, double pitch) {
   const NearPlaces places(sites);
   std::vector<Neighbours> all;

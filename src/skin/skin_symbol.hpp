@@ -11,8 +11,8 @@
 namespace tactile_net {
 
 /// What ripples exp(i (k_y y + k_z z)) of p, q_y and q_z cause in each channel, each row divided by
-/// its noise: channels x components, row-major [weighted reading per Pa]. Of uneven skins a row for
-/// each quantity and depth, as if each taxel were a share of one of them everywhere.
+/// its noise: channels x components, row-major [weighted reading per Pa]. For irregular skins a row
+/// for each quantity and depth, as if each taxel were a share of one of them everywhere.
 ///
 /// @param options  `components` and `channel_rms` are read
 /// @throw std::invalid_argument  as `make_problem`

@@ -10,7 +10,8 @@
 
 namespace tactile_net {
 
-double likeliest_tangential_weight(const std::function<double(double weight)>& surprise) {
+double likeliest_tangential_weight(
+    const std::function<double(double weight)>& negative_log_posterior) {
   std::vector<double> weights(tangential_weights.begin(), tangential_weights.end());
   std::sort(weights.begin(), weights.end());
   const auto last = std::ssize(weights) - 1;
@@ -18,7 +19,7 @@ double likeliest_tangential_weight(const std::function<double(double weight)>& s
   std::map<std::ptrdiff_t, double> known;
   const auto value = [&](std::ptrdiff_t at) {
     const auto [entry, is_new] = known.try_emplace(at);
-    if (is_new) entry->second = surprise(weights[static_cast<std::size_t>(at)]);
+    if (is_new) entry->second = negative_log_posterior(weights[static_cast<std::size_t>(at)]);
     return entry->second;
   };
 
@@ -36,8 +37,9 @@ double likeliest_tangential_weight(SkinProblem problem, std::span<const double> 
     problem.tangential_weight = weight;
     const SkinFamily family(problem);
     const FilterFrame frame = family.analyse(readings);
-    return surprise(frame, AlphaTables(family.singular_values(), frame.rows), noise_rms) +
-           surprise_of_weight(weight);
+    return negative_log_evidence(frame, AlphaTables(family.singular_values(), frame.rows),
+                                 noise_rms) +
+           negative_log_prior(weight);
   });
 }
 

@@ -53,8 +53,7 @@ class KroneckerTerms {
   ///
   /// @param inverse  of the problem
   /// @throw std::invalid_argument  the taxels are not in rows and columns, the inverse is of
-  /// another
-  ///                               problem, or a side of a rearranged block is longer than
+  ///                               another problem, or a side of a rearranged block is longer than
   ///                               `longest_side`
   KroneckerTerms(const SkinProblem& problem, const Reconstruction& inverse);
   ~KroneckerTerms();

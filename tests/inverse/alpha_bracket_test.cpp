@@ -116,7 +116,7 @@ TEST_CASE("few readings: rules that guess the noise say that they need it, evide
           "[alpha]") {
   const TikhonovFamily family(make_problem(coarse_array, {1.0, 0.45}, {.smoothing_length = 1.0}));
   const AlphaTables tables(family.singular_values(), 9);
-  REQUIRE(tables.few_rows());
+  REQUIRE(tables.cannot_estimate_noise());
   CHECK(default_rule(tables, true) == AlphaRule::evidence);
   CHECK(default_rule(tables, false) == AlphaRule::gml);
   double worst = 0.0;
@@ -147,7 +147,7 @@ TEST_CASE("few readings: rules that guess the noise say that they need it, evide
   const TikhonovFamily dense(
       make_problem({41, 0.5, {1.5}, {Quantity::stress_x}}, {1.0, 0.45}, {.smoothing_length = 1.5}));
   const AlphaTables many(dense.singular_values(), 41);
-  CHECK_FALSE(many.few_rows());
+  CHECK_FALSE(many.cannot_estimate_noise());
   CHECK(default_rule(many, true) == AlphaRule::aicc);
   CHECK(default_rule(many, false) == AlphaRule::aicc);
 }

@@ -231,7 +231,7 @@ TEST_CASE("evidence is that of readings whose offsets may be anything", "[offset
     const Eigen::MatrixXd c = constants(known);
     const Eigen::VectorXd y = view(known.weights).cwiseProduct(view(g)) / sigma;
     const Eigen::MatrixXd shape = k * penalty(known).llt().solve(k.transpose());
-    const auto surprise = [&](double alpha) {
+    const auto negative_log_evidence = [&](double alpha) {
       const Eigen::MatrixXd covariance =
           Eigen::MatrixXd::Identity(y.size(), y.size()) + shape / alpha + 1e6 * c * c.transpose();
       const Eigen::LLT<Eigen::MatrixXd> llt(covariance);
@@ -240,8 +240,8 @@ TEST_CASE("evidence is that of readings whose offsets may be anything", "[offset
     };
     const double alpha =
         choose_alone(TikhonovFamily(unknown).analyse(g), AlphaRule::evidence, sigma).alpha;
-    CHECK(surprise(1.2 * alpha) > surprise(alpha));
-    CHECK(surprise(alpha / 1.2) > surprise(alpha));
+    CHECK(negative_log_evidence(1.2 * alpha) > negative_log_evidence(alpha));
+    CHECK(negative_log_evidence(alpha / 1.2) > negative_log_evidence(alpha));
   }
 }
 

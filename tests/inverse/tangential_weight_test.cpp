@@ -55,8 +55,9 @@ class Estimator {
     double best = 0.0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < families_.size(); ++i) {
-      const double value = surprise(families_[i].analyse(readings), tables_[i], noise) +
-                           surprise_of_weight(tangential_weights[i]);
+      const double value =
+          negative_log_evidence(families_[i].analyse(readings), tables_[i], noise) +
+          negative_log_prior(tangential_weights[i]);
       if (!(value < least)) continue;
       least = value;
       best = tangential_weights[i];
@@ -141,7 +142,8 @@ TEST_CASE("neither the weighed answer nor the evidence follows the surface's spa
   const double noise = 1e-2 * largest(g);
   const auto value = [&](const InverseProblem& problem) {
     const TikhonovFamily family(problem);
-    return surprise(family.analyse(g), AlphaTables(family.singular_values(), g.size()), noise);
+    return negative_log_evidence(family.analyse(g), AlphaTables(family.singular_values(), g.size()),
+                                 noise);
   };
   const auto sum = [&](const InverseProblem& problem, std::size_t unknown) {
     const std::vector<double> f = tikhonov_solve(problem, 1e-4, g);
@@ -217,24 +219,24 @@ TEST_CASE("a press without friction weighs the tangential traction most", "[weig
 }
 
 TEST_CASE("before anything is read neither traction is the larger one", "[weights]") {
-  CHECK(surprise_of_weight(1.0) == 0.0);
+  CHECK(negative_log_prior(1.0) == 0.0);
   for (const double weight : tangential_weights) {
-    CHECK_THAT(surprise_of_weight(weight), WithinAbs(surprise_of_weight(1.0 / weight), 1e-12));
-    CHECK(surprise_of_weight(weight) >= 0.0);
+    CHECK_THAT(negative_log_prior(weight), WithinAbs(negative_log_prior(1.0 / weight), 1e-12));
+    CHECK(negative_log_prior(weight) >= 0.0);
   }
 }
 
-TEST_CASE("surprise is what the rule evidence minimises, at its least", "[weights]") {
+TEST_CASE("negative_log_evidence is what the rule evidence minimises, at its least", "[weights]") {
   const TikhonovFamily family(weighed(2.0));
   const FilterFrame frame = family.analyse(dragged());
   const AlphaTables tables(family.singular_values(), 2 * both_stresses.count);
   const double noise = 1e-3;
   const double alpha = choose_alone(frame, tables, AlphaRule::evidence, noise).alpha;
-  const double least = surprise(frame, tables, noise);
-  CHECK(surprise(frame, tables, noise, alpha) == least);
+  const double least = negative_log_evidence(frame, tables, noise);
+  CHECK(negative_log_evidence(frame, tables, noise, alpha) == least);
   for (const double factor : {0.5, 0.9, 1.1, 2.0})
-    CHECK(surprise(frame, tables, noise, factor * alpha) > least);
-  CHECK_THROWS_AS(surprise(frame, tables, 0.0), std::invalid_argument);
+    CHECK(negative_log_evidence(frame, tables, noise, factor * alpha) > least);
+  CHECK_THROWS_AS(negative_log_evidence(frame, tables, 0.0), std::invalid_argument);
 }
 
 TEST_CASE("a face has the constrained tractions as its family's own", "[weights][constrained]") {
@@ -261,9 +263,9 @@ TEST_CASE("covariances of several estimates add as the law of total variance has
   const TractionCovariance other(weighed(4.0), 1e-4, 1e-4);
   std::vector<double> apart(2 * both_stresses.count, 0.0);
   apart[3] = 7.0;
-  const std::vector<TractionCovariance::Part> parts{
-      {.probability = 0.25, .covariance = &one, .apart = apart},
-      {.probability = 0.75, .covariance = &other, .apart = std::vector<double>(apart.size())}};
+  const std::vector<TractionCovariance::MixtureTerm> parts{
+      {.probability = 0.25, .covariance = &one, .difference = apart},
+      {.probability = 0.75, .covariance = &other, .difference = std::vector<double>(apart.size())}};
   const TractionCovariance all(parts);
   for (const std::size_t i : {3U, 4U, 30U}) {
     std::vector<double> at(apart.size());
@@ -272,7 +274,7 @@ TEST_CASE("covariances of several estimates add as the law of total variance has
         0.25 * (one.covariance(at, at) + apart[i] * apart[i]) + 0.75 * other.covariance(at, at);
     CHECK_THAT(all.covariance(at, at), WithinRel(expected, 1e-12));
   }
-  CHECK_THROWS_AS(TractionCovariance(std::span<const TractionCovariance::Part>{}),
+  CHECK_THROWS_AS(TractionCovariance(std::span<const TractionCovariance::MixtureTerm>{}),
                   std::invalid_argument);
 }
 

@@ -140,9 +140,9 @@ TEMPLATE_TEST_CASE("one rule chooses alpha where the scene names none", "[lab][l
       const TestType sensor(toml);
       const FilterFrame frame = sensor.analysed(sensor.readings());
       const AlphaTables tables(frame.gamma, frame.rows, frame.shares);
-      CAPTURE(known, coarse, tables.few_rows());
+      CAPTURE(known, coarse, tables.cannot_estimate_noise());
       CHECK(sensor.problem.alpha_rule(frame) == default_rule(tables, known));
-      CHECK((default_rule(tables, known) == AlphaRule::aicc) == !tables.few_rows());
+      CHECK((default_rule(tables, known) == AlphaRule::aicc) == !tables.cannot_estimate_noise());
     }
 }
 

@@ -269,7 +269,7 @@ TEST_CASE("what presses on a large skin is what was put on it", "[lab][skin][lar
   const double drag = 0.5 * 0.4;
   const double direction = 30.0 * std::numbers::pi / 180.0;
   CHECK_THAT(sum(Traction::normal), WithinRel(0.5, 0.01));
-  // Of an even drag the readings tell least.
+  // Of a uniform drag the readings tell least.
   CHECK_THAT(sum(Traction::tangential_y), WithinAbs(drag * std::cos(direction), 0.1 * drag));
   CHECK_THAT(sum(Traction::tangential_z), WithinAbs(drag * std::sin(direction), 0.1 * drag));
 }

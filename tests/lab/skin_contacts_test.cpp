@@ -136,7 +136,7 @@ TEST_CASE("a box that tilts presses linearly, and beyond the kernel on a part",
     return only_patch(corners);
   };
   // Within a sixth of the length all of it presses: p = F/A (1 + 12 e y / l^2), where n cells of
-  // even pressure have the plane's moment only if it is 1 / (1 - 1/n^2) steeper.
+  // uniform pressure have the plane's moment only if it is 1 / (1 - 1/n^2) steeper.
   const SampledPatch all = leaning(0.05);
   const double off = 4.0 * 0.05 * 0.5 * length;
   const double slope = 12.0 * off / (length * length) / (1.0 - 1.0 / (23.0 * 23.0));

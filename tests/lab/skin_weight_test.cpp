@@ -92,20 +92,21 @@ TEST_CASE("a skin's estimated weight is the answer that stating it gives", "[lab
   CHECK(said.notes.size() == report::remarks_in_words(stated).notes.size() + 1);
 }
 
-TEST_CASE("of a skin's weights the least surprising one is taken", "[lab][skin][weights]") {
+TEST_CASE("of a skin's weights the one with the largest posterior is taken",
+          "[lab][skin][weights]") {
   const SkinSceneProblem problem(weighted_skin(estimated_weight));
   const std::vector<double> readings = simulate(problem.scene()).readings;
   REQUIRE(problem.estimates_weight());
   const double best = problem.likeliest_weight(readings);
-  const auto surprise_at = [&](double weight) {
+  const auto negative_log_posterior_at = [&](double weight) {
     const SkinSceneProblem one = problem.weighed(weight);
     const FilterFrame frame = one.family().analyse(readings);
-    return surprise(frame, one.alpha_tables(frame), problem.stated_noise()) +
-           surprise_of_weight(weight);
+    return negative_log_evidence(frame, one.alpha_tables(frame), problem.stated_noise()) +
+           negative_log_prior(weight);
   };
   for (const double weight : tangential_weights) {
     CAPTURE(weight, best);
-    CHECK(surprise_at(weight) >= surprise_at(best));
+    CHECK(negative_log_posterior_at(weight) >= negative_log_posterior_at(best));
   }
 }
 

@@ -86,9 +86,9 @@ TEST_CASE("nothing pulls, and friction keeps its limit in every cell", "[skin][c
       SkinCone(frame.problem, 1e-3, {.friction_limit = limit}).solve(frame.readings);
   REQUIRE(found.verdict == ConstrainedVerdict::ok);
   const std::size_t cells = frame.problem.grid.count();
-  CHECK(found.apart + found.sliding + found.sticking == cells);
-  CHECK(found.sliding > 0);
-  CHECK(found.apart > 0);
+  CHECK(found.separation + found.slip + found.stick == cells);
+  CHECK(found.slip > 0);
+  CHECK(found.separation > 0);
   std::size_t touching = 0;
   for (std::size_t i = 0; i < cells; ++i) {
     const double p = found.tractions[i];
@@ -97,8 +97,8 @@ TEST_CASE("nothing pulls, and friction keeps its limit in every cell", "[skin][c
     CHECK(drag <= limit * p * (1.0 + 1e-14));
     touching += p > 0.0;
   }
-  CHECK(touching == found.sliding + found.sticking);
-  CHECK(found.face.free.size() == 2 * found.sliding + 3 * found.sticking);
+  CHECK(touching == found.slip + found.stick);
+  CHECK(found.face.free.size() == 2 * found.slip + 3 * found.stick);
 }
 
 TEST_CASE("a cone of another alpha is the one made anew, to the last bit", "[skin][cone]") {
@@ -126,7 +126,7 @@ TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone]
   const double alpha = 1e-3;
   const SkinConeSolution found =
       SkinCone(frame.problem, alpha, {.friction_limit = 0.8}).solve(frame.readings, 5000, 1e-10);
-  REQUIRE(found.sticking > 0);
+  REQUIRE(found.stick > 0);
   const SkinFamily face(frame.problem, found.face);
   const std::vector<double> f = face.solve(face.analyse(frame.readings), alpha);
   // A face is flat where the cone is round: equal to first order only where nothing slides.
@@ -147,7 +147,7 @@ TEST_CASE("a face's family is the least, whichever way its stabiliser is factore
     SkinFrame frame = dragged_frame(6, 11, {.tangential_weight = 3.0});
     frame.problem.smoothing_length = cells * frame.problem.grid.spacing_y;
     const double alpha = 1e-3 / (1.0 + cells * cells);
-    ConeFace face;  // every other cell: half of them slide, half stick
+    ActiveFace face;  // every other cell: half of them slide, half stick
     for (std::size_t cell = 0; cell < frame.problem.grid.count(); cell += 2) {
       if (cell % 4 == 0) {
         face.free.push_back({cell, {0.8, 0.36, 0.48}});
@@ -247,11 +247,11 @@ TEST_CASE("a frame that stops early, is none, or is empty, is said to be so", "[
   CHECK(cone.solve(readings).status == FrameStatus::not_finite);
   const SkinConeSolution silent = cone.solve(std::vector<double>(readings.size()));
   CHECK(silent.status == FrameStatus::ok);
-  CHECK(silent.apart == frame.problem.grid.count());
+  CHECK(silent.separation == frame.problem.grid.count());
   CHECK(norm(silent.tractions) == 0.0);
   CHECK(silent.face.free.empty());
   CHECK_THROWS_WITH(SkinFamily(frame.problem, silent.face), ContainsSubstring("held at zero"));
-  CHECK_THROWS_WITH(SkinFamily(frame.problem, ConeFace{{{10000, {1.0, 0.0, 0.0}}}}),
+  CHECK_THROWS_WITH(SkinFamily(frame.problem, ActiveFace{{{10000, {1.0, 0.0, 0.0}}}}),
                     ContainsSubstring("another problem"));
   CHECK_THROWS_WITH(SkinCone(frame.problem, 1.0, {.friction_limit = 0.0}),
                     ContainsSubstring("friction_limit"));

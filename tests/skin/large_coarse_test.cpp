@@ -2,9 +2,9 @@
 #include <memory>
 #include <vector>
 
-#include "src/skin/large/even_readings.hpp"
 #include "src/skin/large/low_waves.hpp"
 #include "src/skin/large/preconditioner.hpp"
+#include "src/skin/large/uniform_readings.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/large_skins.hpp"
@@ -13,7 +13,7 @@ using namespace tactile_net;
 
 namespace {
 
-/// Which an even drag is hardly seen by.
+/// A skin that hardly sees a uniform drag.
 SkinArray in_plane_skin(std::size_t side) {
   return square_skin(
       side, 2e-3, {Quantity::stress_x, Quantity::stress_y, Quantity::stress_z, Quantity::shear_yz});
@@ -38,12 +38,12 @@ std::vector<TiledSkin> skins() {
 
 TEST_CASE("what long waves cost is what P says of each", "[skin][large][coarse]") {
   for (const TiledSkin& skin : skins())
-    for (const bool has_even_drags : {true, false}) {
+    for (const bool has_uniform_drags : {true, false}) {
       const auto system = make_large_skin_system(skin.array, silicone, skin.options);
-      const double alpha = 1e-3 * std::pow(even_readings(*system).pressure, 2);
-      const LowWaves waves(*system, has_even_drags);
+      const double alpha = 1e-3 * std::pow(uniform_readings(*system).pressure, 2);
+      const LowWaves waves(*system, has_uniform_drags);
       const Eigen::MatrixXd energies = waves.energies(alpha);
-      CAPTURE(skin.array.rows, skin.array.columns, has_even_drags, waves.count());
+      CAPTURE(skin.array.rows, skin.array.columns, has_uniform_drags, waves.count());
       REQUIRE(waves.count() > 3);
       const double largest = energies.diagonal().maxCoeff();
       std::vector<double> wave(system->tractions());
@@ -61,11 +61,11 @@ TEST_CASE("a drag along the skin is seen everywhere by shear, by stresses in the
           "[skin][large][coarse]") {
   for (const bool is_thin : {false, true}) {
     const Material& material = is_thin ? thin : silicone;
-    const EvenReadings sheared =
-        even_readings(*make_large_skin_system(square_skin(20, 2e-3), material, {}));
+    const UniformReadings sheared =
+        uniform_readings(*make_large_skin_system(square_skin(20, 2e-3), material, {}));
     CHECK(sheared.drag > 0.3 * sheared.pressure);
-    const EvenReadings in_plane =
-        even_readings(*make_large_skin_system(in_plane_skin(20), material, {}));
+    const UniformReadings in_plane =
+        uniform_readings(*make_large_skin_system(in_plane_skin(20), material, {}));
     CHECK(in_plane.drag < 0.1 * in_plane.pressure);
     CHECK(in_plane.pressure > 0.0);
   }
@@ -76,10 +76,10 @@ void check_two_levels(std::initializer_list<double> shares) {
   for (const TiledSkin& skin : skins())
     for (const double share : shares) {
       const auto system = make_large_skin_system(skin.array, silicone, skin.options);
-      const EvenReadings even = even_readings(*system);
-      const double alpha = share * std::pow(even.pressure, 2);
+      const UniformReadings uniform = uniform_readings(*system);
+      const double alpha = share * std::pow(uniform.pressure, 2);
       std::shared_ptr<const LowWaves> waves;
-      SkinPreconditioner preconditioner(*system, alpha, even, waves);
+      SkinPreconditioner preconditioner(*system, alpha, uniform, waves);
       CAPTURE(skin.array.rows, skin.array.columns, share, system->problem.components);
       if (share < 1e-7) REQUIRE(preconditioner.has_coarse_space());
       if (!preconditioner.has_coarse_space()) continue;

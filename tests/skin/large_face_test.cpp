@@ -154,7 +154,7 @@ TEST_CASE("degrees of freedom on a face are those of its decomposition", "[skin]
     const double spread = std::max(large.degrees_deviation(factor * s.alpha), 0.01 * expected);
     CHECK_THAT(large.degrees_of_freedom(factor * s.alpha), WithinAbs(expected, 4.0 * spread));
   }
-  CHECK_THROWS_WITH(LargeSkinFamily(system, ConeFace{}), ContainsSubstring("held at zero"));
+  CHECK_THROWS_WITH(LargeSkinFamily(system, ActiveFace{}), ContainsSubstring("held at zero"));
 }
 
 TEST_CASE("gradients leave free what alternating directions do", "[skin][large][face]") {
@@ -166,6 +166,6 @@ TEST_CASE("gradients leave free what alternating directions do", "[skin][large][
   const auto few = static_cast<double>(s.found.face.free.size()) / 50.0;
   CHECK_THAT(static_cast<double>(large.face.free.size()),
              WithinAbs(static_cast<double>(s.found.face.free.size()), few));
-  for (const ConeFace::Direction& one : large.face.free)
+  for (const ActiveFace::Direction& one : large.face.free)
     CHECK_THAT(std::hypot(one.along[0], one.along[1], one.along[2]), WithinRel(1.0, 1e-12));
 }

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/skin/large/even_readings.hpp"
 #include "src/skin/large/system.hpp"
+#include "src/skin/large/uniform_readings.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 #include "tactile_net/skin/stabiliser.hpp"
@@ -116,7 +116,7 @@ inline void check_reaches_minimiser(const SkinArray& skin, const Material& mater
 inline void check_steps(const SkinArray& skin, const Material& material,
                         const SkinProblemOptions& options = {}) {
   const auto system = make_large_skin_system(skin, material, options);
-  const double even = std::pow(even_readings(*system).pressure, 2);
+  const double even = std::pow(uniform_readings(*system).pressure, 2);
   LargeSkinTikhonov solver(system, even);
   const std::vector<double> right = solver.normal_right_side(random_numbers(system->readings(), 4));
   for (const double share : {1e-2, 1e-4, 1e-6, 1e-8}) {

@@ -80,7 +80,7 @@ std::vector<Skin> small_skins() {
 TEST_CASE("a tile as large as the skin is the inverse of P", "[skin][large][tiles]") {
   for (const Skin& skin : small_skins()) {
     const auto system = make_large_skin_system(skin.array, skin.material, skin.options);
-    const double alpha = 1e-4 * std::pow(even_readings(*system).pressure, 2);
+    const double alpha = 1e-4 * std::pow(uniform_readings(*system).pressure, 2);
     SkinTiles tiles(*system, alpha, {.cells = 100, .reach = 100});
     REQUIRE(tiles.tiles() == 1);
     const std::vector<double> x = random_numbers(system->tractions(), 1);
@@ -96,7 +96,8 @@ TEST_CASE("the sum over tiles is symmetric and positive, and mirrors what the sk
   for (const Skin& skin : small_skins())
     for (const double share : {1e-2, 1e-8}) {
       const auto system = make_large_skin_system(skin.array, skin.material, skin.options);
-      SkinTiles tiles(*system, share * std::pow(even_readings(*system).pressure, 2), {.cells = 6});
+      SkinTiles tiles(*system, share * std::pow(uniform_readings(*system).pressure, 2),
+                      {.cells = 6});
       CHECK(tiles.tiles() > 1);
       const std::vector<double> x = random_numbers(system->tractions(), 2);
       const std::vector<double> y = random_numbers(system->tractions(), 3);
@@ -230,8 +231,8 @@ TEST_CASE("a large skin's cone is that of the dense problem", "[skin][large][con
       REQUIRE(found.status == FrameStatus::ok);
       CHECK(found.verdict == ConstrainedVerdict::ok);
       CHECK(distance(found.tractions, expected.tractions) < 1e-5 * norm(expected.tractions));
-      CHECK(found.apart + found.sliding + found.sticking == dense.grid.count());
-      CHECK(found.apart > 0);
+      CHECK(found.separation + found.slip + found.stick == dense.grid.count());
+      CHECK(found.separation > 0);
       const std::size_t cells = dense.grid.count();
       for (std::size_t i = 0; i < cells; ++i) {
         const double p = found.tractions[i];
@@ -263,7 +264,7 @@ TEST_CASE("a large cone says where it stopped early, and refuses what it cannot 
   CHECK(explained.iterations < whole.iterations);
   const SkinConeSolution nothing = cone.solve(std::vector<double>(readings.size()));
   CHECK(nothing.verdict == ConstrainedVerdict::ok);
-  CHECK(nothing.apart == dense.grid.count());
+  CHECK(nothing.separation == dense.grid.count());
   CHECK(norm(nothing.tractions) == 0.0);
   CHECK(cone.solve(std::vector<double>(5)).status == FrameStatus::wrong_size);
   CHECK(cone.solve(std::vector<double>(readings.size(), NAN)).status == FrameStatus::not_finite);

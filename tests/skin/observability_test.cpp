@@ -48,8 +48,8 @@ TEST_CASE("the symbol's condition is what was measured in another program",
         Row{{displacement_x, displacement_y, displacement_z}, {2.3, 5.2, 15.0, 55.0}}})
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       const SkinArray skin = skin_of(4, reads, {1.0});
-      const WaveSight sight =
-          wave_sight(skin, unit, {}, sizes[i] * std::cos(std::numbers::pi / 6.0), sizes[i] * 0.5);
+      const WaveObservability sight = wave_observability(
+          skin, unit, {}, sizes[i] * std::cos(std::numbers::pi / 6.0), sizes[i] * 0.5);
       CAPTURE(name(reads[1]), sizes[i]);
       CHECK(sight.rank == 3);
       CHECK_THAT(sight.condition, WithinRel(condition[i], 0.03));
@@ -101,19 +101,19 @@ TEST_CASE("what no reading sees is named, at any number of depths", "[skin][obse
 TEST_CASE("what only the ends of an array decide is counted", "[skin][observability]") {
   // The three normal stresses: 10 = 9 + 1 of 243 hidden at 9 x 9, none at 8 x 8.
   const std::vector<Quantity> normal{stress_x, stress_y, stress_z};
-  const FiniteSight odd = *observability(skin_of(9, normal, {1.0}), unit, {}).finite;
+  const FiniteObservability odd = *observability(skin_of(9, normal, {1.0}), unit, {}).finite;
   CHECK(odd.tractions == 243);
   CHECK(odd.hidden == 10);
   CHECK(odd.hidden_waves == 18);
   CHECK(odd.boundary_only == 8);
-  const FiniteSight even = *observability(skin_of(8, normal, {1.0}), unit, {}).finite;
+  const FiniteObservability even = *observability(skin_of(8, normal, {1.0}), unit, {}).finite;
   CHECK(even.hidden == 0);
   CHECK(even.boundary_only == even.hidden_waves);
   CHECK_THAT(even.condition, WithinRel(1.9e5, 0.03));
   // Measured in another program too.
   for (const auto& [count, condition] :
        {std::pair{8, 5.6e3}, std::pair{9, 8.1e3}, std::pair{12, 1.6e4}}) {
-    const FiniteSight all =
+    const FiniteObservability all =
         *observability(skin_of(static_cast<std::size_t>(count), press_and_drag, {1.0}), unit, {})
              .finite;
     CHECK(all.hidden == 0);

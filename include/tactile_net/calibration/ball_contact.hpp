@@ -14,9 +14,9 @@ namespace tactile_net {
 /// with b = 1 on a half space (Johnson 1985, 4.22). On a layer the pressure is an Abel integral of
 /// a function phi on [0, 1], which solves (Sneddon's way; Lebedev and Ufliand 1958)
 ///
-///     phi(t) + 2/pi a/h integral_0^inf integral_0^1 (L(H) - 1) cos(H a t/h) cos(H a s/h) phi(s) ds
-///     dH
-///         = d - t^2,      phi(1) = 0,      b = 3/2 integral_0^1 phi
+///     phi(t) + 2/pi a/h integral_0^1 M(s, t) phi(s) ds = d - t^2,    phi(1) = 0
+///     M(s, t) = integral_0^inf (L(H) - 1) cos(H a t/h) cos(H a s/h) dH
+///     b = 3/2 integral_0^1 phi
 ///
 /// with the compliance L of rod_contact.hpp. Good to 1e-8 up to a = 2 h.
 ///

@@ -10,13 +10,13 @@
 
 namespace tactile_net {
 
-/// What presses say of the pad and of the array as a whole.
+/// What presses tell of the pad and of the array as a whole.
 enum class PadParameter {
   depth,           ///< of every taxel, by one factor
   thickness,       ///< of the layer
-  poisson_ratio,   ///<
-  youngs_modulus,  ///<
-  crosstalk,       ///< fraction, as the effect's
+  poisson_ratio,   ///< of the pad
+  youngs_modulus,  ///< of the pad
+  crosstalk,       ///< `Crosstalk::fraction`
   shift,           ///< of the array against the stage that states positions, along y [m]
   pitch,           ///< of the array
   shift_z,         ///< of a skin [m]
@@ -26,7 +26,7 @@ inline constexpr std::size_t pad_parameter_count = 8;
 /// "depth", "thickness", as scenes and JSON spell it.
 [[nodiscard]] std::string_view name(PadParameter parameter) noexcept;
 
-/// Of which readings the gains are free one by one.
+/// Which gains are free one by one: every reading's, every taxel's or every channel's.
 enum class GainSharing { reading, taxel, channel };
 
 /// "reading", "taxel", "channel".
@@ -44,7 +44,7 @@ struct CalibrationOptions {
   double pitch_sd = 0.0;           ///< relative
   double gain_sd = 0.1;            ///< of each reading about its channel's mean, relative
   double mean_gain_sd = 0.2;       ///< of a channel's mean, relative
-  double half_width_sd = 0.03;     ///< of the tie of a rod's half width to its radius, relative
+  double half_width_sd = 0.03;     ///< of a half width computed from a rod's radius, relative
   GainSharing gains = GainSharing::reading;
   bool at_base = false;  ///< the sensors lie at the layer's base: thickness is depth
   bool robust = false;   ///< outlying readings, forces and positions count less

@@ -3,8 +3,8 @@
 ///
 ///     const PressModel model(scene.sensor, scene.material);
 ///     const PressFit fit = fit_presses(model, log, {.depth_sd = 0.3});
-///     if (fit.verdict == FitVerdict::ok && fit.at(PadParameter::depth).verdict ==
-///         ValueVerdict::identified) ...
+///     const FittedValue& depth = fit.at(PadParameter::depth);
+///     if (fit.verdict == FitVerdict::ok && depth.verdict == ValueVerdict::identified) ...
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ enum class ValueVerdict {
   weak,              ///< its sd is over half of the stated one, or, without one, over 10 %
   prior_only,        ///< its sd is over 0.9 of the stated one
   not_identifiable,  ///< the log cannot tell it from others: it keeps its nominal value
-  at_bound,          ///< it ended at the end of its range
+  at_bound,          ///< the value ended at the end of its range
   fixed,             ///< stated as exact, or nothing that this scene has
 };
 [[nodiscard]] std::string_view name(ValueVerdict verdict) noexcept;
@@ -67,8 +67,8 @@ struct FittedPress {
   std::size_t number = 0;
   ValueWithSd force{}, center{}, half_width{}, friction{}, center_z{}, friction_z{};
   double weight = 1.0;               ///< mean of its readings' robust weights
-  double rms = 0.0;                  ///< of its residuals, in standard deviations of the noise
-  double rms_before = 0.0;           ///< the same for the nominal pad without gains
+  double rms = 0.0;                  ///< rms of its residuals, in standard deviations of the noise
+  double rms_before = 0.0;           ///< the rms under the nominal pad without gains
   bool half_width_at_bound = false;  ///< below a tenth of the depth: the width is not seen
   /// A stated value that was put aside as an outlier (`CalibrationOptions::robust`).
   std::optional<PressQuantity> put_aside{};
@@ -80,7 +80,7 @@ struct FittedPress {
 /// parameter that changes by at least half of what any does, or gain where none does, grows.
 struct NullDirection {
   std::array<double, pad_parameter_count> pad{};
-  std::vector<double> gains{};  ///< of each reading
+  std::vector<double> gains{};  ///< change of each reading's gain
 };
 
 struct OutlyingReading {
@@ -100,17 +100,17 @@ struct ContradictedPress {
   std::size_t readings = 0;
 };
 
-/// What is stated of all presses together lies further from what their readings say than its stated
-/// standard deviations allow.
+/// A quantity whose stated values, over all presses, lie further from what the readings say than
+/// their stated standard deviations allow.
 struct UnderstatedSd {
   PressQuantity quantity = PressQuantity::force;
-  std::size_t presses = 0;  ///< that state it with an sd, and whose readings tell it
-  double rms = 0.0;         ///< of what was stated, in its sds, those beyond 5 left out: 1 holds
-  double p = 1.0;           ///< of chi-squared
+  std::size_t presses = 0;  ///< presses that state it with an sd, and whose readings tell it
+  double rms = 0.0;         ///< of deviations over stated sds, without those beyond 5; 1: they hold
+  double p = 1.0;           ///< p-value of chi-squared
 };
 
-/// Of what the order of the presses is told by: the size of their residuals, a common factor on
-/// their readings under the stated forces, a common constant.
+/// What changes with the order of the presses: the size of their residuals, a common factor on
+/// their readings under the stated forces, or a common constant.
 enum class TrendOf { size, gain, offset };
 /// "size", "gain", "offset".
 [[nodiscard]] std::string_view name(TrendOf trend) noexcept;
@@ -118,7 +118,7 @@ enum class TrendOf { size, gain, offset };
 /// Residuals that change with the order of the presses, the clearest of the three.
 struct TimeTrend {
   TrendOf of = TrendOf::size;
-  double correlation = 0.0;  ///< of ranks (Spearman's)
+  double correlation = 0.0;  ///< rank correlation (Spearman's)
   double p = 1.0;            ///< by Student's t, times three: the number of tests
 
   [[nodiscard]] bool is_significant() const noexcept { return p < 1e-3; }
@@ -143,7 +143,7 @@ struct PressFit {
   std::vector<double> gains{}, offsets{};  ///< of each reading: number = gain * reading + offset
   std::array<FittedValue, pad_parameter_count> parameters{};  ///< depth and thickness in m, E in Pa
   std::vector<FittedValue> gain{}, offset{};                  ///< of each reading
-  /// Of each reading's gain about its channel's mean, which a log without forces tells, too.
+  /// Verdict on each reading's gain about its channel's mean, which a log without forces tells too.
   std::vector<ValueVerdict> gain_about_mean{};
   std::vector<FittedValue> mean_gain{};  ///< of each channel
   std::vector<FittedPress> presses{};
@@ -151,20 +151,21 @@ struct PressFit {
   std::vector<PadParameter> free{};        ///< rows and columns of the two matrices
   Matrix covariance{}, correlation{};      ///< depth, thickness, E and pitch by their logarithms
   Matrix residuals{}, residuals_before{};  ///< presses x readings, in sds of the noise
-  /// What ended more than 4 of its stated sds away: the log and the scene contradict each other.
+  /// Parameters that ended more than 4 stated sds away: the log and the scene contradict each
+  /// other.
   std::vector<PadParameter> contradicted{};
   std::vector<std::size_t> contradicted_gains{};  ///< channels, by their mean gain
   /// Readings whose gain ended more than 5 stated sds from the others, or near 0: dead or loose
   /// taxels, or a gain_sd that is too small.
   std::vector<std::size_t> doubtful_readings{};
   std::vector<ContradictedPress> contradicted_presses{};  ///< the worst first
-  /// Those with p below 1e-3; over an rms of 2 the fit is poor.
+  /// Quantities with p below 1e-3; with an rms over 2 the fit is poor.
   std::vector<UnderstatedSd> understated{};
   std::vector<OutlyingReading> outliers{};
   std::vector<StartOutcome> starts{};
   std::vector<ProfilePoint> profile{};
   double chi_squared = 0.0, dof = 0.0;
-  double p = 1.0;    ///< of F(dof, (frames - 1) readings)
+  double p = 1.0;    ///< p-value of F(dof, (frames - 1) readings)
   double rms = 0.0;  ///< sqrt(chi_squared / dof)
   TimeTrend time_trend{};
   std::size_t iterations = 0;
@@ -175,15 +176,15 @@ struct PressFit {
   }
 };
 
-/// Penalised least squares on all of them and all that is unknown of each press together, by
-/// Levenberg-Marquardt on orthogonal factors; linear in presses in time, presses x readings in
-/// memory: presses' own unknowns are eliminated press by press. Where readings are many, as on a
-/// skin, what belongs to a reading is eliminated instead, reading by reading: linear in readings,
-/// and in time as the cube of the presses. Where every load is stated the
-/// first start alone is made: all find the one minimum.
+/// Fits pad, gains and offsets: penalised least squares on all of them and the unknowns of each
+/// press, by Levenberg-Marquardt on orthogonal factors; linear in presses in time, presses x
+/// readings in memory: presses' own unknowns are eliminated press by press. Where readings are
+/// many, as on a skin, what belongs to a reading is eliminated instead, reading by reading: linear
+/// in readings, and in time as the cube of the presses. Where every load is stated the first start
+/// alone is made: all find the one minimum.
 ///
-/// Depth, thickness, pitch and every indenter stay where they can be on this array, and steps are
-/// counted: a log that does not belong to the scene ends in seconds, too.
+/// Depth, thickness, pitch and every indenter stay in their possible range on this array, and steps
+/// are counted: a log that does not belong to the scene ends in seconds, too.
 ///
 /// @param unread  of each reading, true: leave it out (dead taxels); empty: none
 /// @param watch   called before every step with its number, from 1 in each start; may throw

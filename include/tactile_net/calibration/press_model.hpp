@@ -1,6 +1,6 @@
 /// @file
 /// Readings under rigid indenters by their transforms, with every derivative that a calibration
-/// asks for. Of a line
+/// asks for. For a line
 ///
 ///     r(y) = P/pi integral_0^inf phi(k a) [even(k) cos k(y - c) + odd(k) sin k(y - c)] dk
 ///
@@ -9,13 +9,13 @@
 ///
 ///     cylinder  2 J1(z)/z        punch (no rounded edge)  J0(z)        wedge  1/z integral_0^z J0
 ///
-/// Of a skin, at the distance r from the contact's middle and the angle theta from the y axis, sums
-/// of
+/// For a skin, at the distance r from the contact's middle and the angle theta from the y axis,
+/// sums of
 ///
-///     F/(2 pi) integral_0^inf k phi(k a) T(k) J_n(k r) dk  times cos or sin of n theta,   n = 0,
-///     1, 2, and under a drag 3
+///     F/(2 pi) cos(n theta) integral_0^inf k phi(k a) T(k) J_n(k r) dk,    n = 0, 1, 2,
 ///
-/// where T are the same transforms (docs/internals/space.md; skin_waves.hpp) and
+/// under a drag n = 3 as well, with the cosine or the sine; T are the pad's transforms
+/// (docs/internals/space.md; skin_waves.hpp) and
 ///
 ///     sphere  3 j1(z)/z        punch  sin(z)/z        cone  2 (1 - cos z)/z^2
 #pragma once
@@ -40,24 +40,24 @@
 
 namespace tactile_net {
 
-/// The pad as a calibration sees it: factors on the nominal one, and what a scene has none of.
+/// The pad as a calibration moves it: factors on the nominal pad, and values of their own.
 struct PadState {
-  double log_depth = 0.0;      ///< of the factor on every taxel's depth
-  double log_thickness = 0.0;  ///< of the factor on the layer's thickness
+  double log_depth = 0.0;      ///< log of the factor on every taxel's depth
+  double log_thickness = 0.0;  ///< log of the factor on the layer's thickness
   double poisson_ratio = 0.45;
-  double log_modulus = 0.0;  ///< of the factor on E
+  double log_modulus = 0.0;  ///< log of the factor on E
   double crosstalk = 0.0;
   double shift = 0.0;      ///< of the array along y [m]
-  double log_pitch = 0.0;  ///< of the factor on every taxel's place
+  double log_pitch = 0.0;  ///< log of the factor on every taxel's place
   double shift_z = 0.0;    ///< of a skin [m]
 };
 
 /// An indenter as a calibration moves it.
 struct PressState {
   Shape shape = Shape::cylinder;           ///< on a line
-  double log_force = 0.0;                  ///< of P [N/m], on a skin of F [N]
+  double log_force = 0.0;                  ///< log of P [N/m], on a skin of F [N]
   double center = 0.0;                     ///< y of the middle [m]
-  double log_half_width = 0.0;             ///< of a [m]
+  double log_half_width = 0.0;             ///< log of a [m]
   double friction = 0.0;                   ///< tangential over normal traction, along y
   double center_z = 0.0;                   ///< on a skin [m]
   DiscProfile disc = DiscProfile::sphere;  ///< on a skin
@@ -91,7 +91,7 @@ class PressModel {
 
   [[nodiscard]] PadState nominal() const noexcept;
 
-  /// Before gains and offsets, crosstalk applied; within 1e-9 of a press' peak.
+  /// Readings before gains and offsets, crosstalk applied; within 1e-9 of a press' peak.
   ///
   /// @param with_derivatives  else `value` alone is filled
   /// @param tied_to_base      thickness is the depth: log_thickness is not read, and its share is
@@ -102,19 +102,20 @@ class PressModel {
                                        bool with_derivatives, bool tied_to_base = false,
                                        bool by_friction = false) const;
 
-  /// What a rod's contact, on a skin a ball's, needs: `rod_force`, `ball_force`.
+  /// The force that a contact of this half width needs: `rod_force`, on a skin `ball_force`.
   [[nodiscard]] ContactForce contact_force(const Material& material, double half_width,
                                            double radius) const;
-  /// Their inverses.
+  /// The half width [m] of a rod's contact, on a skin the radius of a ball's, under a force.
   [[nodiscard]] double contact_half_width(const Material& material, double force,
                                           double radius) const;
+  /// The radius [m] of the rod or ball whose contact has this half width under a force.
   [[nodiscard]] double indenter_radius(const Material& material, double half_width,
                                        double force) const;
 
-  /// Whether all that is read is finite under a drag: not u_y on a base that slips.
+  /// True if all readings are finite under a drag: displacements along a base that slips are not.
   [[nodiscard]] bool holds_drags() const;
 
-  /// A little below what an array can lose to its neighbours.
+  /// Largest crosstalk that a fit may use: a little below what a taxel can lose to its neighbours.
   [[nodiscard]] double most_crosstalk() const noexcept;
 
   [[nodiscard]] bool is_skin() const noexcept { return is_skin_; }

@@ -19,12 +19,14 @@ namespace tactile_net {
 ///
 /// over that of the half plane, H = k h; b is b_0. Good to 1e-8 up to a = 2 h.
 struct ContactForce {
-  double log_force = 0.0;          ///< of P [N/m], of a ball's F [N]
-  double by_log_half_width = 2.0;  ///< its derivatives
-  double by_log_thickness = 0.0;   ///<
-  double by_poisson_ratio = 0.0;   ///<
+  double log_force = 0.0;          ///< log of P [N/m], for a ball of F [N]
+  double by_log_half_width = 2.0;  ///< derivative of `log_force`
+  double by_log_thickness = 0.0;   ///< derivative of `log_force`
+  double by_poisson_ratio = 0.0;   ///< derivative of `log_force`
 };
 
+/// The force that a rod needs for a contact of a given half width.
+///
 /// @param half_width  a [m], > 0; on a layer at most 3 h, beyond which it is taken as 3 h in b
 /// @param radius      R [m], > 0
 [[nodiscard]] ContactForce rod_force(const Material& material, double half_width, double radius);

@@ -12,9 +12,10 @@
 
 namespace tactile_net {
 
-/// As `ContactEstimator::update_batch`, and the same bits and status however many threads there
-/// are: frames are independent. Allocates scratch of about 50 numbers per reading and traction for
-/// each thread beyond the first; not for the control loop. Not thread-safe, as the estimator.
+/// `ContactEstimator::update_batch` on several threads, with the same bits and status however many
+/// threads there are: frames are independent. Allocates scratch of about 50 numbers per reading and
+/// traction for each thread beyond the first; not for the control loop. Not thread-safe, as the
+/// estimator.
 ///
 /// @param threads  at most so many; 0: one a processor. Fewer where a thread would have less than
 ///                 64 frames, and where the system gives none

@@ -8,8 +8,9 @@
 
 namespace tactile_net {
 
-/// For ContactEstimator's constructor. What it makes is for one thread; clones may be made in any
-/// thread. Where the FFT is FFTW, other users of it in the process must not plan at the same time.
+/// Makes convolutions for ContactEstimator's constructor. Each is for one thread; clones may be
+/// made in any thread. Where the FFT is FFTW, other users of it in the process must not plan at the
+/// same time.
 [[nodiscard]] ConvolutionMaker fft_convolutions(FftEffort effort = FftEffort::estimate);
 
 }  // namespace tactile_net

@@ -28,31 +28,32 @@
 namespace tactile_net {
 
 struct PlannerOptions {
-  /// > 0. For every frame, with f = M g in double and r = W (g - K f) what it leaves unexplained,
+  /// Accuracy of the plan, > 0. For every frame, with f = M g in double and r = W (g - K f) what it
+  /// leaves unexplained,
   ///
   ///     |f_planned - f|_2 <= accuracy (|f|_2 + |M W^-1|_2 |r|_2):
   ///
   /// relative to the tractions, and to what an error of the readings as large as r can do to them.
   double accuracy = 1e-7;
   std::optional<Structure> structure{};  ///< absent: the cheapest that is accurate enough
-  std::optional<Precision> precision{};  ///< absent: likewise
+  std::optional<Precision> precision{};  ///< absent: the cheapest that is accurate enough
   bool diagnostics = true;  ///< residual, outliers, dead taxels at run time; costs a second product
   /// Offer fft too, float64 only: the controller then links tactile_net::spectral (GPL where that
   /// was built with FFTW) or brings a `Convolution` of its own. Asking for `structure` fft allows
   /// it. Its price in the choice is FFTW's.
   bool allow_fft = false;
-  bool all_candidates = false;  ///< try also what cannot be the cheapest
-  double noise_rms = 0.0;       ///< of a weighted reading, as far as known
+  bool all_candidates = false;  ///< also try structures that cannot be the cheapest
+  double noise_rms = 0.0;       ///< rms noise of a weighted reading; 0: not known
   double traction_limit = 0.0;  ///< Young's modulus [Pa], to doubt frames by; 0: not known
-  /// Values above the outermost taxels that count, rising: with diagnostics frames are doubted that
-  /// press there as hard as anywhere. Empty: not known.
+  /// Indices, rising, of the values above the outermost taxels that count: with diagnostics, frames
+  /// that press there as hard as anywhere are doubted. Empty: not known.
   std::vector<std::size_t> border{};
-  /// With diagnostics and a noise: frames are doubted of which a constant is nearly all that a
-  /// channel reads. Takes a tenth to a fifth of a small patch's time.
+  /// With diagnostics and a noise: frames with a channel that reads nearly a constant alone are
+  /// doubted. Takes a tenth to a fifth of a small patch's time.
   bool judge_baseline = false;
-  std::optional<double> friction_coefficient{};
-  std::vector<ReadingRange> ranges{};  ///< one per channel, or none; of what the controller reads
-  /// What the controller reads, if not readings: the plan is then one for raw numbers. Gains go
+  std::optional<double> friction_coefficient{};  ///< mu; absent: no friction margins
+  std::vector<ReadingRange> ranges{};  ///< one per channel, or none; in what the controller reads
+  /// Calibration from raw numbers to readings; present: the plan is for raw numbers. Gains go
   /// into its matrices, baseline and offset into its baseline. Gains that differ within a channel
   /// leave an array that is not mirror symmetric: `reflections` and `fft` cannot be used.
   std::optional<Calibration> calibration{};
@@ -63,14 +64,14 @@ struct PlannerOptions {
 struct Candidate {
   Structure structure = Structure::dense;
   Precision precision = Precision::float64;
-  std::vector<std::size_t> ranks{};  ///< of the classes with places; empty: not of low rank
-  std::size_t transform_size = 0;    ///< of fft
-  bool exchanged = false;            ///< of a skin's reflections: exchanging y and z is used too
+  std::vector<std::size_t> ranks{};  ///< rank of each class with places; empty if not of low rank
+  std::size_t transform_size = 0;    ///< points of the FFT; 0 for other structures
+  bool exchanged = false;            ///< a skin's reflections: the exchange of y and z is used too
   std::size_t bytes = 0;             ///< streamed per frame
   /// Predicted time of a frame in units of one streamed byte: bytes, `cost_of_a_factor` for each
   /// factor, and the transforms (constants in product_planner.cpp).
   double cost = 0.0;
-  double error_bound = 0.0;  ///< proven, as `PlannerOptions::accuracy`
+  double error_bound = 0.0;  ///< proven, in the unit of `PlannerOptions::accuracy`
   bool accurate = false;     ///< error_bound <= accuracy; the double dense product always is
   bool chosen = false;
 };
@@ -85,7 +86,8 @@ struct PlannedEstimator {
   [[nodiscard]] std::string why() const;
 };
 
-/// O((m + n) n^2) for M, and one singular value decomposition of each class.
+/// Plans a controller for one alpha. O((m + n) n^2) for M, and one singular value decomposition of
+/// each class.
 ///
 /// The bound holds for rounding too: sums of n terms in float err by at most n 2^-24 of the sum of
 /// their magnitudes (Higham 2002, 3.1). That is pessimistic by about sqrt(n), so float is chosen

@@ -56,14 +56,15 @@ void check(const Contact& contact);
 [[nodiscard]] double force_between(const Contact& contact, Traction component, double from,
                                    double to) noexcept;
 
-/// The whole of the contact: force_between over all of the surface [N/m].
+/// Force of the whole contact [N/m]: `force_between` over all of the surface.
 [[nodiscard]] double resultant(const Contact& contact, Traction component) noexcept;
 
-/// Ends of the loaded strip [m].
+/// A strip of the surface, from `from` to `to` [m].
 struct Interval {
   double from = 0.0;
   double to = 0.0;
 };
+/// The strip that a contact loads [m].
 [[nodiscard]] Interval support(const Contact& contact) noexcept;
 
 /// Points where the traction is infinite [m]: none, the apex of a wedge, the edges of a punch.

@@ -32,12 +32,14 @@ namespace tactile_net {
 [[nodiscard]] double half_plane_kernel(Quantity quantity, Traction component,
                                        const Material& material, double depth, double y) noexcept;
 
-/// Its transform, integral over y of kernel(y) exp(-i k y), with a = |k| x and s = sgn k:
+/// Fourier transform of `half_plane_kernel`, integral over y of kernel(y) exp(-i k y), with a = |k|
+/// x and s = sgn k:
 ///
 ///     stress_x: (1 + a) e^-a, -i s a e^-a        stress_y: (1 - a) e^-a, -i s (2 - a) e^-a
 ///     shear_xy: -i s a e^-a,  (1 - a) e^-a       for a normal and for a tangential load.
 ///
-/// Even kernels have a real transform, odd ones an imaginary one; both parts are returned.
+/// Kernels of even parity have a real transform, odd ones an imaginary one; both parts are
+/// returned.
 ///
 /// @param wavenumber  k [1/m], any sign
 [[nodiscard]] std::complex<double> half_plane_transform(Quantity quantity, Traction component,

@@ -32,17 +32,19 @@ class HatKernel {
  public:
   /// O(1) on a half plane; about as much as a `PadKernel` in a layer.
   ///
-  /// @throw std::invalid_argument  as `PadKernel`; or half_width [m] is not > 0
+  /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
+  ///                               base; a line array does not read that quantity, or a line's load
+  ///                               does not have that component; half_width [m] is not > 0
   HatKernel(Quantity quantity, Traction component, const Material& material, double depth,
             double half_width);
 
-  /// At the distance u [m] from the middle of the hat [Pa / Pa for stress, 1 / Pa for strain], even
-  /// or odd to the bit. Costs 20 line kernels or three logarithms, in a layer an interpolation
-  /// more; where the hat is wider than eight layers, up to 28 times that.
+  /// The reading at the distance u [m] from the middle of the hat [Pa / Pa for stress, 1 / Pa for
+  /// strain], of even or odd parity to the bit. Costs 20 line kernels or three logarithms, in a
+  /// layer an interpolation more; where the hat is wider than eight layers, up to 28 times that.
   [[nodiscard]] double operator()(double u) const noexcept;
 
-  /// How far rounding may have moved the value at u: nearer than three half widths 18 ulp of what a
-  /// uniform traction causes at the surface, elsewhere of the integral of |k|; in a layer
+  /// Bound of the rounding error at u: nearer than three half widths 18 ulp of what a uniform
+  /// traction causes at the surface, elsewhere 18 ulp of the integral of |k|; in a layer
   /// `base_error` times the hat's area, or times the layer's thickness where that is less, besides.
   [[nodiscard]] double error_bound(double u) const noexcept;
 

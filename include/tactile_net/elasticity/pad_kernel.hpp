@@ -12,7 +12,7 @@ namespace tactile_net {
 
 class LayerCorrection;
 
-/// The transform of a kernel: `half_plane_transform` or `layer_transform`.
+/// Fourier transform of a pad's kernel: `half_plane_transform` or `layer_transform`.
 [[nodiscard]] std::complex<double> pad_transform(Quantity quantity, Traction component,
                                                  const Material& material, double depth,
                                                  double wavenumber) noexcept;
@@ -21,9 +21,9 @@ class LayerCorrection;
 /// layer.
 [[nodiscard]] double relative_kernel_error(const Material& material) noexcept;
 
-/// What a layer's base adds to a kernel is known to 1e-13 of the half plane's peak at the base's
-/// depth, the unit in which readings that vanish there are to be judged [Pa / (N/m) for stress,
-/// 1 / (N/m) for strain]; 0 on a half plane.
+/// Error of what a layer's base adds to a kernel: 1e-13 of the half plane's peak at the base's
+/// depth [Pa / (N/m) for stress, 1 / (N/m) for strain]; 0 on a half plane. Readings that vanish at
+/// the base are to be judged by it.
 [[nodiscard]] double base_error(Quantity quantity, const Material& material) noexcept;
 
 /// The reading at a given depth caused by a unit line load, as a function of the lateral distance.
@@ -40,8 +40,8 @@ class PadKernel {
   ///                               does not have that component
   PadKernel(Quantity quantity, Traction component, const Material& material, double depth);
 
-  /// At the distance y [m] from the load [Pa / (N/m) for stress, 1 / (N/m) for strain], within
-  /// `relative_kernel_error` of the half plane's peak.
+  /// The reading at the distance y [m] from the load [Pa / (N/m) for stress, 1 / (N/m) for strain],
+  /// within `relative_kernel_error` of the half plane's peak.
   [[nodiscard]] double operator()(double y) const noexcept;
 
  private:

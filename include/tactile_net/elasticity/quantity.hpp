@@ -69,8 +69,8 @@ struct QuantityTraits {
   std::string_view name{};  ///< as scenes, CSV headers and JSON spell it
   std::string_view unit{};  ///< of a reading: "Pa", "1" or "m"
   QuantityKind kind = QuantityKind::stress;
-  Axis first = Axis::x;   ///< the component's two axes;
-  Axis second = Axis::x;  ///< a displacement has the first alone, and x here
+  Axis first = Axis::x;   ///< first axis of the component
+  Axis second = Axis::x;  ///< second axis; of a displacement, which has one axis, x
 };
 
 /// One row for each quantity, in their order.
@@ -106,7 +106,7 @@ inline constexpr std::array line_quantities = {Quantity::stress_x, Quantity::str
                                                Quantity::shear_xy, Quantity::strain_x,
                                                Quantity::strain_y};
 
-/// The row of the table.
+/// The quantity's row in `quantity_traits`.
 [[nodiscard]] constexpr const QuantityTraits& traits(Quantity quantity) noexcept {
   return quantity_traits[static_cast<std::size_t>(quantity)];
 }
@@ -131,9 +131,11 @@ inline constexpr std::array line_quantities = {Quantity::stress_x, Quantity::str
 /// "normal" or "tangential": as a line's CSV headers, JSON and texts spell it.
 [[nodiscard]] std::string_view line_name(Traction component) noexcept;
 
+/// Refuses a quantity that a line array cannot read.
 /// @throw std::invalid_argument  a line array cannot read it: it is none of `line_quantities`
 void check_line(Quantity quantity);
 
+/// Refuses a component that a line's load cannot have.
 /// @throw std::invalid_argument  a line's load cannot have it: it is none of `line_tractions`
 void check_line(Traction component);
 
@@ -142,7 +144,8 @@ void check_line(Traction component);
   return traits(quantity).kind == QuantityKind::strain;
 }
 
-/// A material that creeps lets it grow under a load that does not: strains and displacements do.
+/// True if a material that creeps lets the reading grow under a load that does not: strains and
+/// displacements do.
 [[nodiscard]] constexpr bool creeps(Quantity quantity) noexcept {
   return traits(quantity).kind != QuantityKind::stress;
 }
@@ -150,9 +153,9 @@ void check_line(Traction component);
 /// The quantity with y and z exchanged: shear_xz of shear_xy.
 [[nodiscard]] Quantity exchanged(Quantity quantity) noexcept;
 
-/// The kernel changes sign under a reflection of `along`, y or z; otherwise it is even: the sign
-/// turns once for each index of the quantity and of the traction that is `along`. A line lies along
-/// y.
+/// True if the kernel has odd parity: it changes sign under a reflection of `along`, y or z.
+/// Otherwise its parity is even. The sign turns once for each index of the quantity and of the
+/// traction that is `along`. A line lies along y.
 [[nodiscard]] constexpr bool is_odd(Quantity quantity, Traction component,
                                     Axis along = Axis::y) noexcept {
   const QuantityTraits& row = traits(quantity);

@@ -6,15 +6,16 @@
 
 namespace tactile_net {
 
+/// Why no torques hold a load.
 enum class NoHold {
   undetermined,           ///< part of the contact forces costs no torque, so that none is the least
   beyond_cones,           ///< no forces within the friction cones are in equilibrium with the load
-  beyond_cones_squeezed,  ///< nor with the load and the squeeze that was asked for
+  beyond_cones_squeezed,  ///< as beyond_cones, with the squeeze that was asked for
   no_forces,              ///< no forces of these contacts at all, of whatever sign, carry the load
   not_found,              ///< the search for the least torques within the cones did not end
 };
 
-/// The condition that is violated, as an error says it.
+/// What an error says: the condition that is violated.
 [[nodiscard]] constexpr const char* rule(NoHold reason) noexcept {
   switch (reason) {
     case NoHold::undetermined:
@@ -32,6 +33,7 @@ enum class NoHold {
   return "";
 }
 
+/// No torques hold the load; `reason()` says why.
 class CannotHold : public std::domain_error {
  public:
   explicit CannotHold(NoHold reason) : std::domain_error(rule(reason)), reason_(reason) {}

@@ -16,8 +16,8 @@ namespace tactile_net {
 /// The measured numbers of a contact, in the order of their covariance.
 enum class ContactValue { normal, tangential, centre };
 
-/// Covariance of a contact's first `size` values; zeros: they are certain. Forces as the hand's,
-/// the centre in [m].
+/// Covariance of a contact's first `size` values, in the unit of the hand's forces and m for the
+/// centre; zeros: the values are exact.
 template <std::size_t size>
 struct ContactCovariance {
   std::array<double, size * size> values{};  ///< row-major

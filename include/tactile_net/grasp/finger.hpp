@@ -14,9 +14,9 @@ enum class Side { left, right };
 
 /// The tactile pad: a flat surface, with the sensor's y along it and x into it.
 struct Pad {
-  double center = 0.0;      ///< of the pad, from the last joint along the link [m]
-  double height = 0.0;      ///< of its surface above the link's axis, towards `side` [m]
-  double tilt = 0.0;        ///< of its surface from the link's direction, counter-clockwise [rad]
+  double center = 0.0;      ///< pad's middle, from the last joint along the link [m]
+  double height = 0.0;      ///< of the pad's surface above the link's axis, towards `side` [m]
+  double tilt = 0.0;        ///< of the pad's surface from the link, counter-clockwise [rad]
   double half_width = 0.0;  ///< A: it reaches from y = -A to A [m], > 0
   Side side = Side::left;   ///< where the pad faces
   bool reversed = false;    ///< the sensor's y points to the last joint, not to the tip
@@ -41,14 +41,13 @@ struct FingerPose {
 };
 
 /// @throw std::invalid_argument  no link, not as many angles as links, a length is not > 0, a
-/// number
-///                               is not finite; the text names the finger
+///                               number is not finite; the text names the finger
 void check(const Finger& finger);
 
 /// @throw std::invalid_argument  as `check`
 [[nodiscard]] FingerPose pose_of(const Finger& finger);
 
-/// O: the point of the pad's surface at y, in the palm's frame [m].
+/// The point O of the pad's surface at y, in the palm's frame [m].
 [[nodiscard]] inline Vector2 contact_point(const FingerPose& pose, double y) noexcept {
   return pose.pad_center + y * pose.along;
 }

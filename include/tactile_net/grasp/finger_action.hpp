@@ -17,12 +17,13 @@ struct ExternalLoad {
   Vector2 point{};      ///< B, where the force acts [m]
 };
 
+/// The force of one finger on the object, and the torques behind it.
 struct FingerAction {
-  Vector2 point{};          ///< O: the point of contact, in the palm's frame [m]
-  Vector2 force{};          ///< f: of the finger on the object, in the palm's frame
-  double normal = 0.0;      ///< the same force as the pad feels it, reversed: F_v, into the pad
-  double tangential = 0.0;  ///< F_t, along the sensor's y
-  ContactCovariance<2> covariance{};  ///< of (normal, tangential)
+  Vector2 point{};                    ///< O: the point of contact, in the palm's frame [m]
+  Vector2 force{};                    ///< f: of the finger on the object, in the palm's frame
+  double normal = 0.0;                ///< F_v: force into the pad, the reverse of `force`
+  double tangential = 0.0;            ///< F_t: force on the pad along the sensor's y
+  ContactCovariance<2> covariance{};  ///< covariance of (normal, tangential)
   std::vector<Uncertain> torques{};   ///< J' f: of the joints, base first, counter-clockwise
 };
 

@@ -13,19 +13,19 @@
 
 namespace tactile_net {
 
-/// Deviations come from those of the contacts' places alone; see `MeasuredGrasp`. A force on its
-/// cone's edge is taken to stay there.
+/// A grasp that holds the load. Deviations are those of the contacts' places, propagated as in
+/// `MeasuredGrasp`; a force on its cone's edge is taken to stay there.
 struct HeldGrasp {
   std::vector<FingerAction> fingers{};
-  Matrix torque_covariance{};  ///< of all torques, finger after finger
+  Matrix torque_covariance{};  ///< covariance of all torques, finger after finger
   double squeeze = 0.0;
-  double condition = 0.0;  ///< of the scaled system: digits lost are its logarithm
+  double condition = 0.0;  ///< of the scaled system: its logarithm is the digits lost
 };
 
-/// What holds the same hand in space, see `in_space`: the least sum of tau_j^2 over all joints of
-/// all fingers, with tau = J' f, among the contact forces f in equilibrium with the load,
-/// G f + w_e = 0, and with the squeeze that is asked for. With two fingers and a squeeze nothing is
-/// left to minimise: see `two_finger_torques`.
+/// The forces that hold the load, worked out for the same hand in space (`in_space`): the least sum
+/// of tau_j^2 over all joints of all fingers, with tau = J' f, among the contact forces f in
+/// equilibrium with the load, G f + w_e = 0, and with the squeeze that is asked for. With two
+/// fingers and a squeeze nothing is left to minimise: see `two_finger_torques`.
 ///
 /// @throw std::invalid_argument  fewer than two fingers; not as many contacts as fingers, or one is
 ///                               wrong (see `check`); both options, f_g with three fingers, a

@@ -19,14 +19,15 @@
 
 namespace tactile_net {
 
+/// The finger in space.
 /// @throw std::invalid_argument  the finger is wrong: see `check`
 [[nodiscard]] SpaceFinger in_space(const Finger& finger);
-/// A `planar` contact: it bears no force across the plane.
+/// The place as a `planar` contact in space: it bears no force across the plane.
 [[nodiscard]] SpaceContactPlace in_space(const ContactPlace& place) noexcept;
 [[nodiscard]] SpaceFingertipForce in_space(const FingertipForce& force) noexcept;
 [[nodiscard]] SpaceLoad in_space(const ExternalLoad& load) noexcept;
 
-/// What fingers in the plane X, Y do there: nothing of it is across the plane.
+/// Actions of fingers in the plane X, Y, as actions in that plane.
 [[nodiscard]] std::vector<FingerAction> in_plane(std::span<const SpaceAction> actions);
 
 }  // namespace tactile_net

@@ -40,10 +40,11 @@ struct FrictionMargin {
   double angle = 0.0;  ///< atan mu - |atan2(F_t, F_v)| [rad]; < 0 outside
 };
 
-/// What is beyond its cone by less than this, over the forces, is on its edge: forces that hold by
-/// all of their friction.
+/// A force beyond its cone by less than this, relative to the forces, counts as on the edge: it
+/// holds by all of its friction.
 inline constexpr double edge_rounding = 1e-12;
 
+/// How far a contact force is from slipping.
 /// @param slipping   |F_t|, and whatever else counts against friction, as a force
 /// @param deviation  of mu F_v - slipping
 /// @param friction   mu, > 0
@@ -76,6 +77,7 @@ inline constexpr double edge_rounding = 1e-12;
                          std::sqrt(std::fmax(variance, 0.0)), friction);
 }
 
+/// How far a torque is from its motor's limit.
 struct TorqueMargin {
   double left = 0.0;  ///< limit - |torque|: what is left; < 0 beyond the limit
   double used = 0.0;  ///< |torque| / limit

@@ -15,12 +15,12 @@
 
 namespace tactile_net {
 
-/// The grasp of the same hand in space, see `in_space`. Deviations are first-order propagation of
-/// the fingertips' covariances, by exact derivatives; the fingertips' errors are independent of
-/// each other, geometry and load are certain.
+/// What measured forces mean, worked out for the same hand in space (`in_space`). Deviations are
+/// first-order propagation of the fingertips' covariances, by exact derivatives; the fingertips'
+/// errors are independent of each other, geometry and load are certain.
 struct MeasuredGrasp {
   std::vector<FingerAction> fingers{};
-  Matrix torque_covariance{};  ///< of all torques, finger after finger
+  Matrix torque_covariance{};  ///< covariance of all torques, finger after finger
   /// Sum of all forces on the object along X and Y, and of the moments about the load's point:
   /// zero in equilibrium.
   std::array<Uncertain, 3> unbalanced{};

@@ -12,7 +12,7 @@ namespace tactile_net {
 struct TwoFingerTorques {
   std::array<double, 2> left{};  ///< base first
   std::array<double, 2> right{};
-  double condition = 0.0;  ///< of the scaled system
+  double condition = 0.0;  ///< condition number of the scaled system
 };
 
 /// Solves, in the frame L of the left fingertip, whose origin is the left contact point, with R the

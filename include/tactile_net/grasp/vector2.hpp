@@ -23,12 +23,12 @@ struct Vector2 {
 
 [[nodiscard]] inline double length(Vector2 a) noexcept { return std::hypot(a.x, a.y); }
 
-/// Of length 1, `angle` [rad] from X.
+/// The vector of length 1 at `angle` [rad] from X.
 [[nodiscard]] inline Vector2 direction(double angle) noexcept {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// A quarter turn counter-clockwise.
+/// The vector turned by 90 degrees counter-clockwise.
 [[nodiscard]] inline Vector2 quarter_turn(Vector2 a) noexcept { return {-a.y, a.x}; }
 
 }  // namespace tactile_net

@@ -75,7 +75,7 @@ enum class AlphaVerdict {
 
 struct AlphaChoice {
   AlphaRule rule = AlphaRule::rgcv;
-  double alpha = 0.0;  ///< [unit of (W K)^2]; the border's for `border` and `no_root`
+  double alpha = 0.0;  ///< [unit of (W K)^2]; for `border` and `no_root` an end of the bracket
   AlphaVerdict verdict = AlphaVerdict::ok;
 };
 
@@ -84,12 +84,12 @@ struct AlphaSweep {
   std::vector<double> alphas{};  ///< 200, rising by equal factors
   struct Curve {
     AlphaRule rule = AlphaRule::rgcv;
-    std::vector<double>
-        values{};  ///< what the rule minimises, at `alphas`; discrepancy: |log ratio|
+    /// What the rule minimises, at each of `alphas`; of discrepancy |log ratio|.
+    std::vector<double> values{};
     AlphaChoice choice{};
   };
-  /// The rules in the order of `alpha_rules`; none of a rule that needs the noise's rms or a
-  /// periodogram where there is none.
+  /// One curve per rule, in the order of `alpha_rules`. Rules that need the noise's rms or a
+  /// periodogram have no curve where there is none.
   std::vector<Curve> curves{};
 
   /// The choice of one rule. @throw std::out_of_range  it is not among the curves
@@ -97,24 +97,25 @@ struct AlphaSweep {
 };
 
 /// Sweeps from max(smallest gamma, 64 rows eps largest)^2, below which double precision resolves
-/// nothing, to (largest gamma)^2. About 200 x components
-/// x rules operations, and for ncp 200 times the residual's periodogram.
+/// nothing, to (largest gamma)^2. About 200 x components x rules operations, and for ncp 200 times
+/// the residual's periodogram.
 ///
 /// Where no reading depends on the tractions (every gamma is 0, or there is none) each rule has the
 /// verdict `no_root` and the alpha 0.
 ///
-/// @param noise_rms  of one weighted reading; absent: neither discrepancy nor evidence
-/// @throw std::invalid_argument  noise_rms is not >= 0; the frame has not one beta a gamma
+/// @param noise_rms  of one weighted reading; absent: no curves of discrepancy and evidence
+/// @throw std::invalid_argument  noise_rms is not >= 0; the frame has not one beta for each gamma
 [[nodiscard]] AlphaSweep sweep_alpha(const FilterFrame& frame,
                                      std::optional<double> noise_rms = {});
 
-/// One rule's choice, judged without the others, at the cost of one rule: never `rules_disagree`.
+/// One rule's choice, judged without the other rules, at the cost of one rule. The verdict is never
+/// `rules_disagree`.
 ///
 /// @throw std::invalid_argument  as `choose_alpha`
 [[nodiscard]] AlphaChoice choose_alone(const FilterFrame& frame, AlphaRule rule,
                                        std::optional<double> noise_rms = {});
 
-/// One rule's choice from the sweep, at its cost: the verdict hears the other rules too.
+/// One rule's choice, judged beside the other rules, at the cost of `sweep_alpha`.
 ///
 /// @throw std::invalid_argument  as `sweep_alpha`; the rule needs the noise's rms or a periodogram,
 ///                               and there is none

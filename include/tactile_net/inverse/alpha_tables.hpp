@@ -28,10 +28,11 @@ class AlphaTables {
   AlphaTables(AlphaTables&&) noexcept;
   AlphaTables& operator=(AlphaTables&&) noexcept;
 
-  /// True if fewer than 5 readings' worth of components, tr (I - H) where 1 % of the largest gamma
-  /// is half kept, are left to tell the noise by: taxels no closer than their depth, or very few. A
-  /// rule that needs no noise then takes signal for noise.
-  [[nodiscard]] bool few_rows() const noexcept;
+  /// True if the readings cannot tell the noise's rms: less than 5 is left for it of tr(I - H), at
+  /// the alpha that keeps half of a component with 1 % of the largest gamma. So it is with very few
+  /// taxels, or taxels no closer than their depth. A rule that guesses the rms then takes signal
+  /// for noise.
+  [[nodiscard]] bool cannot_estimate_noise() const noexcept;
 
   struct Parts;
   [[nodiscard]] const Parts& parts() const noexcept { return *parts_; }
@@ -40,23 +41,22 @@ class AlphaTables {
   std::unique_ptr<const Parts> parts_;
 };
 
-/// The rule for whoever names none: aicc, which hardly ever is more than twice as wrong as the best
-/// alpha. Of few rows (see there) evidence, which needs the noise; where that is not known gml, the
-/// least wrong of those that guess it, with the verdict `noise_needed`. Measured by bench_alpha:
-/// docs/internals/alpha.md.
+/// The rule for callers who name none: aicc, which is hardly ever more than twice as wrong as the
+/// best alpha. Where `AlphaTables::cannot_estimate_noise`: evidence if the noise's rms is known,
+/// else gml, the least wrong of the rules that guess it, with the verdict `noise_needed`. Measured
+/// by bench_alpha: docs/internals/alpha.md.
 [[nodiscard]] AlphaRule default_rule(const AlphaTables& tables, bool noise_known) noexcept;
 
-/// The rule that sizes the prior of bands: evidence where the noise that is stated is relied on,
-/// else gml, which bears another noise. Other rules find the best tractions, and a prior that is
-/// too small (docs/internals/decisions.md).
+/// The rule whose alpha sizes the prior of bands: evidence where the stated noise is relied on,
+/// else gml, which also holds if the noise is another. The alphas of other rules make good
+/// tractions and too small a prior (docs/internals/decisions.md).
 [[nodiscard]] constexpr AlphaRule prior_rule(bool relies_on_noise) noexcept {
   return relies_on_noise ? AlphaRule::evidence : AlphaRule::gml;
 }
 
-/// `sweep_alpha` and `choose_alone` of a frame whose gamma and rows are those of the tables: the
-/// same answers to rounding.
+/// `sweep_alpha` and `choose_alone` by tables made once; the answers are the same to rounding.
 ///
-/// @throw std::invalid_argument  as those; the frame's gamma or rows are others
+/// @throw std::invalid_argument  as without tables; gamma or rows of the frame are not the tables'
 [[nodiscard]] AlphaSweep sweep_alpha(const FilterFrame& frame, const AlphaTables& tables,
                                      std::optional<double> noise_rms = {});
 [[nodiscard]] AlphaChoice choose_alone(const FilterFrame& frame, const AlphaTables& tables,

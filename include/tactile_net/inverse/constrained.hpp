@@ -31,13 +31,13 @@ enum class ConstrainedVerdict {
   iteration_limit,  ///< stopped early: the tractions obey the constraints, but are not the best
 };
 
-/// Of one frame. Unless the status is `ok`, nothing else in it is set.
+/// The answer to one frame. Unless the status is `ok`, no other member is set.
 struct ConstrainedSolution {
   FrameStatus status = FrameStatus::ok;
   std::vector<double> tractions{};  ///< [Pa], unknowns x count
   ConstrainedVerdict verdict = ConstrainedVerdict::ok;
-  /// What is left of the optimality conditions (Karush, Kuhn, Tucker), over the size of the right
-  /// side: gradients of the free variables, and wrong signs of those held at zero.
+  /// Residual of the optimality conditions (Karush, Kuhn, Tucker) relative to the right side: the
+  /// gradients of the free variables, and wrong signs of those held at zero.
   double kkt_residual = 0.0;
   std::size_t iterations = 0;
   double condition = 0.0;           ///< 2-norm condition number of the free columns

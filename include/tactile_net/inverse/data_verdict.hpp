@@ -38,12 +38,12 @@
 
 namespace tactile_net {
 
-/// Of honest frames each test doubts one in a thousand.
+/// Share of honest frames that each test doubts.
 inline constexpr double false_alarms = 1e-3;
-/// Of rubber on what it touches, at most, where nobody states a limit.
+/// Limit of friction where nobody states one: rubber on what it touches has no more.
 inline constexpr double usual_friction = 1.0;
 
-/// Worst first.
+/// Why readings cannot be those of a contact, the worst first.
 enum class DataDoubt {
   implausible,     ///< a strain beyond 1, of the readings or of the pad's whole surface
   pulls,           ///< explained by tractions that pull alone, or best with the sign turned round
@@ -60,15 +60,16 @@ struct DataVerdict {
   std::vector<DataDoubt> doubts{};  ///< worst first
   bool noise_known = false;  ///< false: `misfit`, and tractions that pull here and there, are
                              ///< never found
-  /// The noise alone explains the readings: nothing presses, or no more than it hides.
+  /// True if noise alone explains the readings: nothing presses, or no more than noise hides.
   bool noise_alone = false;
   double strain = 0.0;  ///< the largest reading, or the mean normal traction, over its limit
-  /// Rms of a weighted reading that the best contact found leaves, and the limit that this exceeds
-  /// in one honest frame of a thousand; limit 0: the noise is not known.
+  /// Rms of a weighted reading that the best contact found leaves unexplained.
   double residual_rms = 0.0;
+  /// Limit that `residual_rms` exceeds in one honest frame of a thousand; 0: the noise is not
+  /// known.
   double residual_limit = 0.0;
-  std::optional<std::size_t> taxel{};  ///< of `bad_taxel`
-  std::vector<double> offset{};        ///< of `offset`: of each channel [unit of its readings]
+  std::optional<std::size_t> taxel{};  ///< the one that `bad_taxel` doubts
+  std::vector<double> offset{};        ///< `offset`'s constant of each channel [its unit]
 
   [[nodiscard]] bool consistent() const noexcept { return doubts.empty(); }
   [[nodiscard]] bool has(DataDoubt doubt) const noexcept;
@@ -77,18 +78,19 @@ struct DataVerdict {
 struct DataLimits {
   std::optional<double> noise_rms{};       ///< of a weighted reading, > 0; absent: not known
   std::optional<double> friction_limit{};  ///< |f_t| / f_v, > 0; absent: `usual_friction`
-  /// Tractions and readings of a strain of 1: Young's modulus; per row of K, Young's modulus for
-  /// stresses and 1 for strains. Absent, or no rows: not judged.
+  /// Traction that strains the pad by 1 [Pa]: Young's modulus. Absent: tractions are not judged.
   std::optional<double> largest_traction{};
+  /// Readings at a strain of 1, one per row of K: Young's modulus for stresses, 1 for strains.
+  /// Empty: readings are not judged.
   std::vector<double> largest_readings{};
-  /// Where the array's ends begin [m]: no contact but one larger than the array needs places before
-  /// the first and behind the second, and so a constant is told from a load. Absent: no constant
-  /// is looked for.
+  /// Interior of the array, [first, last] in m. Only a contact larger than the array needs loads
+  /// outside it: that tells an offset from a load. Absent: offsets are not tested.
   std::optional<std::pair<double, double>> inner{};
 };
 
-/// What explained the last frames: those that follow one another are mostly explained by the same
-/// places, pressed a little more or less, and so need no search. Of one judge, and one thread.
+/// What explained the last frames, to be handed to `DataJudge::judge`. Frames that follow one
+/// another are mostly explained by the same places, pressed a little more or less: that saves the
+/// search. Use one for each judge and thread.
 class DataMemory {
  public:
   DataMemory();
@@ -102,14 +104,14 @@ class DataMemory {
   std::unique_ptr<Kept> kept_;
 };
 
-/// Made once for a problem; const, so threads may share one.
+/// Judges frames of one problem. Const: threads may share one.
 class DataJudge {
  public:
   /// O(rows x columns).
   ///
-  /// @param problem   that tractions are found for
+  /// @param problem   the one whose tractions are judged
   /// @param contacts  the same rows on the surface on which contacts are sought: fine enough for
-  ///                  narrow ones, beyond the array's ends; absent: that of the problem
+  ///                  narrow ones, and beyond the array's ends; absent: the problem itself
   /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
   DataJudge(const InverseProblem& problem, DataLimits limits);
   DataJudge(const InverseProblem& problem, const InverseProblem& contacts, DataLimits limits);

@@ -24,19 +24,20 @@ namespace tactile_net {
                                  double residual_norm, double solution_norm,
                                  double perturbation) noexcept;
 
-/// @param condition  of a stacked matrix
-/// @param rows       of it
-/// @throw std::domain_error  double precision cannot tell its columns apart: condition is not below
-///                           1 / (epsilon rows)
+/// Refuses a stacked matrix whose columns double precision cannot tell apart.
+///
+/// @param condition  2-norm condition number of the matrix
+/// @param rows       number of its rows
+/// @throw std::domain_error  condition is not below 1 / (epsilon rows)
 void require_full_rank(double condition, std::size_t rows);
 
-/// That bound for the stacked problem [W K; sqrt(alpha) L] f = [W g; 0], with the error of the
+/// `wedin_bound` for the stacked problem [W K; sqrt(alpha) L] f = [W g; 0], with the error of the
 /// kernel's entries and of a QR of that size (sqrt(rows) units of rounding) as the perturbation. It
 /// says how far `tractions` may be, relative to their 2-norm, from the exact minimiser of the
 /// functional of problem.hpp; what alpha smooths away and what noise adds are not in it.
 /// O(rows x columns).
 ///
-/// @param condition  of the stacked matrix, as `Reconstruction::condition`
+/// @param condition  2-norm condition number of the stacked matrix: `Reconstruction::condition`
 [[nodiscard]] double forward_bound(const InverseProblem& problem, double alpha,
                                    std::span<const double> readings,
                                    std::span<const double> tractions, double condition);

@@ -21,14 +21,14 @@
 
 namespace tactile_net {
 
-/// What one frame's iteration came to.
+/// How the iteration for one frame ended.
 struct Convergence {
   std::size_t steps = 0;
   /// Estimate of |error|_2 / |f|_2 of the iterate four steps back: the P-norm that the last four
   /// steps gained (Hestenes and Stiefel 1952, section 6), turned into the 2-norm by P >= alpha. The
   /// answer returned is better.
   double estimate = 0.0;
-  double bound = 0.0;     ///< of |error|_2 / |f|_2, proven: |gradient| / (alpha |f|)
+  double bound = 0.0;     ///< proven bound of |error|_2 / |f|_2: |gradient| / (alpha |f|)
   bool converged = true;  ///< `estimate` or `bound` reached the tolerance
 };
 
@@ -60,19 +60,19 @@ class FftTikhonov {
   FrameStatus solve(std::span<const double> readings, std::span<double> tractions,
                     double tolerance = 1e-10, std::size_t step_limit = 200) noexcept;
 
-  /// P^-1 times `right`, in the same way, until the gradient is 1e-10 of it or after 1000 steps.
-  /// Allocates. @pre  right has one value per traction
+  /// P^-1 times `right` by conjugate gradients, until the gradient is 1e-10 of it or after 1000
+  /// steps. Allocates. @pre  right has one value per traction
   [[nodiscard]] std::vector<double> solve_normal(std::span<const double> right);
 
-  /// [W K; sqrt(alpha) L] times tractions: what they would be read as, and below it what smooths
-  /// them. Allocates. @pre  there is one value per traction
+  /// [W K; sqrt(alpha) L] times tractions: their weighted readings, then the smoothness terms.
+  /// Allocates. @pre  there is one value per traction
   [[nodiscard]] std::vector<double> stacked_product(std::span<const double> tractions);
 
   /// |W (K f - g)|_2. Allocates. @throw std::invalid_argument  sizes are not `solve`'s
   [[nodiscard]] double residual(std::span<const double> readings,
                                 std::span<const double> tractions);
 
-  /// Of the last frame.
+  /// How the iteration for the last frame ended.
   [[nodiscard]] const Convergence& convergence() const noexcept;
 
   [[nodiscard]] std::size_t readings() const noexcept;

@@ -21,7 +21,7 @@ class ResidualPeriodogram {
   ResidualPeriodogram& operator=(const ResidualPeriodogram&) = delete;
   virtual ~ResidualPeriodogram() = default;
 
-  /// Frequencies, without the mean.
+  /// Number of frequencies, the mean left out.
   [[nodiscard]] virtual std::size_t size() const noexcept = 0;
 
   /// Power at each frequency, of the residual whose components in the basis are `left`, and its
@@ -43,8 +43,8 @@ struct FilterFrame {
   /// How many components of the readings each gamma stands for; empty: one. Where an array is seen
   /// in sections (long_array_family.hpp) a gamma stands for a part of every section.
   std::vector<double> shares{};
-  /// What stands for the squares of beta in sums over the frame; empty: they themselves. Of
-  /// sections, where it may be negative by as much as sections deviate from the whole.
+  /// Used in place of beta^2 in sums over the frame; empty: beta^2 is used. Set by families that
+  /// approximate; those of sections may be negative, by as much as sections deviate from the whole.
   std::vector<double> powers{};
   double outside = 0.0;  ///< norm of what no traction explains, over `scale`
   double scale = 0.0;    ///< largest |W g|; 0: nothing was read

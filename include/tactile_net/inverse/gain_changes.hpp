@@ -30,16 +30,16 @@ namespace tactile_net {
 struct GainChange {
   std::size_t reading = 0;
   double change = 0.0;  ///< relative: -0.03 reads 3 % less than calibrated
-  double sd = 0.0;      ///< of it
+  double sd = 0.0;      ///< standard deviation of `change`
 };
 
 struct GainChanges {
   std::size_t frames = 0;           ///< under load
-  double rms = 0.0;                 ///< of what contacts leave of them, over the noise
-  std::vector<GainChange> named{};  ///< those that explain most first
+  double rms = 0.0;                 ///< residual of the best contacts, over the noise
+  std::vector<GainChange> named{};  ///< the changed gains, those that explain most first
 };
 
-/// Means of frames of one state each; numbers that are missing must not be among them.
+/// Readings to find changed gains in: each a mean of frames in one state, without missing numbers.
 struct GainFrames {
   std::vector<double> noise{};               ///< rms of each reading; 0: it does not count
   std::vector<std::vector<double>> loads{};  ///< readings under load, with that noise
@@ -47,7 +47,8 @@ struct GainFrames {
   std::size_t resting = 0;
 };
 
-/// O(frames x (readings x columns + readings^3)). Fewer than 8 loads tell nothing.
+/// Finds the gains that changed. O(frames x (readings x columns + readings^3)). Names none from
+/// fewer than 8 loads.
 ///
 /// @param contacts        on a surface fine enough for narrow contacts, and beyond the array's
 ///                        ends; not weighted, with two unknowns. Its first rows are the readings,

@@ -6,7 +6,7 @@
 /// nothing presses, beyond the array's ends above all, and too narrow where something does, as the
 /// quiet taxels lower the size that they share with the loud one.
 ///
-/// Here the load lies in a window of the surface and nowhere else; in it L f is white as there,
+/// Here the load lies in a window of the surface and nowhere else; in the window L f is white,
 /// with the variance sigma^2 / alpha. Nobody knows the window or its alpha: every window of a
 /// dictionary and every alpha on a scale count as much as the readings make them likely,
 ///
@@ -47,11 +47,11 @@ class LoadWindows {
   LoadWindows(LoadWindows&&) noexcept;
   LoadWindows& operator=(LoadWindows&&) noexcept;
 
-  /// How many there are.
+  /// Number of windows.
   [[nodiscard]] std::size_t count() const noexcept;
 
-  /// Of the error of `tractions`, per unit of `noise_rms` squared. O(readings^2) for each window,
-  /// and O(n readings) for each that is likely.
+  /// Covariance of the error of `tractions`, per unit of `noise_rms` squared. O(readings^2) for
+  /// each window, and O(n readings) for each that is likely.
   ///
   /// @param readings   one per row of the problem, as the frame's
   /// @param tractions  any estimate from them: [Pa]

@@ -2,10 +2,10 @@
 /// Tikhonov's method for every alpha at once, of an array too long for one decomposition.
 ///
 /// What a reading tells of a traction, and what a traction's band depends on, lies within a few
-/// depths. So a long even array is looked at in sections of 48 depths that overlap, each with the
-/// kernel and the dead taxels of its place, under tapers t_s that add up to 1 at every taxel and
-/// are 0 over the last sixth of a section. For a function F of the influence matrix H, such as the
-/// residual's square,
+/// depths. So a long regular array is looked at in sections of 48 depths that overlap, each with
+/// the kernel and the dead taxels of its place, under tapers t_s that add up to 1 at every taxel
+/// and are 0 over the last sixth of a section. For a function F of the influence matrix H, such as
+/// the residual's square,
 ///
 ///     g' F(H) g  ~  sum_s (t_s g)' F(H_s) g,    tr F(H)  ~  sum_s tr(t_s F(H_s))
 ///
@@ -36,7 +36,7 @@ class LongArrayFamily {
   /// @throw std::invalid_argument  as `make_problem`
   LongArrayFamily(const SensorArray& array, const Material& material,
                   const ProblemOptions& options);
-  /// How many sections overlap.
+  /// Number of sections.
   [[nodiscard]] std::size_t sections() const noexcept;
 
   /// The frame for the rules for alpha, with `shares`. O(readings x section).
@@ -44,12 +44,12 @@ class LongArrayFamily {
   /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;
 
-  /// As `TractionCovariance::deviations`: each traction's from the sections that it lies in.
+  /// Standard deviation of every traction per unit of noise [Pa], by the sections that it lies in.
   ///
   /// @throw std::invalid_argument  alpha or prior_alpha is not > 0 and finite
   [[nodiscard]] std::vector<double> deviations(double alpha, double prior_alpha) const;
 
-  /// tr H.
+  /// tr H: how many of the readings' degrees of freedom the tractions of one alpha use up.
   [[nodiscard]] double degrees_of_freedom(double alpha) const noexcept;
 
  private:

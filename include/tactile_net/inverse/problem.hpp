@@ -52,23 +52,24 @@ struct InverseProblem {
   std::size_t unknowns = 1;        ///< 1: normal traction; 2: normal, then tangential
   Surface surface{};               ///< the places of each unknown's values
   double smoothing_length = 0.0;   ///< l [m], >= 0
-  double tangential_weight = 1.0;  ///< of the tangential traction's L over the normal one's, > 0
+  double tangential_weight = 1.0;  ///< w, the tangential traction's L over the normal one's; > 0
   double kernel_error = 0.0;       ///< how far rounding may have moved the kernel, in the 2-norm
-  bool unknown_offsets = false;    ///< P is not 1
+  bool unknown_offsets = false;    ///< each channel has a constant, which P removes
   /// What P takes from W K, channels x columns: along W 1 of each channel, over its 2-norm.
   Matrix constants{};
 };
 
-/// Numbers of K, at most: 1 GB.
+/// Largest number of entries of K: 1 GB.
 inline constexpr std::size_t most_kernel_entries = std::size_t{1} << 27;
 
-/// Of K that a scene may ask for by a spacing of its own: a decomposition of more takes minutes.
+/// Most columns of K that a scene may ask for by a spacing of its own: decomposing more takes
+/// minutes.
 inline constexpr std::size_t most_columns = 4096;
 
 struct ProblemOptions {
   std::size_t unknowns = 1;                ///< 1: normal traction; 2: the tangential one too
   double smoothing_length = 0.0;           ///< l [m], >= 0; the scene reader takes the first depth
-  double tangential_weight = 1.0;          ///< > 0: see above; with one unknown nothing follows it
+  double tangential_weight = 1.0;          ///< w, > 0; with one unknown nothing depends on it
   std::vector<double> channel_rms{};       ///< noise of each channel; empty: rows not weighted
   std::vector<std::size_t> dead_taxels{};  ///< indices < count; their rows get weight 0
   SurfaceOptions surface{};      ///< default: a line load over each taxel, for dense arrays alone
@@ -78,12 +79,12 @@ struct ProblemOptions {
 /// @throw std::invalid_argument  the array, the material or an option is out of range
 void check(const SensorArray& array, const Material& material, const ProblemOptions& options);
 
-/// Whether anything is left to go by: a living taxel, or where offsets are unknown two of one
-/// channel.
+/// True if a frame says anything: there is a living taxel, or, where offsets are unknown, two in
+/// one channel.
 [[nodiscard]] bool is_measured(const SensorArray& array, const ProblemOptions& options);
 
-/// Assembles K: one block of rows per channel, one of columns per unknown; of even arrays from
-/// `surface_kernel`, of uneven ones from a `HatKernel` for each quantity and depth.
+/// Assembles K: one block of rows per channel, one of columns per unknown; for regular arrays from
+/// `surface_kernel`, for irregular ones from a `HatKernel` for each quantity and depth.
 ///
 /// With two unknowns, one channel cannot tell them apart, and some pairs leave null modes (see
 /// `identifiability`): alpha > 0 still gives an answer, the smallest that explains the readings.
@@ -98,32 +99,34 @@ void check(const SensorArray& array, const Material& material, const ProblemOpti
 /// Leaves these taxels out, as if they had been dead when the problem was made.
 void leave_out(InverseProblem& problem, std::span<const std::size_t> taxels);
 
-/// P W g: what W K f stands beside. @throw std::invalid_argument  readings have the wrong size
+/// P W g, the readings in the form in which `kernel` times tractions explains them.
+/// @throw std::invalid_argument  readings have the wrong size
 [[nodiscard]] std::vector<double> weighted(const InverseProblem& problem,
                                            std::span<const double> readings);
 
-/// The offset of each channel that suits the tractions best [unit of its readings]; 0 where all of
-/// its taxels are dead. None where offsets are known.
+/// The constant of each channel that fits the tractions best [unit of its readings]; 0 where all of
+/// its taxels are dead. Empty where offsets are known.
 /// @throw std::invalid_argument  a size does not fit
 [[nodiscard]] std::vector<double> offsets(const InverseProblem& problem,
                                           std::span<const double> readings,
                                           std::span<const double> tractions);
 
-/// Independent numbers in a frame: rows with a weight, less one a channel whose offset is unknown.
+/// Independent numbers in a frame: rows with a weight, less one for each channel with an unknown
+/// offset.
 [[nodiscard]] std::size_t independent_readings(const InverseProblem& problem);
 
-/// Readings of each channel; where channels differ in length, of all.
+/// Number of readings of each channel; where channels differ in length, of all channels together.
 [[nodiscard]] std::size_t line_length(const InverseProblem& problem);
 
 /// P = (WK)'(WK) + alpha (l^2/D^2 Q + I), the matrix of the conductance network (thesis 5.18; alpha
 /// stands for alpha h/D, for the tangential traction times its weight squared, and D for h):
-/// symmetric, positive definite for alpha > 0. Squares K's
-/// condition number: for circuits and for users who ask for it; `tikhonov` does not solve with it.
+/// symmetric, positive definite for alpha > 0. Squares K's condition number: for circuits and for
+/// users who ask for it; `tikhonov` does not solve with it.
 ///
 /// @throw std::invalid_argument  alpha is not > 0
 [[nodiscard]] Matrix normal_matrix(const InverseProblem& problem, double alpha);
 
-/// b = (WK)' W g, the currents of that network.
+/// b = (WK)' W g, the currents into the conductance network whose matrix is `normal_matrix`.
 ///
 /// @throw std::invalid_argument  readings have the wrong size
 [[nodiscard]] std::vector<double> normal_right_side(const InverseProblem& problem,

@@ -20,9 +20,9 @@ namespace tactile_net {
 
 class SharedAlpha {
  public:
-  /// @param tables     of the family that all frames are of. Of frames with shares, whose
-  ///                   components are nodes of a quadrature (skin/large/family.hpp), those of the
-  ///                   first: each of the others has nodes of its own, at the same alphas
+  /// @param tables     of the family of all frames. If frames have shares, whose components are
+  ///                   nodes of a quadrature (skin/large/family.hpp): of the first frame; each
+  ///                   other frame has nodes of its own, at the same alphas
   /// @param frames     how many the sum is over: the last `frames` pushed, fewer at the beginning
   /// @param noise_rms  of one weighted reading
   /// @throw std::invalid_argument  frames is 0; noise_rms is not >= 0, or absent and the rule needs
@@ -35,8 +35,8 @@ class SharedAlpha {
 
   /// The choice for this frame from the last ones and itself; its verdict is on this frame alone,
   /// as that of `choose_alone`. Equal frames get the alpha that each of them would choose. Frames
-  /// in which nothing was read have no say. Costs one rule's values of one frame and the refinement
-  /// over all: some ten sums over frames x components.
+  /// in which nothing was read do not count. Costs one rule's values of one frame and the
+  /// refinement over all: some ten sums over frames x components.
   ///
   /// @throw std::invalid_argument  the frame is of another family, or has no periodogram and the
   ///                               rule needs it

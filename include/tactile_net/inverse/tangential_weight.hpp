@@ -11,8 +11,9 @@
 ///     double best = 1.0, least = infinity;
 ///     for (const double weight : tangential_weights) {
 ///       const TikhonovFamily& family = of(weight);  // each made once
-///       const double value = surprise(family.analyse(readings), tables(weight), noise_rms) +
-///                            surprise_of_weight(weight);
+///       const FilterFrame frame = family.analyse(readings);
+///       const double value = negative_log_evidence(frame, tables(weight), noise_rms) +
+///                            negative_log_prior(weight);
 ///       if (value < least) least = value, best = weight;
 ///     }
 #pragma once
@@ -25,42 +26,33 @@
 
 namespace tactile_net {
 
-/// The weights that are tried, those nearer to 1 first, sqrt(2) apart: from a drag four times as
-/// large as the press to none. What the readings of a frame tell of the weight is no finer.
-inline constexpr std::array tangential_weights = {1.0,
-                                                  1.4142135623730951,
-                                                  0.70710678118654752,
-                                                  2.0,
-                                                  0.5,
-                                                  2.8284271247461903,
-                                                  0.35355339059327376,
-                                                  4.0,
-                                                  0.25,
-                                                  5.6568542494923806,
-                                                  8.0,
-                                                  11.313708498984761,
-                                                  16.0,
-                                                  22.627416997969522,
-                                                  32.0,
-                                                  45.254833995939045,
-                                                  64.0};
+/// The weights to try, those nearer to 1 first, sqrt(2) apart: from a drag four times as large as
+/// the press to none. The readings of a frame do not tell the weight more finely.
+// clang-format off
+inline constexpr std::array tangential_weights = {
+    1.0, 1.4142135623730951, 0.70710678118654752, 2.0, 0.5, 2.8284271247461903, 0.35355339059327376,
+    4.0, 0.25, 5.6568542494923806, 8.0, 11.313708498984761, 16.0, 22.627416997969522, 32.0,
+    45.254833995939045, 64.0};
+// clang-format on
 
-/// How little likely a weight is before anything is read, 0 for 1: -log of a half-Cauchy density of
-/// 1/w, over the logarithm of w (Gelman 2006; Polson and Scott 2012). Frames that tell nothing of
-/// the tangential traction then do not say that there is none.
-[[nodiscard]] double surprise_of_weight(double tangential_weight) noexcept;
+/// -log of the prior of a weight w, less that of 1: a half-Cauchy density of 1/w, over log w
+/// (Gelman 2006; Polson and Scott 2012). >= 0. It keeps frames that say nothing of the tangential
+/// traction from saying that there is none.
+///
+/// @param tangential_weight  w, > 0
+[[nodiscard]] double negative_log_prior(double tangential_weight) noexcept;
 
-/// How little likely a frame is, -log p(g) but for a constant: what the rule evidence minimises
-/// over alpha, at its least; without the noise's rms that of gml, which profiles it out. Of one
-/// frame in families that differ in the weight the least is the best; 0 in all of them if nothing
-/// was read.
+/// -log p(g) of a frame g, but for a constant: the minimum over alpha of what the rule evidence
+/// minimises; without the noise's rms, of what gml minimises, which profiles the rms out. Of
+/// families that differ in the weight alone the one with the least value suits the frame best. 0 if
+/// nothing was read.
 ///
 /// @param tables     of the frame's family
 /// @param noise_rms  of one weighted reading, > 0; absent: not known
-/// @param alpha      > 0: the value there instead of the least
+/// @param alpha      > 0: the value at this alpha; absent: the minimum over alpha
 /// @throw std::invalid_argument  the tables are of another family; noise_rms is not > 0
-[[nodiscard]] double surprise(const FilterFrame& frame, const AlphaTables& tables,
-                              std::optional<double> noise_rms = {},
-                              std::optional<double> alpha = {});
+[[nodiscard]] double negative_log_evidence(const FilterFrame& frame, const AlphaTables& tables,
+                                           std::optional<double> noise_rms = {},
+                                           std::optional<double> alpha = {});
 
 }  // namespace tactile_net

@@ -20,8 +20,8 @@ class TikhonovFamily {
   /// O(rows x columns^2).
   explicit TikhonovFamily(const InverseProblem& problem);
 
-  /// Of `ConstrainedTikhonov` on one face of its cone: as if what is held at zero had never been an
-  /// unknown. Rules for alpha then judge the tractions that are left.
+  /// The family on one face of the cone of `ConstrainedTikhonov`: variables held at zero are no
+  /// unknowns. Rules for alpha then judge the tractions that are left.
   ///
   /// @param free  columns of `edges`, as in `ConstrainedSolution`, at least one
   /// @throw std::invalid_argument  none is free; as `edges`
@@ -31,16 +31,16 @@ class TikhonovFamily {
   TikhonovFamily(TikhonovFamily&&) noexcept;
   TikhonovFamily& operator=(TikhonovFamily&&) noexcept;
 
-  /// gamma, descending, as many as readings or tractions, whichever are fewer.
+  /// gamma, descending; min(readings, tractions) values.
   [[nodiscard]] std::span<const double> singular_values() const noexcept;
 
   /// 2-norm condition number of [W K R^-1; sqrt(alpha) I]: relative errors of the frame, rounding
   /// included, reach R f multiplied by at most about this.
   [[nodiscard]] double condition(double alpha) const noexcept;
 
-  /// At least the 2-norm condition number of [W K; sqrt(alpha) L] itself: `condition` times a bound
-  /// on R's, sqrt(1 + 4 l^2/h^2) times the weights' ratio, because the eigenvalues of Q lie between
-  /// 0 and 4.
+  /// Upper bound of the 2-norm condition number of [W K; sqrt(alpha) L] itself: `condition` times
+  /// one on R's, sqrt(1 + 4 l^2/h^2) times the weights' ratio, because the eigenvalues of Q lie
+  /// between 0 and 4.
   [[nodiscard]] double stacked_condition(double alpha) const noexcept;
 
   /// tr H: how many of the readings' degrees of freedom the tractions of one alpha use up.
@@ -55,8 +55,8 @@ class TikhonovFamily {
   /// @throw std::invalid_argument  alpha is not > 0 and finite; the frame is of another family
   [[nodiscard]] std::vector<double> solve(const FilterFrame& frame, double alpha) const;
 
-  /// The matrix of that map, for many frames with one alpha: `tikhonov`'s, from the singular
-  /// vectors that are there. O(rows x columns^2).
+  /// The matrix from readings to the minimiser for one alpha, for many frames: that of `tikhonov`,
+  /// made of the family's singular vectors. O(rows x columns^2).
   /// @throw std::invalid_argument, std::domain_error  as `tikhonov`
   [[nodiscard]] Reconstruction reconstruction(double alpha) const;
 

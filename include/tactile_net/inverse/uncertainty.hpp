@@ -33,7 +33,7 @@
 
 namespace tactile_net {
 
-/// How tractions err, one with another.
+/// The covariance of the tractions' errors.
 class Covariance {
  public:
   Covariance() = default;
@@ -52,10 +52,10 @@ class Covariance {
   [[nodiscard]] virtual double covariance(std::span<const double> a,
                                           std::span<const double> b) const = 0;
 
-  /// `deviation` of several sums. Here one after the other.
+  /// `deviation` of each of several sums. By default one after the other.
   [[nodiscard]] virtual std::vector<double> deviations_of(
       std::span<const std::vector<double>> weights) const;
-  /// `covariance` of each of several sums with each. Here pair after pair.
+  /// Matrix of the `covariance` of each sum with each. By default pair after pair.
   [[nodiscard]] virtual Matrix covariances(std::span<const std::vector<double>> weights) const;
 
   /// tr H: how many of the readings' degrees of freedom the tractions use up.
@@ -68,36 +68,39 @@ class Covariance {
 
 class TractionCovariance final : public Covariance {
  public:
-  /// Of `tikhonov`, where its family has been made. C is never formed. O(columns^3), one product.
+  /// The covariance of what `tikhonov` finds, by its family. C is never formed. O(columns^3), one
+  /// product.
   ///
   /// @param prior_alpha  > 0; the same as alpha: the posterior covariance
   /// @throw std::invalid_argument  alpha or prior_alpha is not > 0 and finite
   TractionCovariance(const TikhonovFamily& family, double alpha, double prior_alpha);
 
-  /// The same with a family of its own: O((m + n) n^2).
+  /// The covariance of what `tikhonov` finds, without a family: O((m + n) n^2).
   TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha);
 
-  /// Of `ConstrainedTikhonov`, given which variables are free: what is held at zero is taken for
-  /// certain.
+  /// The covariance of what `ConstrainedTikhonov` finds, on the face that its free variables span:
+  /// variables held at zero are taken to be exact.
   ///
-  /// @param free  columns of `edges`, as in `ConstrainedSolution`; none: everything is certain
+  /// @param free  columns of `edges`, as in `ConstrainedSolution`; none: all are exact
   TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha,
                      const Constraints& constraints, std::span<const std::size_t> free);
 
-  /// Of the error of an answer that is none of the estimates whose errors are known, or of which
-  /// nobody knows which estimate is right: sum p [C + d d'] (law of total variance).
-  struct Part {
+  /// One of several estimates, for the error of an answer beside it: the covariance of the mixture
+  /// is sum p [C + d d'] (law of total variance).
+  struct MixtureTerm {
     double probability = 1.0;                        ///< p, >= 0
-    const TractionCovariance* covariance = nullptr;  ///< C, of this estimate
-    std::vector<double> apart{};  ///< d, from it to the answer, per unit of the noise's rms
+    const TractionCovariance* covariance = nullptr;  ///< C, of the estimate
+    std::vector<double> difference{};  ///< d, answer less estimate, over the noise's rms
   };
-  /// @throw std::invalid_argument  there is no part, or their sizes differ
-  explicit TractionCovariance(std::span<const Part> parts);
+  /// The covariance of a mixture of estimates: of an answer that is none of them, or where nobody
+  /// knows which one is right.
+  /// @throw std::invalid_argument  there is no term, or their sizes differ
+  explicit TractionCovariance(std::span<const MixtureTerm> terms);
 
-  /// Any other, by a root S of it.
+  /// A covariance given by its root S.
   ///
   /// @param root  C = S S' per unit of the noise's variance: a row for each traction
-  /// @param degrees_of_freedom  as below
+  /// @param degrees_of_freedom  tr H
   TractionCovariance(const Matrix& root, double degrees_of_freedom);
   ~TractionCovariance() override;
   TractionCovariance(TractionCovariance&&) noexcept;
@@ -116,7 +119,7 @@ class TractionCovariance final : public Covariance {
 
 /// The noise as the residual shows it, beside the noise that was stated.
 struct NoiseEstimate {
-  double residual_rms = 0.0;  ///< of one weighted reading: |W (K f - g)| / sqrt(rows - tr H)
+  double residual_rms = 0.0;  ///< rms of a weighted reading: |W (K f - g)| / sqrt(rows - tr H)
   std::optional<double> stated_rms{};
   /// sqrt(residual^2 - stated^2), where the residual exceeds what 99 % of white noise would leave:
   /// an error of the model as large as this per reading; 0: the noise stated explains the residual.
@@ -126,14 +129,16 @@ struct NoiseEstimate {
   [[nodiscard]] double rms() const noexcept { return stated_rms.value_or(residual_rms); }
 };
 
-/// @param stated_rms  of one weighted reading, >= 0
+/// Estimates the noise from the residual of tractions.
+/// @param stated_rms  of one weighted reading, >= 0; absent: not known
 [[nodiscard]] NoiseEstimate estimate_noise(const InverseProblem& problem,
                                            std::span<const double> readings,
                                            std::span<const double> tractions,
                                            double degrees_of_freedom,
                                            std::optional<double> stated_rms = {});
 
-/// The same from the residual's size. @param rows  that have a weight
+/// Estimates the noise from the 2-norm of the weighted residual.
+/// @param rows  number of rows with a weight
 [[nodiscard]] NoiseEstimate estimate_noise(double residual, std::size_t rows,
                                            double degrees_of_freedom,
                                            std::optional<double> stated_rms = {});
@@ -150,25 +155,27 @@ struct UncertainResultant {
   std::optional<Uncertain> tangential{};  ///< F_t [N/m]; absent with one unknown
   std::optional<Uncertain> centre{};      ///< sum y f_v / sum f_v [m]; absent if F_v <= 0
   std::optional<Uncertain> angle{};  ///< atan2(F_t, F_v) [rad]; absent with one unknown or F_v <= 0
-  /// Of (F_v, F_t, centre), row-major; zero where one of the two is absent.
+  /// Covariance of (F_v, F_t, centre), 3 x 3 row-major; zero where one of the two is absent.
   std::array<double, 9> covariance{};
 };
 
+/// Resultant of a problem's tractions.
 /// @param noise_rms  of one weighted reading
 [[nodiscard]] UncertainResultant resultant_of(const InverseProblem& problem,
                                               std::span<const double> tractions,
                                               const Covariance& covariance, double noise_rms);
 
-/// The same, of the tractions on a surface: one after the other.
+/// Resultant of tractions on a surface: all normal values, then all tangential ones.
+/// @param noise_rms  of one weighted reading
 [[nodiscard]] UncertainResultant resultant_of(const Surface& surface,
                                               std::span<const double> tractions,
                                               const Covariance& covariance, double noise_rms);
 
-/// Of the contact that needs the most friction, where several lie apart (F_v and F_t of the whole
-/// are their sums: two that are dragged apart both slip while F_t is nothing). Absent: there is
-/// one, or tractions are normal ones alone.
+/// Resultant of the contact that needs the most friction, where several lie apart. F_v and F_t of
+/// the whole are sums: two contacts dragged in opposite directions both slip while F_t is 0.
+/// Absent: there is one contact, or no tangential traction.
 ///
-/// @param whole  of all tractions: what is less than six of its deviations is no contact
+/// @param whole  resultant of all tractions: a force below six of its deviations is no contact
 [[nodiscard]] std::optional<UncertainResultant> nearest_to_slipping(
     const Surface& surface, std::span<const double> tractions, const Covariance& covariance,
     double noise_rms, const UncertainResultant& whole);

@@ -97,8 +97,7 @@ struct CircuitRemark {
     /// The same of capacitance at a ladder's nodes.
     node_lag,
     /// Capacitance at floating inputs and residuals, W C/D = `value`, beyond what was found stable,
-    /// `limit`;
-    /// `repair`: the least `Scale::siemens` that is not.
+    /// `limit`; `repair`: the least `Scale::siemens` that is not.
     floating_input_capacitance,
     /// Resistors from `least` to `greatest` [ohm] cannot be bought; `repair`: the `Scale::siemens`
     /// that centres them at 100 kilo-ohm.

@@ -55,9 +55,8 @@ struct StepResponse {
 
 using Analysis = std::variant<DirectCurrent, SingleFrequency, StepResponse>;
 
-/// Writes the deck: title, comments, expected answer (`* expect n0 1.25e-3`,
-/// `* within 1e-9`), sub-circuits, one
-/// card per element in the circuit's order, the analysis, `.end`.
+/// Writes the deck: title, comments, expected answer (`* expect n0 1.25e-3`, `* within 1e-9`),
+/// sub-circuits, one card per element in the circuit's order, the analysis, `.end`.
 ///
 /// Pure SPICE up to `.end`, where every other simulator ceases to read: behind it
 /// `Answer::printed` adds commands to ngspice (`.control` ... `.endc`), which print an operating

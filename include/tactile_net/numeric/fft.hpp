@@ -17,11 +17,12 @@ enum class FftLibrary {
 /// "FFTW (GPL)" or "Eigen (MPL 2.0)".
 [[nodiscard]] std::string_view name(FftLibrary library) noexcept;
 
-/// How the FFT chooses its algorithm; Eigen's has one alone.
+/// How the FFT chooses its algorithm. FFTW alone has several.
 enum class FftEffort {
   estimate,  ///< by rule: in milliseconds, and the same bits in every process
-  measure,  ///< by timing, for up to seconds: faster from about 1000 taxels on, but another process
-            ///< may choose another algorithm and get other last bits
+  /// By timing, for up to seconds: faster from about 1000 taxels on, but another process may choose
+  /// another algorithm and get other last bits.
+  measure,
 };
 
 }  // namespace tactile_net

@@ -26,10 +26,10 @@ void append_number(std::string& out, double number);
 [[nodiscard]] std::string shortest(double number);
 [[nodiscard]] std::string shortest(std::integral auto number) { return std::to_string(number); }
 
-/// So many significant digits, at most 17, without zeros at the end; "-" for NaN.
+/// The number with `digits` significant digits, at most 17, without trailing zeros; "-" for NaN.
 [[nodiscard]] std::string brief(double number, int digits = 3);
 
-/// So many digits behind the point, at most 20; "-" for NaN.
+/// The number with `digits` digits behind the point, at most 20; "-" for NaN.
 [[nodiscard]] std::string fixed(double number, int digits);
 
 /// A share of 1 as "1.23 %".
@@ -43,15 +43,15 @@ void append_number(std::string& out, double number);
 /// where that is not finite or 0.
 [[nodiscard]] std::string plus_minus(double value, double deviation);
 
-/// std::from_chars of a double, which libc++ has from version 20 on: elsewhere the same by other
-/// means. So no file of the library calls that one itself for a double.
+/// `std::from_chars` of a double, replaced where the standard library lacks it (libc++ before 20).
+/// The library reads doubles by this function alone.
 [[nodiscard]] std::from_chars_result number_from_chars(const char* first, const char* last,
                                                        double& number) noexcept;
 
-/// The number that is the whole text, or nothing: no sign `+`, no blank, no locale.
+/// Reads a text that is a number as a whole: no sign `+`, no blank, no locale. False: it is none.
 [[nodiscard]] bool read_number(std::string_view text, double& number) noexcept;
 
-/// The whole number from 0 on that is the whole text, or nothing.
+/// Reads a text that is a whole number >= 0; absent: it is none.
 [[nodiscard]] std::optional<std::size_t> whole_number(std::string_view text) noexcept;
 
 }  // namespace tactile_net

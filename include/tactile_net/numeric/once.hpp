@@ -13,6 +13,7 @@ namespace tactile_net {
 template <class T>
 class Once {
  public:
+  /// The value; the first call makes it by `make()`.
   template <class Make>
   [[nodiscard]] const T& get(Make&& make) const {
     if (!value_) value_.emplace(std::forward<Make>(make)());

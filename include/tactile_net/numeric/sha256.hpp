@@ -9,9 +9,10 @@
 
 namespace tactile_net {
 
+/// SHA-256 of the bytes.
 [[nodiscard]] std::array<std::uint8_t, 32> sha256(std::string_view bytes);
 
-/// The same in 64 hexadecimal digits.
+/// SHA-256 of the bytes, as 64 hexadecimal digits.
 [[nodiscard]] std::string sha256_text(std::string_view bytes);
 
 }  // namespace tactile_net

@@ -14,13 +14,13 @@ namespace tactile_net {
 /// The parts between separators, one at least: "a,,b" has three.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// In single quotes, as every POSIX shell reads it.
+/// The text in single quotes, as every POSIX shell reads it.
 [[nodiscard]] std::string shell_quoted(std::string_view text);
 
-/// As one types it: quoted only where a shell would read it otherwise.
+/// The text as one types it in a shell: quoted only where the shell would read it otherwise.
 [[nodiscard]] std::string shell_word(std::string_view text);
 
-/// As a field of CSV: in quotes, its own doubled (RFC 4180).
+/// The text as a field of CSV: in quotes, with quotes inside it doubled (RFC 4180).
 [[nodiscard]] std::string csv_quoted(std::string_view text);
 
 }  // namespace tactile_net

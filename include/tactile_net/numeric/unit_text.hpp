@@ -12,10 +12,10 @@
 
 namespace tactile_net {
 
-/// A unit with its prefix, and what to multiply a number in the bare unit by to have it in this.
+/// A unit with its prefix, and the factor from the bare unit to it.
 struct ScaledUnit {
   std::string label{};  ///< "kPa"; UTF-8: "µm"
-  double factor = 1.0;  ///< 1e-3
+  double factor = 1.0;  ///< numbers in the bare unit times this: 1e-3
 };
 
 /// The prefix (p, n, µ, m, none, k, M, G, T) for numbers up to a size: none where the largest, as
@@ -27,10 +27,10 @@ struct ScaledUnit {
 /// @param digits   significant ones that will be written, >= 3: 999.7 with three is 1 k
 [[nodiscard]] ScaledUnit scaled_unit(double largest, std::string_view unit, int digits = 3);
 
-/// So many significant digits, as `brief`; "-" for NaN.
+/// A number with its unit, `digits` significant digits as in `brief`; "-" for NaN.
 [[nodiscard]] std::string with_unit(double number, std::string_view unit, int digits = 3);
 
-/// As `plus_minus`, both in one unit.
+/// A value and its standard deviation as in `plus_minus`, both in one unit.
 [[nodiscard]] std::string with_unit(double value, double deviation, std::string_view unit);
 
 }  // namespace tactile_net

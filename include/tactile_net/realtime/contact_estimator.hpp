@@ -23,56 +23,58 @@ namespace tactile_net {
 
 /// One frame's answer. The caller owns it and the memory of its tractions.
 ///
-/// Of a skin forces are in N, and torsion in N m; all are sums over the cells that touch, as far as
-/// the plan can tell them from empty ones, else over all. So they are sums of all contacts. Margins
-/// are not: two contacts that are dragged apart both slip while the sum of their drags is nothing.
-/// They are those of the contact that is nearest to slipping.
+/// A line's forces are in N/m; a skin's are in N, its torsion in N m. A skin's are sums over the
+/// cells that touch, as far as the plan can tell them from empty ones, else over all cells: so they
+/// are sums over all contacts. Margins are those of the contact that is nearest to slipping: two
+/// contacts that are dragged in opposite directions both slip while the sum of their drags is 0.
 struct ContactEstimate {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   std::span<double> tractions{};  ///< [Pa], `tractions()` values: normal, then tangential
-  double time = 0.0;              ///< of the frame, as given to `update`
+  double time = 0.0;              ///< time of the frame, as given to `update`
   double normal_force = 0.0;      ///< F_v = h sum f_v, h the spacing [N/m]
-  /// What noise and smoothing may have made of F_v, one standard deviation; NaN: not known. Of a
-  /// skin from the windows' deviations, as if windows that do not overlap erred by themselves.
+  /// Standard deviation of F_v by noise and smoothing; NaN: not known. A skin's comes from the
+  /// windows' deviations, as if windows that do not overlap erred independently.
   double force_deviation = unknown;
   double tangential_force = unknown;  ///< F_t = h sum f_t [N/m]; NaN with one unknown; of a skin
                                       ///< its size, >= 0
-  double tangential_y = unknown;      ///< of a skin, along y; else NaN
-  double tangential_z = unknown;      ///< along z
+  double tangential_y = unknown;      ///< a skin's F_t along y [N]; else NaN
+  double tangential_z = unknown;      ///< a skin's F_t along z [N]; else NaN
   double centre = unknown;            ///< sum y f_v / sum f_v [m]; NaN without contact
-  double centre_z = unknown;          ///< of a skin, along z
-  double torsion =
-      unknown;             ///< of a skin, about x through the centre of pressure, from y towards z
+  double centre_z = unknown;          ///< a skin's centre along z [m]; else NaN
+  /// A skin's moment about x through the centre of pressure, from y towards z [N m]; else NaN.
+  double torsion = unknown;
   double angle = unknown;  ///< atan2(F_t, F_v) [rad]; NaN with one unknown or without contact
-  /// mu F_v - |F_t| [N/m], < 0: slips; NaN if mu or F_t is not known. Of the contact that needs the
-  /// most friction, where several lie apart.
+  /// mu F_v - |F_t| [N/m], of a skin [N]; < 0: slips; NaN if mu or F_t is not known. Where several
+  /// contacts lie apart, that of the one that needs the most friction.
   double friction_margin = unknown;
-  /// Of a skin: 1 - sqrt((F_t / (mu F_v))^2 + (T / (mu sum p r))^2), r the distance from the centre
+  /// A skin's 1 - sqrt((F_t / (mu F_v))^2 + (T / (mu sum p r))^2), r the distance from the centre
   /// of pressure; < 0: slips or turns (Howe and Cutkosky 1996). NaN as the friction margin.
   double slip_margin = unknown;
-  double margin_centre = unknown;    ///< of the contact that margins are of [m]; NaN without any
-  double margin_centre_z = unknown;  ///< of a skin, along z
-  std::size_t contacts = 0;  ///< of which margins are the worst; 0: no margins, or nothing presses
-  std::size_t touching = 0;  ///< cells that forces are sums over; 0: all
-  /// Root mean square of W (g - K f) over the live readings: what the tractions leave unexplained,
-  /// and the offsets of a plan that does not know them. NaN without a prediction in the plan.
+  double margin_centre = unknown;    ///< centre of the contact that has the margins [m]; else NaN
+  double margin_centre_z = unknown;  ///< a skin's, along z [m]; else NaN
+  /// Number of contacts that lie apart, of which margins are the worst; 0: no margins, or no
+  /// contact.
+  std::size_t contacts = 0;
+  std::size_t touching = 0;  ///< number of cells that forces are sums over; 0: all cells
+  /// Root mean square of W (g - K f) over the live readings: what the tractions, and where they are
+  /// unknown the offsets, leave unexplained. NaN without a prediction in the plan.
   double residual_rms = unknown;
-  /// F_v > 0: centre, angle and margin mean something. Of a skin whose noise is known: beyond what
-  /// noise does.
+  /// True if F_v > 0 (of a skin whose noise is known: beyond noise): then centre, angle and margins
+  /// have values.
   bool contact = false;
-  // Frames that cannot be true, as far as the plan has what that takes; false: not that it knows
-  // of.
-  bool pulls = false;        ///< F_v lies more than four deviations below 0, and no contact pulls
+  // Plausibility flags, down to `baseline_moved`. True only if the plan holds the data for the
+  // test; false also means: not tested.
+  bool pulls = false;        ///< F_v is more than four deviations below 0: no contact pulls
   bool implausible = false;  ///< the mean normal traction would strain the pad by more than 1
   /// The residual exceeds what noise explains once in 1000 frames, and what alpha may add to it:
   /// half of sqrt(alpha) |L f| at most, f the true tractions; twice that of those found is allowed.
   bool misfit = false;
-  /// The outermost places that are seen press nearly as hard as any: there may be as much beside
+  /// The outermost places that are seen press nearly as hard as any: the contact may go on beyond
   /// them, and F_v is a lower bound.
   bool beyond_edge = false;
-  /// A constant is more than noise and nearly all that a channel reads: the baseline may have
-  /// moved, and what it was presses everywhere. Record a new one where nothing touches.
+  /// A constant beyond noise is nearly all that a channel reads: the baseline may have moved, which
+  /// looks like pressure everywhere. Record a new one while nothing touches.
   bool baseline_moved = false;
   bool saturated = false;  ///< a live reading lies at or beyond its channel's range
   /// Index of the reading that the others explain least; -1: none stands out by more than noise,
@@ -85,17 +87,17 @@ struct Moments;
 /// Which vector instructions the products use.
 enum class InstructionSet { baseline, avx2, avx512 };
 [[nodiscard]] std::string_view name(InstructionSet set) noexcept;
-/// The widest that this machine and its operating system run; asked of the processor, not of its
-/// maker.
+/// The widest instruction set that this machine and its operating system run, as the processor
+/// says.
 [[nodiscard]] InstructionSet widest_instruction_set() noexcept;
 
 /// Holds a plan, made ready, and the scratch of one thread.
 ///
 /// The constructor does all that allocates, throws or is slow. `update` and the other `noexcept`
 /// members are for the control loop: no allocation, no lock, no system call, no exception, a
-/// bounded number of operations. Of a line it is fixed, but for the few that a contact alone takes;
-/// of a skin the search for what touches follows the frame, and looks at each cell and its eight
-/// neighbours twice at most. One object a thread and patch; copies share the plan's matrices.
+/// bounded number of operations. For a line it is fixed, but for the few that a contact alone
+/// takes; for a skin the search for what touches follows the frame, and looks at each cell and its
+/// eight neighbours twice at most. One object a thread and patch; copies share the plan's matrices.
 ///
 /// A host may trap floating-point exceptions: no frame, NaN, infinities and too large numbers
 /// included, raises that of an invalid operation, of a division by zero or of an overflow. Only a
@@ -103,23 +105,24 @@ enum class InstructionSet { baseline, avx2, avx512 };
 class ContactEstimator {
  public:
   static constexpr std::size_t most_dead_taxels = 8;
-  static constexpr std::size_t most_dead_readings = 512;  ///< of those taxels
+  static constexpr std::size_t most_dead_readings = 512;  ///< readings of dead taxels, at most
   /// Share of a dead reading's variance that must be left to the others: below, they cannot tell.
   static constexpr double least_pivot = 1e-3;
   /// Taxels at each end that are never called outliers: a load beyond the array looks just so.
   static constexpr std::size_t unjudged_ends = 3;
 
-  /// O(size of the plan).
+  /// Makes a plan ready. O(size of the plan).
   /// @param set  for tests and benchmarks; one that the machine lacks is replaced by the widest
   /// @throw std::invalid_argument  `check(plan)` does, or a structure is fft
   explicit ContactEstimator(const EstimatorPlan& plan,
                             InstructionSet set = widest_instruction_set());
-  /// For plans with fft: `ContactEstimator estimator(plan, fft_convolutions());`
+  /// Makes a plan with fft ready: `ContactEstimator estimator(plan, fft_convolutions());`
   /// @param make  called for each product that is fft; copies clone what it made
   ContactEstimator(const EstimatorPlan& plan, const ConvolutionMaker& make,
                    InstructionSet set = widest_instruction_set());
   ContactEstimator(const ContactEstimator& other);
-  ContactEstimator(ContactEstimator&&) noexcept;  ///< what was moved from: assign to it or destroy
+  /// Afterwards the source may only be assigned to or destroyed.
+  ContactEstimator(ContactEstimator&&) noexcept;
   ContactEstimator& operator=(const ContactEstimator& other);
   ContactEstimator& operator=(ContactEstimator&&) noexcept;
   ~ContactEstimator();
@@ -136,10 +139,10 @@ class ContactEstimator {
   FrameStatus update(std::span<const double> readings, ContactEstimate& estimate,
                      double time = 0.0) noexcept;
 
-  /// Recorded frames: as `update` on each, and the same bits. The time of an estimate stays as it
-  /// is. But for fft the matrix is read once for a block of frames and a number of it multiplied by
-  /// eight while it is in a register; of skins a frame then takes about half the time of an
-  /// `update`. No allocation here either. On several cores: control/batch.hpp.
+  /// Recorded frames: `update` on each, with the same bits; the time of an estimate stays as it is.
+  /// Except for fft, the matrix is read once for a block of frames, and each number of it
+  /// multiplied by those of eight frames while it is in a register: for a skin a frame takes about
+  /// half the time of an `update`. No allocation either. On several cores: control/batch.hpp.
   ///
   /// @param readings   frames x channels x count
   /// @param estimates  one a frame; tractions may be the memory of their own frame's readings, of
@@ -149,15 +152,15 @@ class ContactEstimator {
   FrameStatus update_batch(std::span<const double> readings,
                            std::span<ContactEstimate> estimates) noexcept;
 
-  /// What the sensors read without contact; subtracted from every frame from now on, in place of
-  /// the plan's own baseline, which is zero unless the plan is for raw numbers: such a frame is one
-  /// of no load then, whatever offset the calibration had. What a dead taxel reads is taken if it
-  /// is finite, for the day it lives again.
+  /// Sets what the sensors read without contact. It is subtracted from every frame from now on, in
+  /// place of the plan's own baseline (zero unless the plan is for raw numbers): such a frame then
+  /// means no load, whatever offset the calibration had. The value of a dead taxel is kept, if
+  /// finite, for when the taxel lives again.
   /// @return not `ok`: the old baseline stays; `too_large`: a value is beyond 2^969, and a reading
   ///         less it might overflow
   FrameStatus set_baseline(std::span<const double> readings) noexcept;
 
-  /// From the next frame on, leaves a taxel out: all of its channels. The answer is the minimiser
+  /// Leaves a taxel out, in all channels, from the next frame on. The answer is the minimiser
   /// without those rows, exactly (a row left out is a row that reads what the others predict of it:
   /// Allen 1974, Cook and Weisberg 1982), to `accuracy` / `least_pivot` at worst.
   /// O(readings) more per frame and dead reading.
@@ -171,7 +174,7 @@ class ContactEstimator {
 
   [[nodiscard]] std::size_t readings() const noexcept;
   [[nodiscard]] std::size_t tractions() const noexcept;
-  /// As the plan that it was made of, without the matrices.
+  /// The plan's label.
   [[nodiscard]] std::string_view label() const noexcept;
   [[nodiscard]] InstructionSet instruction_set() const noexcept;
 

@@ -11,7 +11,7 @@
 
 namespace tactile_net {
 
-/// One thread's: an object may keep scratch.
+/// The product by the Toeplitz part of a plan, for one thread: an object may keep scratch.
 class Convolution {
  public:
   virtual ~Convolution() = default;
@@ -19,10 +19,10 @@ class Convolution {
   /// y += T x, in a control loop: no allocation, no lock, no system call; equal x give equal bits.
   ///
   /// @param x  plan.columns values
-  /// @param y  plan.rows values, apart from x
+  /// @param y  plan.rows values; must not overlap x
   virtual void add(const double* x, double* y) noexcept = 0;
 
-  /// The same for another thread; gives the same bits.
+  /// A copy for another thread; it gives the same bits.
   [[nodiscard]] virtual std::unique_ptr<Convolution> clone() const = 0;
 
  protected:

@@ -13,7 +13,7 @@
 
 namespace tactile_net {
 
-/// Readings outside are saturated.
+/// Range of a sensor: readings at or beyond its ends are saturated.
 struct ReadingRange {
   double lowest = 0.0;
   double highest = 0.0;
@@ -25,75 +25,73 @@ struct PlanCells {
   std::size_t columns = 0;  ///< along z
   double spacing_y = 0.0;   ///< [m], > 0
   double spacing_z = 0.0;   ///< [m], > 0
-  double centre_y = 0.0;    ///< of the whole grid [m]
-  double centre_z = 0.0;
-  /// Of each cell's normal traction, one standard deviation [Pa]: cells that touch are told from
-  /// empty ones by it, and only they are summed. Empty: not known, all are summed.
+  double centre_y = 0.0;    ///< y of the grid's middle [m]
+  double centre_z = 0.0;    ///< z of the grid's middle [m]
+  /// Standard deviation of each cell's normal traction [Pa]. It tells cells that touch, the only
+  /// ones to be summed, from empty ones. Empty: not known; all cells are summed.
   std::vector<double> deviations{};
-  std::size_t rim_rows = 0;  ///< by which what touches is widened
-  std::size_t rim_columns = 0;
-  /// Of the sums of normal tractions over windows around cells, one standard deviation [Pa]: they
-  /// tell of contacts of which no single cell is certain. Empty: cells alone tell.
+  std::size_t rim_rows = 0;     ///< rows by which a contact's cells are widened to either side
+  std::size_t rim_columns = 0;  ///< columns by which they are widened
+  /// Standard deviation of the sum of normal tractions over the window around each cell [Pa]. It
+  /// finds contacts of which no single cell is certain. Empty: single cells decide.
   std::vector<double> window_deviations{};
-  std::size_t window_rows = 0;  ///< that a window reaches to either side, < rows
-  std::size_t window_columns = 0;
+  std::size_t window_rows = 0;     ///< rows that a window reaches to either side, < rows
+  std::size_t window_columns = 0;  ///< columns that it reaches, < columns
 
   [[nodiscard]] double area() const noexcept { return spacing_y * spacing_z; }
 };
 
 struct EstimatorPlan {
-  std::string label{};       ///< what it was made for, to be printed by a controller
+  std::string label{};       ///< what the plan was made for, for a controller to print
   std::size_t count = 0;     ///< taxels along y; of a skin all of them
-  std::size_t channels = 0;  ///< readings are channels x count, but for uneven arrays
+  std::size_t channels = 0;  ///< readings are channels x count, but for irregular arrays
   std::size_t unknowns = 1;  ///< 1: normal traction; 2: the tangential one too; 3: both of a skin
-  std::size_t values = 0;    ///< of each traction, along y; `count` where they lie at the taxels
+  std::size_t values = 0;    ///< number of values of each traction; `count` at the taxels
   double spacing = 0.0;      ///< distance of those values [m]
   double centre = 0.0;       ///< y of the middle one [m]
-  double alpha = 0.0;        ///< of Tikhonov's functional
-  double accuracy = 0.0;     ///< that was asked for
+  double alpha = 0.0;        ///< alpha of Tikhonov's functional
+  double accuracy = 0.0;     ///< the accuracy that was asked for
   double error_bound = 0.0;  ///< proven for the plan; of what, see control/planner.hpp
   ProductPlan reconstruction{};  ///< readings -> tractions
 
-  /// readings -> what the tractions explain of them, K M, and where offsets are not known these;
-  /// absent: no residual, no outliers, no dead taxels at run time.
+  /// K M: readings -> the readings that tractions, and unknown offsets, explain. Absent: no
+  /// residual, no outliers, no dead taxels at run time.
   std::optional<ProductPlan> prediction{};
   std::vector<double> weights{};    ///< one per reading, >= 0; 0: a taxel that the plan leaves out
   std::vector<double> leverages{};  ///< diagonal of K M, one per reading; empty without prediction
-  double noise_rms = 0.0;           ///< of a weighted reading, as far as known; 0: not known
+  double noise_rms = 0.0;           ///< rms noise of a weighted reading; 0: not known
   double outlier_limit = 6.0;       ///< studentised residual from which a reading is an outlier
 
-  // What a frame is doubted by; each 0: not known.
-  double residual_limit =
-      0.0;  ///< rms of a weighted reading that noise exceeds once in 1000 frames
-  double traction_limit = 0.0;  ///< mean normal traction of a strain of 1: Young's modulus [Pa]
-  double force_deviation =
-      0.0;  ///< of the normal force, one standard deviation [N/m], of a skin [N]
+  // Limits by which a frame is doubted; each 0: not known.
+  double residual_limit = 0.0;   ///< rms of a weighted reading; noise exceeds it in 1 of 1000
+  double traction_limit = 0.0;   ///< mean normal traction of a strain of 1: Young's modulus [Pa]
+  double force_deviation = 0.0;  ///< standard deviation of the normal force [N/m], of a skin [N]
 
-  /// Values, rising, above the outermost taxels that count: what presses there may press beyond
-  /// them too, and the force is then a lower bound. Empty: not known.
+  /// Indices, rising, of the values above the outermost taxels that count: a contact there may go
+  /// on beyond them, and the force is then a lower bound. Empty: not known.
   std::vector<std::uint32_t> border{};
 
-  /// Channels have no constants of their own beside the baseline: with a noise, one that is nearly
-  /// all that a channel reads is doubted. False: they have, or it is not known.
+  /// True if channels have no constants beside the baseline: then, with a noise, a constant that is
+  /// nearly all that a channel reads is doubted. False: they have some, or it is not known.
   bool known_offsets = false;
 
-  std::optional<double> friction_coefficient{};  ///< of pad and object; absent: no friction margin
+  std::optional<double> friction_coefficient{};  ///< mu of pad and object; absent: no margins
   std::vector<ReadingRange> ranges{};  ///< one per channel or per reading; empty: none saturates
   /// What is subtracted from the readings, one value each, until `set_baseline` says otherwise;
   /// empty: nothing.
   std::vector<double> baseline{};
-  /// Of an array whose taxels do not all read the same: the taxel of each reading, < count. Empty:
+  /// The taxel of each reading, < count, for an array whose taxels do not all read the same. Empty:
   /// reading i is taxel i % count's.
   std::vector<std::uint32_t> taxels{};
 
-  // Of skins.
-  std::optional<PlanCells>
-      cells{};  ///< absent: a line; `values` of them, `spacing` then is sqrt(area)
+  // For skins.
+  /// The cells, `values` of them; `spacing` is the root of a cell's area. Absent: a line.
+  std::optional<PlanCells> cells{};
   /// Taxels, < count, that are never called outliers: a load beyond the skin's edge looks just so.
   std::vector<std::uint32_t> unjudged{};
-  /// What the readings of weight 0, in their order, are taken to read: this times the readings, of
-  /// which theirs count as 0. So products of the whole skin, with its symmetry, serve one whose
-  /// taxels are partly dead. Absent: they read 0.
+  /// Imputation matrix: row i gives the value put in place of the i-th reading of weight 0, linear
+  /// in all readings, those of weight 0 taken as 0. It lets the whole skin's symmetric factors
+  /// serve a skin with dead taxels. Absent: 0 is put in place.
   std::optional<Factor> fill{};
 
   [[nodiscard]] std::size_t readings() const noexcept {

@@ -24,18 +24,18 @@ class Handover {
     delete returned_.load(std::memory_order_acquire);
   }
 
-  /// Off the loop: what was offered before and not taken is replaced, what the loop gave back is
-  /// destroyed. May free memory.
+  /// Call off the loop: offers an object, in place of one that was not taken, and destroys what the
+  /// loop gave back. May free memory.
   void offer(std::unique_ptr<T> next) {
     collect();
     delete offered_.exchange(next.release(), std::memory_order_acq_rel);
   }
 
-  /// Off the loop: destroys what the loop gave back. May free memory.
+  /// Call off the loop: destroys what the loop gave back. May free memory.
   void collect() { delete returned_.exchange(nullptr, std::memory_order_acq_rel); }
 
-  /// In the loop: true if something was offered, which `current` then is. While the maker has not
-  /// collected the object before, nothing is exchanged.
+  /// Call in the loop: takes what was offered as `current`, and is true if there was anything.
+  /// False also while the maker has not yet collected the last object that the loop gave back.
   bool exchange(std::unique_ptr<T>& current) noexcept {
     if (offered_.load(std::memory_order_relaxed) == nullptr ||
         returned_.load(std::memory_order_relaxed) != nullptr)

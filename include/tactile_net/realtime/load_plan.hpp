@@ -1,7 +1,7 @@
 /// @file
 /// A plan from disk, at a controller's start-up. Inline, so that the file is touched in the
-/// caller's own object code: tactile_net::rt itself makes no system call. Who has the bytes already
-/// calls `decode_plan` (plan_file.hpp), and includes no stream.
+/// caller's own object code: tactile_net::rt itself makes no system call. With the bytes in memory,
+/// call `decode_plan` (plan_file.hpp) instead.
 ///
 ///     ContactEstimator estimator(load_plan("pad.plan"));
 #pragma once
@@ -18,7 +18,8 @@
 
 namespace tactile_net {
 
-/// @throw std::runtime_error  as `decode_plan`, or the file cannot be read; names the file
+/// Reads a plan's file.
+/// @throw std::runtime_error  as `decode_plan`, or the file cannot be read; the text names the file
 [[nodiscard]] inline EstimatorPlan load_plan(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(path.string() + ": cannot be opened");

@@ -16,26 +16,28 @@
 
 namespace tactile_net {
 
-/// What plans are written as: the first version whose readers understand them. All are read.
+/// Version of a plan's file, by what it added. A plan is written as the first version that can hold
+/// it; all versions are read.
 enum class PlanVersion : std::uint32_t {
   readings = 1,  ///< tractions at the taxels, from readings
-  baseline = 2,  ///< a baseline too
+  baseline = 2,  ///< a baseline
   surface = 3,   ///< tractions at places of their own
-  doubts = 4,    ///< what a frame is doubted by
+  doubts = 4,    ///< limits by which a frame is doubted
   taxels = 5,    ///< taxels that do not all read the same
   skin = 6,      ///< tractions of a skin's cells
-  windows = 7,   ///< what these tell together
-  border = 8,    ///< where nothing is seen beyond, and whether offsets are known
+  windows = 7,   ///< deviations of sums over windows of cells
+  border = 8,    ///< the border beyond which nothing is seen, and whether offsets are known
   /// Reflections of lines. Before, structures 2 and 3 stood for them, and the signs of blocks for
   /// their grids of one row.
   lines = 9,
 };
 inline constexpr auto newest_plan_version = PlanVersion::lines;
 
-/// @throw std::invalid_argument  `check(plan)` does
+/// The bytes of a plan.
+/// @throw std::invalid_argument  as `check(plan)`
 [[nodiscard]] std::vector<std::byte> encode_plan(const EstimatorPlan& plan);
 
-/// Any bytes at all are safe to pass.
+/// The plan of these bytes; any bytes at all are safe to pass.
 /// @throw std::runtime_error  the bytes are no plan, truncated, corrupted, of another version, or
 ///                            describe a plan that `check` refuses; the text says which
 [[nodiscard]] EstimatorPlan decode_plan(std::span<const std::byte> bytes);

@@ -28,11 +28,12 @@ struct SensorScale {
 ///
 ///     frames::write_file("calibrated.toml", calibrated_scene(text, scene, log, fit, "log.csv"));
 ///
-/// @param toml   the text that `nominal` was read from
-/// @param from   name of the log, for [calibration]
 /// Taxels of a file of their own stand in the scene then, one by one, with their depths: the file
 /// is not changed. A skin's file stays and gets `depth_factor` beside it: the scene that is written
 /// belongs into the folder of the nominal one.
+///
+/// @param toml   the text that `nominal` was read from
+/// @param from   name of the log, for [calibration]
 ///
 /// @throw std::invalid_argument  `taxels` shares its line with other keys
 /// @throw InputError  the text is not that of a scene

@@ -74,9 +74,8 @@ struct HandOptions {
 };
 
 /// @throw InputError  every problem of the file at once, as `read_scene`; fingers that are
-/// straight,
-///                    where their contacts' places are in the file; files elsewhere, links
-///                    followed; a hand in space
+///                    straight, where their contacts' places are in the file; files elsewhere,
+///                    links followed; a hand in space
 [[nodiscard]] Hand read_hand(const std::filesystem::path& path, const HandOptions& options = {});
 
 /// As `read_hand`, from text already in memory; `file` is the name in messages.

@@ -96,7 +96,7 @@ struct Scene : SensorEffects {
 /// The same scene, its surface as coarse as the circuit's nodes.
 ///
 /// @throw std::invalid_argument  the nodes are to have a spacing, and the tractions lie at the
-/// taxels
+///                               taxels
 [[nodiscard]] Scene of_circuit(Scene scene);
 
 /// Of a circuit with a spacing of its own: resistors grow with their square.

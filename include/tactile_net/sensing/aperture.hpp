@@ -20,9 +20,9 @@ class Aperture {
     double weight = 1.0;  ///< of the reading there; all of them sum to 1
   };
 
-  static constexpr double most_depths = 1e4;  ///< that a taxel may be wide
+  static constexpr double most_depths = 1e4;  ///< largest width of a taxel, in depths
 
-  /// A point.
+  /// A point taxel, of width 0.
   Aperture() = default;
 
   /// @param width  along y [m], >= 0; 0: a point
@@ -34,12 +34,12 @@ class Aperture {
   /// What the reading of a wave sin(k y) is to a point's: sin(k w / 2) / (k w / 2).
   [[nodiscard]] double transform(double wavenumber) const noexcept;
 
-  /// One, or pairs that mirror each other.
+  /// The nodes of the mean: one in the middle, or pairs that mirror each other.
   [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
 
   /// The mean of `reading`, a function of y or of the distance from a load [m], about `y`; to 1e-14
-  /// of its largest value, and even or odd in y to the bit where `reading` is. `reading` may be a
-  /// `PadKernel` or a `HatKernel` of that depth.
+  /// of its largest value, and of even or odd parity in y to the bit where `reading` is. `reading`
+  /// may be a `PadKernel` or a `HatKernel` of that depth.
   [[nodiscard]] double mean(const auto& reading, double y) const {
     if (nodes_.size() == 1) return reading(y);
     double sum = 0.0;

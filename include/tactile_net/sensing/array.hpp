@@ -20,24 +20,26 @@ struct Taxel {
   double width = 0.0;             ///< along y [m], >= 0: it reads the mean over it (aperture.hpp)
 };
 
-/// Equally spaced taxels along y, centred on y = 0, at one or several depths; or, made by
-/// `uneven_array`, taxels wherever they are.
+/// A regular array: equally spaced taxels along y, centred on y = 0, at one or several depths; or
+/// an irregular one, made by `uneven_array`: taxels anywhere.
 ///
-/// A vector of readings is channel after channel. Even arrays have a channel for each quantity in
-/// the order of `reads`, at each depth in the order of `depths`, with `count` values. Uneven ones
-/// have a channel for each quantity, with a value for each taxel that reads it, along y.
+/// A vector of readings is channel after channel. Regular arrays have a channel for each quantity
+/// in the order of `reads`, at each depth in the order of `depths`, with `count` values. Irregular
+/// ones have a channel for each quantity, with a value for each taxel that reads it, along y.
 struct SensorArray {
   std::size_t count = 0;          ///< taxels along y, >= 2
-  double pitch = 0.0;             ///< distance of neighbours [m], > 0; of an uneven array the mean
+  double pitch = 0.0;             ///< distance of neighbours [m], > 0; the mean, if irregular
   std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one
   std::vector<Quantity> reads{};  ///< at least one of `line_quantities`, none twice
-  double width =
-      0.0;  ///< of every taxel of an even array [m], >= 0; of an uneven one each has its own
-  /// Of an uneven array, y never falling; the others follow from it. Empty: an even array.
+  /// Width of every taxel of a regular array [m], >= 0; taxels of an irregular one have their own.
+  double width = 0.0;
+  /// The taxels of an irregular array, y never falling, from which all other members follow. Empty:
+  /// a regular array.
   std::vector<Taxel> taxels{};
 };
 
-/// Taxels that need not be equally far apart, nor equally deep, nor read the same.
+/// An irregular array: taxels that need not be equally far apart, nor equally deep, nor read the
+/// same.
 ///
 ///     const SensorArray palm = uneven_array({{.y = -3e-3, .depth = 1.5e-3, .reads = reads}, ...});
 ///
@@ -47,6 +49,7 @@ struct SensorArray {
 ///                               two at one place read the same
 [[nodiscard]] SensorArray uneven_array(std::vector<Taxel> taxels);
 
+/// True for a regular array: taxels equally spaced, equally deep and reading the same.
 [[nodiscard]] inline bool is_even(const SensorArray& array) noexcept {
   return array.taxels.empty();
 }
@@ -60,36 +63,38 @@ void check(const SensorArray& array);
   return static_cast<double>(index) - 0.5 * static_cast<double>(count - 1);
 }
 
-/// y of taxel j [m]: centred(j, count) * pitch where they are even.
+/// y of taxel j [m]: centred(j, count) * pitch in a regular array.
 [[nodiscard]] double position(const SensorArray& array, std::size_t taxel) noexcept;
 
 /// y of every taxel [m], `count` values.
 [[nodiscard]] std::vector<double> positions(const SensorArray& array);
 
-/// Values of one frame.
+/// Number of readings in a frame.
 [[nodiscard]] std::size_t reading_count(const SensorArray& array) noexcept;
 
-/// In the order of the readings.
+/// The channels, in the order of the readings.
 [[nodiscard]] std::vector<Channel> channels(const SensorArray& array);
 
-/// Of an even array quantities times depths, of an uneven one quantities.
+/// Number of channels: in a regular array quantities times depths, else quantities.
 [[nodiscard]] std::size_t channel_count(const SensorArray& array) noexcept;
 
-/// Of every reading.
+/// The place and the quantity of every reading, in the order of the readings.
 [[nodiscard]] std::vector<Site> sites(const SensorArray& array);
 
-/// The first of `stride` taxels, and so on; with the last one where stride divides count - 1.
+/// The array of taxels 0, stride, 2 stride ...; it has the last taxel where stride divides count -
+/// 1.
 /// @param stride  >= 1
 [[nodiscard]] SensorArray every(const SensorArray& array, std::size_t stride);
 
-/// "strain_x_0" ...: of every reading its channel's name and its taxel's index.
+/// Names of all readings, "strain_x_0" ...: the channel's name and the taxel's index.
 [[nodiscard]] std::vector<std::string> reading_names(const SensorArray& array);
 
-/// @param asks  what needs equal distances: "dft"
-/// @throw std::invalid_argument  the array is uneven
+/// Refuses an irregular array.
+/// @param asks  what needs equal distances, for the message: "dft"
+/// @throw std::invalid_argument  the array is irregular
 void require_even(const SensorArray& array, std::string_view asks);
 
-/// Its number, as `taxel_name` of a skin.
+/// Name of a taxel: its index.
 [[nodiscard]] inline std::string taxel_name(const SensorArray& /*array*/, std::size_t taxel) {
   return std::to_string(taxel);
 }

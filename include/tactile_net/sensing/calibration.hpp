@@ -22,12 +22,13 @@ struct Calibration {
   std::vector<double> gain{};      ///< unit of the reading per unit of the raw number, not 0
   std::vector<double> baseline{};  ///< raw number without contact
   std::vector<double> offset{};    ///< [unit of the reading]
-  /// Whose mean is the baseline, reading by reading; until they are read `baseline` is 0.
+  /// Frames whose mean becomes the baseline, reading by reading; `baseline` is 0 until they are
+  /// read.
   std::optional<FrameRange> baseline_frames{};
   std::vector<double> missing{};  ///< raw numbers that stand for a value that is missing: 65535
 };
 
-/// Whether a raw number is a code for a missing value.
+/// True if a raw number is a code for a missing value.
 [[nodiscard]] bool is_missing(const Calibration& calibration, double number) noexcept;
 
 /// @throw std::invalid_argument  not so many values of each kind, one is not finite, a gain is 0

@@ -16,12 +16,12 @@ namespace tactile_net {
 
 /// How the integrals are taken.
 struct Quadrature {
-  int points = 31;             ///< of Gauss and Kronrod in a panel: 15, 21, 31, 41, 51 or 61
-  int halvings = 16;           ///< of a panel, as long as its estimated error asks for it; >= 0
-  double error_limit = 1e-10;  ///< of a contact's peak; infinite: any error is accepted
+  int points = 31;             ///< Gauss-Kronrod points in a panel: 15, 21, 31, 41, 51 or 61
+  int halvings = 16;           ///< of a panel whose estimated error is too large, at most; >= 0
+  double error_limit = 1e-10;  ///< relative to a contact's peak; infinite: any error is accepted
 };
 
-/// The readings of one channel at any places; of each contact, to 1e-10 of its peak there.
+/// The readings of one channel at any places; each contact's share to 1e-10 of its peak there.
 ///
 /// Readings that all but vanish where their parts do not, below the middle of a symmetrical contact
 /// or at a layer's base, are answered too: to 1e-12 of the integral of |k f|, in a layer to 4e-13
@@ -47,7 +47,7 @@ struct Quadrature {
 
 /// The readings of every channel of an array, channels x count.
 ///
-/// @throw std::invalid_argument  the array is out of range, too
+/// @throw  as for one channel; std::invalid_argument if the array is out of range
 [[nodiscard]] std::vector<double> exact_readings(const SensorArray& array, const Material& material,
                                                  std::span<const Contact> contacts,
                                                  const Quadrature& rule = {});

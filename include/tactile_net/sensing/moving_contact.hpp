@@ -14,8 +14,8 @@ struct ContactKnot {
   RigidContact contact{};
 };
 
-/// Knots in rising time; none: the contact stands still. Before the first knot it is as there,
-/// after the last as there.
+/// Knots in rising time; none: the contact stands still. Before the first knot the contact is that
+/// of the first, after the last that of the last.
 using ContactTrajectory = std::vector<ContactKnot>;
 
 /// Centre, half width, force and friction at time t [s]; shape and edge are the first knot's.

@@ -21,7 +21,8 @@ class PatchModel {
   /// @throw std::invalid_argument  the array or the material is out of range, or does not hold it
   PatchModel(const SensorArray& array, const Material& material);
 
-  /// The sum over the patches, as `PatchKernel`; none: zeros. Const, so threads may share one.
+  /// Readings under patches: the sum over them, by `PatchKernel`; no patch: zeros. Const: threads
+  /// may share a model.
   ///
   /// @param readings  channels x count, as many as the array has
   void readings(std::span<const LoadPatch> patches, std::span<double> readings) const noexcept;

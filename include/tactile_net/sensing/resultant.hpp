@@ -11,9 +11,10 @@
 
 namespace tactile_net {
 
-/// Sums over the surface's values, h apart. Tractions on a flat surface have no
-/// moment about their centre of pressure: the tangential ones act along the very line on which it
-/// lies, and a torsional moment about the surface's normal does not exist in the plane.
+/// Force and moment of tractions: sums over the surface's values, h apart. Tractions on a flat
+/// surface have no moment about their centre of pressure: the tangential ones act along the very
+/// line on which it lies, and a torsional moment about the surface's normal does not exist in the
+/// plane.
 struct Resultant {
   double normal = 0.0;      ///< F_v = h sum f_v [N/m]
   double tangential = 0.0;  ///< F_t = h sum f_t [N/m]
@@ -29,8 +30,8 @@ struct Resultant {
   }
 };
 
-/// Of the values from `first` to before `last`, with nothing elsewhere. Exact for hats and for line
-/// loads. O(values).
+/// Resultant of the values from `first` to before `last`, with nothing elsewhere; exact for hats
+/// and for line loads. O(values).
 ///
 /// @param normal      `surface.count` values
 /// @param tangential  as many, or none: frictionless
@@ -54,7 +55,7 @@ struct Resultant {
   return resultant_between(0, normal.size(), normal, tangential, surface);
 }
 
-/// Of values about y = 0. @param pitch  their distance [m]
+/// Resultant of values at equal distances, centred on y = 0. @param pitch  their distance [m]
 [[nodiscard]] inline Resultant resultant_of(std::span<const double> normal,
                                             std::span<const double> tangential,
                                             double pitch) noexcept {

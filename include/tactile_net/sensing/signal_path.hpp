@@ -20,7 +20,7 @@ namespace tactile_net {
 /// Stages one after the other; a path without stages changes nothing and costs nothing.
 class SignalPath {
  public:
-  /// Without stages.
+  /// A path without stages.
   SignalPath() = default;
 
   /// The sensor is at rest: it has been unloaded for ever.
@@ -34,10 +34,10 @@ class SignalPath {
   /// nothing of use.
   void apply(const Instant& at, std::span<double> readings);
 
-  /// Whether moments between frames matter.
+  /// True if moments between frames matter.
   [[nodiscard]] bool has_memory() const noexcept { return remembering_ > 0; }
   [[nodiscard]] std::size_t stages() const noexcept { return stages_.size(); }
-  /// What the stages have to say of the frame last taken, in their order.
+  /// The stages' notes on the frame last taken, in the order of the stages.
   [[nodiscard]] std::vector<CutOffNote> notes() const;
 
  private:

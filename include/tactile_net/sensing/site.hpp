@@ -1,5 +1,6 @@
 /// @file
-/// What a sensor's readings are of, a line array's or a skin's: which quantity, where, and whose.
+/// Which quantity each reading of a sensor (a line array or a skin) is, where it is read, and by
+/// which taxel.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +10,18 @@
 
 namespace tactile_net {
 
-/// Readings of one quantity behind one another; of an even sensor, those at one depth.
+/// The readings of one quantity, which follow one another; of a regular sensor, those at one depth.
 struct Channel {
   Quantity quantity = Quantity::stress_x;
-  double depth = 0.0;  ///< [m]; of taxels at several depths the least
-  std::string name{};  ///< "stress_x"; of even sensors with several depths "stress_x@1" (index into
-                       ///< their `depths`)
+  double depth = 0.0;  ///< [m]; the least, where taxels lie at several
+  /// "stress_x"; of regular sensors with several depths "stress_x@1", an index into their `depths`.
+  std::string name{};
   std::size_t first = 0;  ///< index of its first reading
-  std::size_t count = 0;  ///< readings
-  double width = 0.0;     ///< of the taxels of an even line array [m]; of skins 0
+  std::size_t count = 0;  ///< number of its readings
+  double width = 0.0;     ///< of the taxels of a regular line array [m]; of skins 0
 };
 
-/// Where and what one reading is of.
+/// The place and the quantity of one reading.
 struct Site {
   double y = 0.0;      ///< [m]
   double z = 0.0;      ///< [m]; of line arrays 0

@@ -19,7 +19,8 @@ namespace tactile_net {
 class SpectralConvolution {
  public:
   /// @param kernel  2 count - 1 values as from `sampled_kernel`
-  /// @throw std::invalid_argument  the kernel's size is even, less than 3 or more than 2^30
+  /// @throw std::invalid_argument  the kernel's size is an even number, less than 3 or more than
+  ///                               2^30
   explicit SpectralConvolution(std::span<const double> kernel);
   ~SpectralConvolution();
   SpectralConvolution(SpectralConvolution&&) noexcept;
@@ -49,7 +50,8 @@ class SampledModel {
   SampledModel(SampledModel&&) noexcept;
   SampledModel& operator=(SampledModel&&) noexcept;
 
-  /// As `sampled_readings`; each block is equal within the bound of `SpectralConvolution::add`.
+  /// The readings of `sampled_readings`; each block is equal within the bound of
+  /// `SpectralConvolution::add`.
   ///
   /// @throw std::invalid_argument  the field's sizes do not fit the array
   [[nodiscard]] std::vector<double> readings(const TractionField& field);
@@ -62,8 +64,8 @@ class SampledModel {
   std::vector<std::unique_ptr<Block>> blocks_;  // per channel: normal, tangential
 };
 
-/// As `sampled_readings`, by whichever way is faster; each block is equal within the bound of
-/// `SpectralConvolution::add`. Plans anew on every call.
+/// The readings of `sampled_readings`, by whichever way is faster; each block is equal within the
+/// bound of `SpectralConvolution::add`. Plans anew on every call.
 ///
 /// @throw std::invalid_argument  as `sampled_readings`
 [[nodiscard]] std::vector<double> fast_sampled_readings(const SensorArray& array,

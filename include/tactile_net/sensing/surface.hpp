@@ -31,21 +31,21 @@ enum class SurfaceBasis {
 /// The name as scenes and JSON spell it: "taxels", "grid".
 [[nodiscard]] std::string_view name(SurfaceBasis basis) noexcept;
 
-/// Of all taxels [m]. @pre  the array has a depth
+/// The least depth of all taxels [m]. @pre  the array has a depth
 [[nodiscard]] double least_depth(const SensorArray& array) noexcept;
 
-/// Whether taxels lie no further apart than half the least depth, so that line loads over them are
-/// enough, and a grid as fine as they are. @pre  the array has a depth
+/// True if taxels lie no further apart than half the least depth: then line loads over them, or a
+/// grid as fine as they are, suffice. @pre  the array has a depth
 [[nodiscard]] bool is_dense(const SensorArray& array) noexcept;
 
 struct SurfaceOptions {
   SurfaceBasis basis = SurfaceBasis::taxels;
-  /// Of hats [m], > 0. It is made smaller, so that every taxel of an even array lies on a value's
-  /// place, of an uneven one the first and the last. Absent: the pitch of a dense array, else a
-  /// quarter of the least depth.
+  /// Distance of hats [m], > 0. It is made smaller until every taxel of a regular array, or the
+  /// first and the last of an irregular one, lie on places of values. Absent: the pitch of a dense
+  /// array, else a quarter of the least depth.
   std::optional<double> spacing{};
-  /// To where tractions reach beyond the last taxels [m], >= 0, one spacing at least; absent: two
-  /// of the least depth.
+  /// How far tractions reach beyond the outermost taxels [m], >= 0, one spacing at least; absent:
+  /// two of the least depth.
   std::optional<double> margin{};
 };
 
@@ -58,13 +58,13 @@ struct Surface {
   double centre = 0.0;     ///< y of the middle [m]
   std::size_t margin = 0;  ///< values before the first taxel, and behind the last; the outermost
                            ///< hats end one spacing further
-  std::size_t stride = 1;  ///< taxel j lies at value margin + j stride; 0: taxels are uneven
+  std::size_t stride = 1;  ///< taxel j lies at value margin + j stride; 0: an irregular array
 
   /// y of value i [m].
   [[nodiscard]] double position(std::size_t i) const noexcept {
     return centre + centred(i, count) * spacing;
   }
-  /// From the middle to where a picture of the surface ends [m].
+  /// Distance from the middle to the end of a picture of the surface [m].
   [[nodiscard]] double half_width() const noexcept {
     return 0.5 * spacing * static_cast<double>(count);
   }
@@ -75,14 +75,14 @@ struct Surface {
 
 /// @throw std::invalid_argument  the array is out of range, spacing is not > 0, margin is not >= 0,
 ///                               there would be more than `most_values`, or line loads are to lie
-///                               over uneven taxels
+///                               over irregular taxels
 [[nodiscard]] Surface surface_of(const SensorArray& array, const SurfaceOptions& options = {});
 
-/// As many values as taxels, to see what an array hides: line loads over even ones, hats as far
-/// apart as uneven ones are on average.
+/// Options for as many values as taxels, to see what an array hides: line loads over the taxels of
+/// a regular array, hats at the mean distance of the taxels of an irregular one.
 [[nodiscard]] SurfaceOptions one_value_per_taxel(const SensorArray& array) noexcept;
 
-/// Values of one traction, at most: matrices of more would not fit a memory.
+/// Largest number of values of one traction: matrices of more would not fit a memory.
 inline constexpr std::size_t most_values = std::size_t{1} << 22;
 
 }  // namespace tactile_net

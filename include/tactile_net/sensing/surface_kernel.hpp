@@ -16,10 +16,11 @@ struct SurfaceKernel {
   /// The reading at the distance m h from a value of 1 Pa, h = spacing, for m = -(count - 1) ...
   /// count - 1, entry m at index m + count - 1 [reading per Pa].
   std::vector<double> lags{};
-  double error = 0.0;  ///< how far rounding may have moved the block, in the 2-norm
+  double error = 0.0;  ///< bound of the block's rounding error, in the 2-norm
 };
 
-/// Of line loads `sampled_kernel`, of hats `HatKernel`. O(count); in a layer, integrals besides.
+/// The entries of one block of K: for line loads by `sampled_kernel`, for hats by `HatKernel`.
+/// O(count); in a layer, integrals besides.
 [[nodiscard]] SurfaceKernel surface_kernel(const Channel& channel, Traction component,
                                            const Material& material, const Surface& surface);
 

@@ -26,7 +26,8 @@ struct TractionField {
 /// @throw std::invalid_argument  a contact is out of range
 [[nodiscard]] TractionField sample(std::span<const Contact> contacts, const Surface& surface);
 
-/// At the taxels. @throw std::invalid_argument  also: the array is out of range
+/// The sum of the contacts at the taxels of an array; no contact: zeros.
+/// @throw std::invalid_argument  a contact or the array is out of range
 [[nodiscard]] TractionField sample(std::span<const Contact> contacts, const SensorArray& array);
 
 }  // namespace tactile_net

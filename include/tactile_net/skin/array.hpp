@@ -24,26 +24,27 @@ struct SkinTaxel {
   std::vector<Quantity> reads{};  ///< at least one, none twice
 };
 
-/// An even lattice of taxels centred on y = z = 0, at one or several depths; or, made by
-/// `uneven_skin`, taxels wherever they are. One row, one column and one taxel are skins too.
+/// A regular skin: a lattice of equally spaced taxels centred on y = z = 0, at one or several
+/// depths; or an irregular one, made by `uneven_skin`: taxels anywhere. One row, one column and one
+/// taxel are skins too.
 ///
-/// A vector of readings is channel after channel. Even skins have a channel for each quantity in
+/// A vector of readings is channel after channel. Regular skins have a channel for each quantity in
 /// the order of `reads`, at each depth in the order of `depths`, with rows * columns values, row
-/// after row. Uneven ones have a channel for each quantity, with a value for each taxel that reads
-/// it, in the order of `taxels`.
+/// after row. Irregular ones have a channel for each quantity, with a value for each taxel that
+/// reads it, in the order of `taxels`.
 struct SkinArray {
-  std::size_t rows = 0;           ///< >= 1; of an uneven skin all of its taxels
-  std::size_t columns = 0;        ///< >= 1; of an uneven skin 1
-  double pitch_y = 0.0;           ///< from row to row [m], > 0; of one row of no meaning; of an
-                                  ///< uneven skin the mean distance to the nearest neighbour
-  double pitch_z = 0.0;           ///< from column to column [m], alike
+  std::size_t rows = 0;           ///< >= 1; of an irregular skin all its taxels
+  std::size_t columns = 0;        ///< >= 1; of an irregular skin 1
+  double pitch_y = 0.0;           ///< from row to row [m], > 0; unused with one row; of an
+                                  ///< irregular skin the mean distance to the nearest taxel
+  double pitch_z = 0.0;           ///< from column to column [m]; otherwise as `pitch_y`
   std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one, none twice
   std::vector<Quantity> reads{};  ///< at least one, none twice
-  /// Of an uneven skin; the others follow from it. Empty: an even lattice.
+  /// The taxels of an irregular skin, from which all other members follow. Empty: a regular skin.
   std::vector<SkinTaxel> taxels{};
 };
 
-/// Taxels anywhere, in any order.
+/// An irregular skin: taxels anywhere, in any order.
 ///
 ///     const SkinArray palm = uneven_skin({{"palm_1", -3e-3, 1e-3, 2e-3, reads}, ...});
 ///
@@ -52,6 +53,7 @@ struct SkinArray {
 /// @throw std::invalid_argument  as `check`
 [[nodiscard]] SkinArray uneven_skin(std::vector<SkinTaxel> taxels);
 
+/// True for a regular skin: taxels on a lattice, equally deep and reading the same.
 [[nodiscard]] inline bool is_even(const SkinArray& skin) noexcept { return skin.taxels.empty(); }
 
 /// @throw std::invalid_argument  a place is not finite, a depth not > 0, a pitch not > 0; no taxel,
@@ -59,33 +61,35 @@ struct SkinArray {
 ///                               or at one place that read the same
 void check(const SkinArray& skin);
 
-/// @throw std::invalid_argument  also: the material is out of range, or a taxel below the base
+/// Checks the skin and the material.
+/// @throw std::invalid_argument  as `check(skin)`; the material is out of range, or a taxel lies
+///                               below the base
 void check(const SkinArray& skin, const Material& material);
 
-/// rows * columns; taxels at several depths below one place of an even skin count once.
+/// rows * columns. In a regular skin taxels at several depths below one place count once.
 [[nodiscard]] inline std::size_t taxel_count(const SkinArray& skin) noexcept {
   return skin.rows * skin.columns;
 }
 
-/// Values of one frame.
+/// Number of readings in a frame.
 [[nodiscard]] std::size_t reading_count(const SkinArray& skin) noexcept;
 
-/// Of an even skin quantities times depths, of an uneven one quantities.
+/// Number of channels: in a regular skin quantities times depths, else quantities.
 [[nodiscard]] std::size_t channel_count(const SkinArray& skin) noexcept;
 
-/// In the order of the readings.
+/// The channels, in the order of the readings.
 [[nodiscard]] std::vector<Channel> channels(const SkinArray& skin);
 
-/// Of every reading.
+/// The place and the quantity of every reading, in the order of the readings.
 [[nodiscard]] std::vector<Site> sites(const SkinArray& skin);
 
-/// Of all taxels [m]. @pre  the skin has a depth
+/// The least depth of all taxels [m]. @pre  the skin has a depth
 [[nodiscard]] double least_depth(const SkinArray& skin) noexcept;
 
-/// "3_5" (row and column), or the taxel's name. @pre  taxel < taxel_count
+/// Name of a taxel: "3_5" (row and column), or its own. @pre  taxel < taxel_count
 [[nodiscard]] std::string taxel_name(const SkinArray& skin, std::size_t taxel);
 
-/// "stress_x_3_5" ...: of every reading its channel's name and its taxel's.
+/// Names of all readings, "stress_x_3_5" ...: the channel's name and the taxel's.
 [[nodiscard]] std::vector<std::string> reading_names(const SkinArray& skin);
 
 }  // namespace tactile_net

@@ -1,5 +1,5 @@
 /// @file
-/// A window of a skin's cells: what narrow cells cannot tell one by one their sums do.
+/// Windows of a skin's cells: the sum over a window is certain where single narrow cells are not.
 #pragma once
 
 #include <cstddef>
@@ -9,21 +9,22 @@
 
 namespace tactile_net {
 
-/// The cells at most so many rows and columns away, as far as there are any.
+/// The cells around one, at most `rows` and `columns` away to either side, within the grid.
 struct CellWindow {
   std::size_t rows = 0;
   std::size_t columns = 0;
 };
 
-/// The window that reaches so far from a cell's middle [m], >= 0 and finite, and not beyond all
-/// cells.
+/// The window that reaches `reach` from a cell's middle, no larger than the grid.
+/// @param reach  [m], >= 0 and finite
 [[nodiscard]] CellWindow window_of(const SkinGrid& grid, double reach);
 
 /// A covariance of a skin's tractions.
 class CellCovariance : public Covariance {
  public:
   /// Standard deviation of the sum of the normal tractions in the window around each cell, per unit
-  /// of `noise_rms` [Pa]; of no rows and columns `deviations` of the normal tractions.
+  /// of `noise_rms` [Pa]. A window of 0 rows and columns gives `deviations` of the normal
+  /// tractions.
   [[nodiscard]] virtual std::vector<double> window_deviations(const SkinGrid& grid,
                                                               const CellWindow& window) const = 0;
 };

@@ -19,25 +19,25 @@ namespace tactile_net {
 
 class SkinCovariance final : public CellCovariance {
  public:
-  /// Of `SkinFamily::solve`; of the family on a face, of `SkinCone::solve`: what the cones hold is
-  /// then taken for certain. O(columns). Shares the family's factors.
+  /// The covariance of what `SkinFamily::solve` finds; with a family on a face, of what
+  /// `SkinCone::solve` finds: directions that the cones hold are taken to be exact. O(columns).
+  /// Shares the family's factors.
   ///
   /// @param prior_alpha  > 0; the same as alpha: the posterior covariance
   /// @throw std::invalid_argument  alpha or prior_alpha is not > 0 and finite
   SkinCovariance(const SkinFamily& family, double alpha, double prior_alpha);
 
-  /// O(columns x readings), and the first time that the family is asked a transform of each
-  /// component.
+  /// O(columns x readings); the first call for a family also transforms each component.
   [[nodiscard]] std::vector<double> deviations() const override;
-  /// As `deviations`, and sums over windows.
+  /// Costs as much as `deviations`, and the sums over windows.
   [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
                                                       const CellWindow& window) const override;
-  /// O(columns x readings) of the classes.
+  /// O(columns x readings), class by class.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
                                   std::span<const double> b) const override;
-  /// One product for all. Sums over a single traction of each component, as the margin of a cell
-  /// is, take O(readings) each.
+  /// One product for all sums. Sums over a single traction of each component, as the margin of a
+  /// cell is, take O(readings) each.
   [[nodiscard]] std::vector<double> deviations_of(
       std::span<const std::vector<double>> weights) const override;
   [[nodiscard]] Matrix covariances(std::span<const std::vector<double>> weights) const override;
@@ -54,13 +54,16 @@ class SkinCovariance final : public CellCovariance {
   double degrees_;
 };
 
-/// |W (K f - g)|, of weighted readings: what tractions leave of them. O(readings x tractions).
+/// |W (K f - g)|_2: what tractions f leave unexplained of readings g. O(readings x tractions).
 /// @throw std::invalid_argument  a size does not fit
 [[nodiscard]] double residual_norm(const SkinProblem& problem, std::span<const double> readings,
                                    std::span<const double> tractions);
 
-/// The noise as the residual shows it, beside the noise that was stated. @param stated_rms  of one
-/// weighted reading, >= 0 @throw std::invalid_argument  a size does not fit
+/// Estimates the noise from the residual of tractions, beside the noise that was stated.
+///
+/// @param degrees_of_freedom  tr H
+/// @param stated_rms          of one weighted reading, >= 0; absent: not known
+/// @throw std::invalid_argument  a size does not fit
 [[nodiscard]] NoiseEstimate estimate_noise(const SkinProblem& problem,
                                            std::span<const double> readings,
                                            std::span<const double> tractions,

@@ -5,8 +5,7 @@
 /// A contact whose W K f lies nearer to W g than white noise of the stated rms reaches in 999
 /// frames of 1000 is sought among the tractions found, then by `SkinCone` with less and less
 /// smoothing. Where there is none, the sign and single taxels are tried, and single taxels where it
-/// leaves a reading odd. Constants added to a
-/// channel are not looked for.
+/// leaves a reading odd. Constants added to a channel are not looked for.
 #pragma once
 
 #include <functional>
@@ -20,32 +19,30 @@
 
 namespace tactile_net {
 
-/// What the sum of squares of white noise of rms 1 exceeds in this share of frames.
-/// @pre  degrees > 0, 0 < alarms < 1
-[[nodiscard]] double noise_square_limit(double degrees, double alarms);
-
-/// The largest reading with a weight, without its channel's offset where that is unknown, or the
-/// mean normal traction, over its limit.
+/// The strain that a frame implies: the largest live reading (less its channel's offset where
+/// offsets are unknown) or the mean normal traction, over its limit in `limits`, whichever is
+/// larger.
 /// @pre  sizes are the problem's
 [[nodiscard]] double frame_strain(const SkinProblem& problem, const DataLimits& limits,
                                   std::span<const double> readings,
                                   std::span<const double> tractions);
 
-/// Of tractions what presses, with no more friction than the limit.
-/// @param friction_limit  absent: any
+/// The part of tractions that a contact allows, cell by cell: pulls become 0, and drags beyond the
+/// limit are cut to it.
+/// @param friction_limit  absent: any friction is allowed
 [[nodiscard]] std::vector<double> pressing_part(const SkinProblem& problem,
                                                 std::optional<double> friction_limit,
                                                 std::span<const double> tractions);
 
-/// Made once for a problem; const, so threads may share one.
+/// Judges frames of one problem. Const: threads may share one.
 class SkinDataJudge {
  public:
-  /// O(1): what a frame needs is made when the first one does.
+  /// O(1): factors are made when a frame first needs them.
   ///
-  /// @param problem   that tractions are found for; kept, and copied only where it is not shared
+  /// @param problem   the one whose tractions are judged; kept, and copied unless it is shared
   /// @param contacts  the same rows on a grid on which contacts are sought, fine enough for narrow
-  ///                  ones; absent, or an empty function: that of the problem. A function that
-  ///                  makes it is called at most once
+  ///                  ones; absent, or an empty function: the problem itself. A function is called
+  ///                  at most once
   /// @param limits    `inner` is not read
   /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
   SkinDataJudge(const SkinProblem& problem, DataLimits limits);

@@ -9,11 +9,11 @@
 
 namespace tactile_net {
 
-/// The minimiser of skin/problem.hpp: of the stacked matrix A = [W K L^-1; sqrt(alpha) I], or where
-/// there are fewer readings than tractions as the shortest z with [W K L^-1, sqrt(alpha) I] z = W
-/// g, by a QR of its transposed. Nothing is squared, and no symmetry is used: what `SkinFamily`
-/// finds by classes and singular values is checked against it. O((m + n) min(m, n)^2) for K of m x
-/// n.
+/// The minimiser of the functional of skin/problem.hpp, by a QR of the stacked matrix
+/// [W K L^-1; sqrt(alpha) I]; with fewer readings than tractions as the shortest z with
+/// [W K L^-1, sqrt(alpha) I] z = W g, by a QR of the transposed matrix. Nothing is squared, and no
+/// symmetry is used: what `SkinFamily` finds by classes and singular values is checked against it.
+/// O((m + n) min(m, n)^2) for K of m x n.
 ///
 /// @return f [Pa], the normal tractions of all cells, then the tangential ones
 /// @throw std::invalid_argument  alpha is not > 0 and finite, readings have the wrong size or are

@@ -34,18 +34,18 @@ namespace tactile_net {
 /// and what a layer's base adds, are point loads summed over rings (docs/internals/space.md):
 /// some thousand where the distance to the nearest singularity, the depth, or of the base 2
 /// thickness - depth, is about a radius, and radius / distance times as many where it is less;
-/// depths of 1e-4 radii are refused.
-/// Patches are sums of `SkinKernel`'s rectangles.
+/// depths of 1e-4 radii are refused. Patches are sums of `SkinKernel`'s rectangles.
 class ExactSkinModel {
  public:
-  /// In a layer some milliseconds for each depth, and 0.1 s once in a process.
+  /// Makes the model; in a layer that takes some milliseconds for each depth, and 0.1 s once in a
+  /// process.
   ///
   /// @throw std::invalid_argument  the skin or the material is out of range, a taxel lies below the
   ///                               base
   ExactSkinModel(const SkinArray& skin, const Material& material);
 
-  /// Of all taxels, channel after channel: the sum over the loads; none: zeros. Const and without
-  /// state: threads may share a model.
+  /// Readings of all taxels, channel after channel: the sum over the loads; no load: zeros. Const
+  /// and without state: threads may share a model.
   ///
   /// @throw std::invalid_argument  a load is out of range, or causes a reading that has no value
   ///                               (`check_quantity`)
@@ -72,12 +72,12 @@ class ExactSkinModel {
   std::vector<Depth> depths_;
 };
 
-/// As `ExactSkinModel`, once.
+/// Readings by an `ExactSkinModel` that is made for this call alone.
 [[nodiscard]] std::vector<double> exact_readings(const SkinArray& skin, const Material& material,
                                                  std::span<const SkinLoad> loads);
 
-/// What the cells of a grid cause, K times their tractions, by the sum itself: kernels are computed
-/// once, frames cost their products.
+/// The readings that the tractions of a grid's cells cause, K times tractions, by the sum itself.
+/// Kernels are computed once; a frame costs its products.
 ///
 ///     const SampledSkinModel model(skin, silicone, grid, 3);
 ///     model.readings(cell_means(loads, grid));
@@ -90,10 +90,11 @@ class SampledSkinModel {
   SampledSkinModel(const SkinArray& skin, const Material& material, const SkinGrid& grid,
                    std::size_t components);
 
-  /// Of all taxels, channel after channel. Const and without state: threads may share a model.
+  /// Readings of all taxels, channel after channel. Const and without state: threads may share a
+  /// model.
   ///
   /// @param tractions  grid.count() values of each component
-  /// @throw std::invalid_argument  they are not as many
+  /// @throw std::invalid_argument  the number of tractions does not fit
   [[nodiscard]] std::vector<double> readings(std::span<const double> tractions) const;
 
  private:
@@ -101,7 +102,7 @@ class SampledSkinModel {
   std::shared_ptr<const Kernels> kernels_;
 };
 
-/// As `SampledSkinModel`, once.
+/// Readings by a `SampledSkinModel` that is made for this call alone.
 ///
 /// @param tractions  grid.count() values of each component: one component, normal, or all three
 /// @throw std::invalid_argument  as `SampledSkinModel`

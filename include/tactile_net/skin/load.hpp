@@ -42,8 +42,7 @@ enum class SkinShape { sphere, ellipsoid, punch, cone };
 /// size of the contact, does not slide; its share of the drag is taken off (Cattaneo 1938, Mindlin
 /// 1949; ellipses, cones: Jaeger 1998):
 ///
-///     q = friction (p of a contact of radius a - p of one of radius stick a and the same
-///     curvature)
+///     q = friction (p(radius a) - p(radius stick a, same curvature))
 ///
 /// which leaves the drag friction F (1 - stick^3), of a cone friction F (1 - stick^2). A twist
 /// adds a traction around the middle, c r sqrt(1 - s^2) at the distance r, whatever the shape:
@@ -51,12 +50,12 @@ enum class SkinShape { sphere, ellipsoid, punch, cone };
 struct SkinContact {
   SkinShape shape = SkinShape::sphere;
   double y = 0.0;              ///< of the middle [m]
-  double z = 0.0;              ///< [m]
+  double z = 0.0;              ///< of the middle [m]
   double radius = 1.0;         ///< a [m], > 0
   double second_radius = 0.0;  ///< b across a [m]: of an ellipsoid > 0, of others 0: b = a
-  double angle = 0.0;          ///< of a from the y axis towards z [rad]
+  double angle = 0.0;          ///< of the radius a, from the y axis towards z [rad]
   double force = 1.0;          ///< F [N]
-  double friction = 0.0;       ///< what is dragged over what is pressed
+  double friction = 0.0;       ///< mu: tangential over normal force where it slides
   double direction = 0.0;      ///< of the drag, from the y axis towards z [rad]
   double stick = 0.0;          ///< [0, 1); 0: all of it slides; of a punch 0
   double torsion = 0.0;        ///< about x through the middle [N m], from y towards z
@@ -64,15 +63,15 @@ struct SkinContact {
 
 /// Tractions on a grid of rectangles, uniform over each.
 struct SampledPatch {
-  std::size_t rows = 0;     ///< along y, >= 1
-  std::size_t columns = 0;  ///< along z, >= 1
-  double y = 0.0;           ///< of the middle of all [m]
-  double z = 0.0;
+  std::size_t rows = 0;                ///< along y, >= 1
+  std::size_t columns = 0;             ///< along z, >= 1
+  double y = 0.0;                      ///< y of the patch's middle [m]
+  double z = 0.0;                      ///< z of the patch's middle [m]
   double spacing_y = 1.0;              ///< [m], > 0
   double spacing_z = 1.0;              ///< [m], > 0
   std::vector<double> normal{};        ///< [Pa], rows * columns, row after row
-  std::vector<double> tangential_y{};  ///< as many, or none: 0
-  std::vector<double> tangential_z{};  ///< as many, or none: 0
+  std::vector<double> tangential_y{};  ///< [Pa], rows * columns; empty: 0
+  std::vector<double> tangential_z{};  ///< [Pa], rows * columns; empty: 0
 };
 
 using SkinLoad = std::variant<SkinContact, SampledPatch>;
@@ -80,11 +79,11 @@ using SkinLoad = std::variant<SkinContact, SampledPatch>;
 /// @throw std::invalid_argument  a value is out of its range or not finite
 void check(const SkinLoad& load);
 
-/// [Pa] at (y, z) [m]; infinite, with the load's sign, where the profile is; 0 outside.
+/// Traction [Pa] at (y, z) [m]; infinite, with the load's sign, where the profile is; 0 outside.
 [[nodiscard]] double traction(const SkinLoad& load, Traction component, double y,
                               double z) noexcept;
 
-/// What tractions amount to.
+/// Force and moments that tractions amount to.
 struct SkinWrench {
   std::array<double, 3> force{};  ///< along x, y, z [N]
   double moment_y = 0.0;          ///< integral of y p [N m]
@@ -95,12 +94,13 @@ struct SkinWrench {
     double y = 0.0;
     double z = 0.0;
   };
-  /// Of pressure [m]; absent if force[0] <= 0, where there is none.
+  /// Centre of pressure [m]; absent if force[0] <= 0.
   [[nodiscard]] std::optional<Centre> centre() const noexcept {
     if (!(force[0] > 0.0)) return std::nullopt;
     return Centre{moment_y / force[0], moment_z / force[0]};
   }
-  /// The moment about the surface's normal through the centre of pressure [N m].
+  /// The moment about the surface's normal through the centre of pressure [N m]; absent without
+  /// one.
   [[nodiscard]] std::optional<double> torsion() const noexcept {
     const auto at = centre();
     if (!at) return std::nullopt;
@@ -109,11 +109,11 @@ struct SkinWrench {
   SkinWrench& operator+=(const SkinWrench& other) noexcept;
 };
 
-/// In closed form.
+/// Resultant of a load, or the sum over loads, in closed form.
 [[nodiscard]] SkinWrench resultant(const SkinLoad& load) noexcept;
 [[nodiscard]] SkinWrench resultant(std::span<const SkinLoad> loads) noexcept;
 
-/// Of the tractions of cells, taken to act at the cells' middles.
+/// Resultant of the tractions of cells, taken to act at the cells' middles.
 ///
 /// @param tractions  3 * grid.count() values, or grid.count(): normal ones alone
 [[nodiscard]] SkinWrench resultant(std::span<const double> tractions,

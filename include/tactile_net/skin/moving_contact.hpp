@@ -14,11 +14,11 @@ struct SkinContactKnot {
   SkinContact contact{};
 };
 
-/// Knots in rising time; none: the contact stands still. Before the first knot it is as there,
-/// after the last as there.
+/// Knots in rising time; none: the contact stands still. Before the first knot the contact is that
+/// of the first, after the last that of the last.
 using SkinContactTrajectory = std::vector<SkinContactKnot>;
 
-/// Everything but the shape, which is the first knot's, at time t [s]. Angles turn through all
+/// The contact at time t [s]; its shape is the first knot's. Angles turn through all
 /// values between: from 350 to 370 degrees by 20, from 350 to 10 by 340 back.
 ///
 /// @pre  there is a knot

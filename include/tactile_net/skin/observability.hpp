@@ -6,9 +6,9 @@
 /// number of depths. Then the finite array: what only its ends decide is known badly, however well
 /// it looks.
 ///
-///     const SkinObservability told = observability(skin, silicone, options);
-///     told.hidden[0].curl                  // the curl of q is seen by no depth of stress_x
-///     told.finite.boundary_only            // combinations that only the ends of the array decide
+///     const SkinObservability found = observability(skin, silicone, options);
+///     found.hidden[0].curl                 // the curl of q is seen by no depth of stress_x
+///     found.finite->boundary_only          // combinations that only the ends of the array decide
 #pragma once
 
 #include <array>
@@ -24,65 +24,69 @@
 
 namespace tactile_net {
 
-/// How well one wave's tractions are told apart.
-struct WaveSight {
+/// How well readings tell the tractions of one wave apart.
+struct WaveObservability {
   std::vector<double> singular_values{};  ///< one a component, descending [weighted reading per Pa]
-  std::size_t rank = 0;                   ///< those above 1e-10 of the largest
+  std::size_t rank = 0;                   ///< singular values above 1e-10 of the largest
   double condition = 1.0;                 ///< largest over smallest; infinite below full rank
 };
+/// Observability of the tractions of one wave.
+/// @param wavenumber_y, wavenumber_z  k [1/m]
 /// @throw std::invalid_argument  as `make_problem`
-[[nodiscard]] WaveSight wave_sight(const SkinArray& skin, const Material& material,
-                                   const SkinProblemOptions& options, double wavenumber_y,
-                                   double wavenumber_z);
+[[nodiscard]] WaveObservability wave_observability(const SkinArray& skin, const Material& material,
+                                                   const SkinProblemOptions& options,
+                                                   double wavenumber_y, double wavenumber_z);
 
-/// Of which waves something is said.
+/// The waves that `HiddenWaves` is said of.
 enum class WaveDirection { any, along_y, along_z, diagonal, mean };
 
 /// "any", "along_y", "along_z", "diagonal", "mean".
 [[nodiscard]] std::string_view name(WaveDirection direction) noexcept;
 
-/// What no reading shows of waves in a direction, whatever their length. Of the mean, `divergence`
-/// is q_y and `curl` q_z.
+/// The tractions that no reading shows of waves in a direction, whatever their length. For the
+/// mean, `divergence` stands for q_y and `curl` for q_z.
 struct HiddenWaves {
   WaveDirection direction = WaveDirection::any;
   bool normal = false;      ///< p
   bool divergence = false;  ///< q_L, along the wave
   bool curl = false;        ///< q_T, across it
-  std::size_t mixed = 0;    ///< combinations of several of them, besides
+  std::size_t mixed = 0;    ///< number of hidden combinations of several of them, besides
   [[nodiscard]] std::size_t count() const noexcept {
     return static_cast<std::size_t>(normal) + static_cast<std::size_t>(divergence) +
            static_cast<std::size_t>(curl) + mixed;
   }
 };
 
-/// Cells at the taxels, without a margin: as many unknowns as places, times components.
-struct FiniteSight {
-  std::size_t tractions = 0;
-  /// Singular values of W K up to the larger of max(rows, columns) eps |W K| and the kernel's
-  /// error.
+/// How well the readings of a finite regular skin tell tractions apart, on cells at the taxels
+/// without a margin: as many unknowns as places, times components.
+struct FiniteObservability {
+  std::size_t tractions = 0;  ///< number of unknowns
+  /// Number of singular values of W K up to the larger of max(rows, columns) eps |W K| and the
+  /// kernel's error.
   std::size_t hidden = 0;
-  double condition = 1.0;   ///< of the others: largest over smallest
-  double noise_gain = 0.0;  ///< 1 / smallest [Pa per unit of weighted noise]; infinite where
-                            ///< something is hidden
-  std::size_t dead = 0;     ///< of the combinations those that only dead taxels would show
-  /// What the lattice without ends would hide, summed over its waves, and what of it shows in the
-  /// finite array: by its ends alone.
+  double condition = 1.0;   ///< largest over smallest of the other singular values
+  double noise_gain = 0.0;  ///< 1 / smallest [Pa per unit of weighted noise]; infinite if any
+                            ///< is hidden
+  std::size_t dead = 0;     ///< hidden combinations that the dead taxels would show
+  /// Number of combinations that the lattice without ends would hide, summed over its waves.
   std::size_t hidden_waves = 0;
+  /// Number of these that the finite array shows: by its ends alone.
   std::size_t boundary_only = 0;
 };
 
 struct SkinObservability {
-  std::vector<HiddenWaves> hidden{};    ///< any direction first; others where they hide more
-  std::optional<FiniteSight> finite{};  ///< of even lattices
+  std::vector<HiddenWaves> hidden{};  ///< any direction first; others where they hide more
+  std::optional<FiniteObservability> finite{};  ///< absent: an irregular skin
 };
 
-/// Some 40 small decompositions; of an even lattice one for each wave, and one of W K.
+/// What the readings of a skin can tell of tractions. Costs some 40 small decompositions; for a
+/// regular skin one more for each wave, and one of W K.
 /// @throw std::invalid_argument  as `make_problem`
 [[nodiscard]] SkinObservability observability(const SkinArray& skin, const Material& material,
                                               const SkinProblemOptions& options);
 
 /// What a ripple of tractions is made of: p, the drag along the wave, whose field has no curl, and
-/// the drag across it, whose field is all curl. Of the mean drags along y and along z.
+/// the drag across it, whose field is all curl. For the mean: the drags along y and along z.
 enum class SkinRipple { pressure, drag_along, drag_across };
 
 inline constexpr std::array skin_ripples = {SkinRipple::pressure, SkinRipple::drag_along,
@@ -98,15 +102,15 @@ struct SkinResolution {
   /// Standard deviation of the ripples' amplitudes p, q_y, q_z [Pa] per unit of weighted noise;
   /// infinite: not seen.
   std::array<double, 3> deviations{};
-  std::array<double, 3> of_wave{};  ///< the same of each `SkinRipple`
+  std::array<double, 3> of_wave{};  ///< deviations [Pa] of each `SkinRipple`
 
-  /// [m]; infinite: the mean.
+  /// Wavelength of the ripple [m]; infinite: the mean.
   [[nodiscard]] double wavelength() const noexcept;
 };
 
-/// For the waves of a lattice without ends of as many rows and columns, half of them (the other
-/// half is the same by symmetry), the mean first, then row after row. As `resolutions` of
-/// inverse/resolution.hpp: away from the skin's ends, and dead taxels are not considered.
+/// Resolutions for the waves of a lattice without ends of as many rows and columns, half of them
+/// (the other half is the same by symmetry), the mean first, then row after row. As in
+/// `resolutions` of inverse/resolution.hpp the ends and dead taxels are not considered.
 ///
 /// @throw std::invalid_argument  as `make_problem`
 [[nodiscard]] std::vector<SkinResolution> skin_resolutions(const SkinArray& skin,
@@ -118,8 +122,9 @@ struct SkinResolution {
 [[nodiscard]] std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all,
                                                           Traction component, double limit);
 
-/// The same of a ripple's part, of waves that run in one direction: `any` for those of every
-/// direction. Along an axis with one taxel there is no wave.
+/// The shortest wavelength such that it and every longer one that runs in `direction`, the mean
+/// aside, has at most `limit` [Pa per unit of weighted noise] in `ripple`; absent: none. `any`:
+/// waves of every direction. Along an axis with one taxel there is no wave.
 /// @pre  the direction is not `mean`
 [[nodiscard]] std::optional<double> resolvable_wavelength(std::span<const SkinResolution> all,
                                                           SkinRipple ripple,

@@ -7,8 +7,9 @@
 /// covariance.
 ///
 ///     const std::vector<std::size_t> cells = contact_cells(problem.grid, tractions, bands);
-///     const UncertainWrench wrench = resultant_of(problem.grid, tractions, cells, covariance,
-///     rms); wrench.torsion->value;                 // [N m], about the centre of pressure
+///     const UncertainWrench wrench =
+///         resultant_of(problem.grid, tractions, cells, covariance, rms);
+///     wrench.torsion->value;                 // [N m], about the centre of pressure
 #pragma once
 
 #include <array>
@@ -25,11 +26,11 @@ namespace tactile_net {
 
 /// Cells that touch: patches of neighbours whose normal traction is above twice its deviation, with
 /// a peak above four times its own, and around each a rim as wide as what a contact is blurred by,
-/// as far as it presses. In rising order.
+/// as far as it presses. Indices of cells, in rising order.
 ///
 /// @param tractions   one component or three, the normal one first [Pa]
 /// @param deviations  of the normal tractions at least, the noise included [Pa]
-/// @param rim         [m], >= 0: a taxel's depth, say
+/// @param rim         width of the rim [m], >= 0: a taxel's depth, say
 /// @throw std::invalid_argument  a size does not fit
 [[nodiscard]] std::vector<std::size_t> contact_cells(const SkinGrid& grid,
                                                      std::span<const double> tractions,
@@ -42,15 +43,15 @@ struct WindowBands {
   std::vector<double> deviations{};  ///< one for each cell: `window_deviations` [Pa]
 };
 
-/// What presses, and what may.
+/// Cells that touch, and cells that may.
 struct FoundContacts {
-  std::vector<std::size_t> cells{};    ///< that touch, in rising order
-  std::vector<std::size_t> doubted{};  ///< that do, or noise does: in rising order, none that touch
+  std::vector<std::size_t> cells{};    ///< cells that touch, in rising order
+  std::vector<std::size_t> doubted{};  ///< cells where a contact or noise shows, in rising order
 };
 
-/// As `contact_cells`, and of what these leave the patches of cells whose windows' sums are above
-/// twice their deviation, with a peak above four times its own: cells that are narrow for their
-/// depth share what is told of them, and no single one of a certain contact need be certain.
+/// Finds the cells of `contact_cells`; then, among the other cells, patches of cells whose windows'
+/// sums are above twice their deviation, with a peak above four times its own. Readings tell narrow
+/// cells only by their sums, so that a contact may be certain while each of its cells is not.
 /// Patches without such a peak are doubted.
 ///
 /// @throw std::invalid_argument  as `contact_cells`
@@ -58,7 +59,8 @@ struct FoundContacts {
                                           std::span<const double> deviations,
                                           const WindowBands& windows, double rim = 0.0);
 
-/// Each patch of cells that touch one another, by an edge or a corner, the strongest first.
+/// The separate contacts: each patch of cells that touch one another, by an edge or a corner, the
+/// strongest first.
 [[nodiscard]] std::vector<std::vector<std::size_t>> separate_contacts(
     const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells);
 
@@ -70,47 +72,52 @@ struct FoundContacts {
 [[nodiscard]] std::vector<std::size_t> with_neighbours(const SkinGrid& grid,
                                                        std::span<const std::size_t> cells);
 
+/// The wrench of tractions, each value with its deviation.
 struct UncertainWrench {
   Uncertain normal{};                       ///< F_x [N]
   std::optional<Uncertain> tangential_y{};  ///< F_y [N]; absent with one component
-  std::optional<Uncertain> tangential_z{};  ///< F_z [N]
-  std::optional<Uncertain> centre_y{};      ///< of pressure [m]; absent if F_x <= 0
-  std::optional<Uncertain> centre_z{};
-  std::optional<Uncertain> torsion{};  ///< about x through it, from y towards z [N m]
-  /// Of these six in this order, row-major; zero where one is absent.
+  std::optional<Uncertain> tangential_z{};  ///< F_z [N]; absent with one component
+  std::optional<Uncertain> centre_y{};      ///< centre of pressure [m]; absent if F_x <= 0
+  std::optional<Uncertain> centre_z{};      ///< centre of pressure [m]; absent if F_x <= 0
+  /// Moment about x through the centre of pressure, from y towards z [N m].
+  std::optional<Uncertain> torsion{};
+  /// Covariance of the six values in their order, 6 x 6 row-major; zero where one is absent.
   std::array<double, 36> covariance{};
 };
 
-/// @param cells      that are summed over: `contact_cells`, or all
+/// Wrench of the tractions of some cells.
+///
+/// @param cells      cells to sum over: `contact_cells`, or all
 /// @param noise_rms  of one weighted reading
 /// @throw std::invalid_argument  a size does not fit
 [[nodiscard]] UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tractions,
                                            std::span<const std::size_t> cells,
                                            const Covariance& covariance, double noise_rms);
 
-/// How near contacts are to slipping, as they are and against a limit mu = |q| / p. Two that are
-/// dragged apart both slip while the sum of their drags is nothing: where several lie apart, ratio,
-/// limit, lever and margin are those of the one that needs the most friction, for drag and torsion
-/// together; without a limit of the one that needs the most for drag.
+/// How near contacts are to slipping, as they are and against a limit mu = |q| / p. Where several
+/// lie apart, ratio, limit, lever and margin are those of the contact that needs the most friction,
+/// for drag and torsion together, or without a limit for drag: two contacts dragged in opposite
+/// directions both slip while the sum of their drags is 0.
 struct SkinFriction {
-  std::size_t contacts = 1;  ///< that lie apart, each a tenth of the strongest one at least
-  /// Of the one that is nearest to slipping; absent: there is one contact alone, of all cells.
+  std::size_t contacts = 1;  ///< that lie apart, with a tenth or more of the strongest's force
+  /// Wrench of the contact nearest to slipping; absent: there is one contact, of all cells.
   std::optional<UncertainWrench> wrench{};
   Uncertain ratio{};  ///< |(F_y, F_z)| / F_x
-  /// The least mu that explains the cells that bear 90 % of the force: that quantile of |q| / p.
+  /// A quantile of |q| / p: the least mu that explains cells that bear 90 % of the force.
   Uncertain least_limit{};
-  /// sum p r A: the torsion at which all slides about the centre, over mu; no shape assumed [N m].
+  /// sum p r A [N m]: the torsion at which the whole contact turns, over mu; no shape is assumed.
   double lever = 0.0;
-  double lever_of_all = 0.0;  ///< the same of all cells, about their common centre
+  double lever_of_all = 0.0;  ///< sum p r A over all cells, about their common centre [N m]
   /// 1 - sqrt((F_t / (mu F_x))^2 + (T / (mu lever))^2): < 0 beyond the ellipsoid (Howe and Cutkosky
   /// 1996). Absent without a limit.
   std::optional<Uncertain> slip_margin{};
-  std::vector<Uncertain> cell_margins{};  ///< mu p - |q| of all cells [Pa]; none without a limit
+  std::vector<Uncertain> cell_margins{};  ///< mu p - |q| of each cell [Pa]; empty without a limit
 };
 
-/// Absent with one component, or where F_x <= 0.
-/// @param cells  of one contact or of several, which `separate_contacts` tells apart
-/// @param limit  mu, > 0
+/// How near the contacts on some cells are to slipping; absent with one component, or if F_x <= 0.
+///
+/// @param cells  cells of one contact, or of several: `separate_contacts` tells them apart
+/// @param limit  mu, > 0; absent: no margins
 /// @throw std::invalid_argument  a size does not fit, limit is not > 0
 [[nodiscard]] std::optional<SkinFriction> friction_of(
     const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,
@@ -118,9 +125,9 @@ struct SkinFriction {
 
 /// How the pressure of a contact is spread: what its second moments mean for its size.
 enum class PressureLaw {
-  hertz,    ///< variance of the place a^2 / 5
-  uniform,  ///< a^2 / 4
-  punch,    ///< a^2 / 3
+  hertz,    ///< variance of the place: a^2 / 5, a = radius
+  uniform,  ///< variance of the place: a^2 / 4
+  punch,    ///< variance of the place: a^2 / 3
 };
 
 /// The ellipse that has the second moments of one contact's pressure, which the solver has blurred
@@ -128,7 +135,7 @@ enum class PressureLaw {
 struct ContactEllipse {
   Uncertain radius{};         ///< [m], the longer one
   Uncertain second_radius{};  ///< [m]
-  Uncertain angle{};  ///< of the longer one from the y axis towards z [rad], in (-pi/2, pi/2]
+  Uncertain angle{};          ///< of `radius`, from the y axis towards z [rad], in (-pi/2, pi/2]
 };
 [[nodiscard]] std::optional<ContactEllipse> contact_ellipse(
     const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,

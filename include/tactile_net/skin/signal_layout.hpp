@@ -10,9 +10,9 @@
 
 namespace tactile_net {
 
-/// Taxels side by side are those one row or one column apart; of an uneven skin those no further
-/// apart than 1.3 times the mean distance to the nearest one, which on a square lattice are four,
-/// on a hexagonal one six.
+/// The signal path's view of a skin. Neighbours are taxels one row or one column apart; in an
+/// irregular skin taxels no further apart than 1.3 times the mean distance to the nearest one: four
+/// on a square lattice, six on a hexagonal one.
 ///
 /// @pre  a skin in its range
 [[nodiscard]] SignalLayout signal_layout(const SkinArray& skin);

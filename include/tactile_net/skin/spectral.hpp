@@ -15,8 +15,8 @@ namespace tactile_net {
 /// K times one vector of tractions after another: a two-dimensional convolution, on a plane of
 /// twice as many rows and columns, in which nothing meets what it should not.
 ///
-/// Transforms a reading: one for each component, one back for each channel. One object per thread;
-/// the constructor plans.
+/// A frame takes one transform for each component, and one back for each channel. One object per
+/// thread; the constructor plans.
 class SpectralSkinModel {
  public:
   /// @throw std::invalid_argument  the skin or the material is out of range, the taxels do not lie
@@ -29,10 +29,11 @@ class SpectralSkinModel {
   SpectralSkinModel(SpectralSkinModel&&) noexcept;
   SpectralSkinModel& operator=(SpectralSkinModel&&) noexcept;
 
-  /// As `sampled_readings`, each component's share within 1e-13 of max|kernel| * sum|traction|.
+  /// The readings of `sampled_readings`; each component's share is equal to it within 1e-13 of
+  /// max|kernel| * sum|traction|.
   ///
   /// @param tractions  components * grid.count() values
-  /// @throw std::invalid_argument  there are not as many
+  /// @throw std::invalid_argument  the number of tractions does not fit
   [[nodiscard]] std::vector<double> readings(std::span<const double> tractions);
 
  private:

@@ -10,8 +10,12 @@
 
 namespace tactile_net {
 
-/// alpha L'L = alpha A/P w_u^2 (I + l^2 (Q_y + Q_z)) of each component, Q: squared differences of
-/// neighbouring cells over their distance, none beyond the grid's ends. (components x cells)^2.
+/// The matrix alpha L'L, (components x cells)^2: for each component
+///
+///     alpha A/P w_u^2 (I + l^2 (Q_y + Q_z))
+///
+/// with Q = squared differences of neighbouring cells over their distance, none beyond the grid's
+/// ends.
 ///
 /// @throw std::invalid_argument  alpha is not > 0 and finite
 [[nodiscard]] Matrix stabiliser_matrix(const SkinProblem& problem, double alpha);

@@ -11,19 +11,20 @@
 
 namespace tactile_net {
 
-/// The one of `tangential_weights` that surprises least, from 1 upwards or downwards as long as
-/// that helps: some six are looked at.
+/// The one of `tangential_weights` with the least -log posterior, searched from 1 upwards or
+/// downwards as long as that helps: some six are tried.
 ///
-/// @param surprise  under a weight: `surprise` of the frame + `surprise_of_weight`
+/// @param negative_log_posterior  of a weight: `negative_log_evidence` of the frame under it, plus
+///                                `negative_log_prior`
 [[nodiscard]] double likeliest_tangential_weight(
-    const std::function<double(double weight)>& surprise);
+    const std::function<double(double weight)>& negative_log_posterior);
 
-/// The same of a frame, each weight with a `SkinFamily` of its own; 1 with one component, or where
-/// nothing was read.
+/// The likeliest of `tangential_weights` for a frame, each tried with a `SkinFamily` of its own; 1
+/// with one component, or if nothing was read.
 ///
 /// @param noise_rms  of one weighted reading, > 0; absent: not known
-/// @throw std::invalid_argument  readings have the wrong size or are not finite; noise_rms is not >
-/// 0
+/// @throw std::invalid_argument  readings have the wrong size or are not finite, or noise_rms is
+///                               not > 0
 [[nodiscard]] double likeliest_tangential_weight(SkinProblem problem,
                                                  std::span<const double> readings,
                                                  std::optional<double> noise_rms = {});

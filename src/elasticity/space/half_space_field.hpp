@@ -5,15 +5,15 @@
 /// With phi = ln(R + x), chi = x phi - R (both harmonic) and m = 1 - 2 nu, a unit force along c
 /// causes the stresses ab and the displacements a
 ///
-///     2 pi s_ab    = 3 a b c / R^5 + m T_ab                T_yy = psi_zz, T_zz = psi_yy, T_yz =
-///     -psi_yz 2 pi 2 G u_a = delta_ac / R + a c / R^3 + m V_a      psi = -phi for c = x, -chi_c
-///     for y and z
+///     2 pi s_ab    = 3 a b c / R^5 + m T_ab
+///     2 pi 2 G u_a = delta_ac / R + a c / R^3 + m V_a
+///     T_yy = psi_zz,  T_zz = psi_yy,  T_yz = -psi_yz
 ///
-/// so that an incompressible half space is compressed along the rays from the load alone
-/// (Michell 1900), and what is left is a plane state of stress with the Airy function psi. V is
-/// (phi_x, -phi_y, -phi_z) for c = x and (phi_c, -chi_cy, -chi_cz) for y and z. This is
-/// Boussinesq's and Cerruti's solution (Johnson 1985, 3.2 and 3.6) with its terms in this order:
-/// nothing is divided by m, and nothing cancels.
+/// with psi = -phi for c = x and psi = -chi_c for y and z, so that an incompressible half space is
+/// compressed along the rays from the load alone (Michell 1900), and what is left is a plane state
+/// of stress with the Airy function psi. V is (phi_x, -phi_y, -phi_z) for c = x and (phi_c,
+/// -chi_cy, -chi_cz) for y and z. This is Boussinesq's and Cerruti's solution (Johnson 1985, 3.2
+/// and 3.6) with its terms in this order: nothing is divided by m, and nothing cancels.
 #pragma once
 
 #include <numbers>

@@ -13,8 +13,7 @@ namespace tactile_net {
 template <class Number>
 class CornerSource {
  public:
-  /// @param x  depth, > 0; @param y, z  from the corner, in units that keep squares from
-  /// overflowing
+  /// @param x  depth, > 0; @param y, z from the corner, in units that keep squares from overflowing
   CornerSource(Number x, Number y, Number z) noexcept : x_(x), at_{y, z} {
     using std::sqrt;
     square_[0] = x * x + y * y;

@@ -30,10 +30,11 @@ class OrderContest {
 
   /// @return whether it can be said
   [[nodiscard]] bool add(std::span<const double> frame) {
-    const std::optional<double> stated = solver_.surprise(frame, living_);
+    const std::optional<double> stated = solver_.negative_log_evidence(frame, living_);
     if (!stated) return false;
     for (std::size_t order = 0; order < gain_.size(); ++order) {
-      const std::optional<double> other = solver_.surprise(turned_(frame, order), living_);
+      const std::optional<double> other =
+          solver_.negative_log_evidence(turned_(frame, order), living_);
       if (!other) return false;
       gain_[order] += *stated - *other;
       if (*other < *stated) ++better_[order];

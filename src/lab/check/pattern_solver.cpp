@@ -165,8 +165,8 @@ class LineSolver final : public PatternSolver {
     return presser_->press(*whole_contacts_, frame);
   }
 
-  std::optional<double> surprise(std::span<const double> readings,
-                                 const std::vector<bool>& living) override {
+  std::optional<double> negative_log_evidence(std::span<const double> readings,
+                                              const std::vector<bool>& living) override {
     if (!solve(readings, living)) return std::nullopt;
     const SceneProblem& problem = frames_.problem();  // without what is dead
     if (problem.is_large()) return std::nullopt;
@@ -174,7 +174,8 @@ class LineSolver final : public PatternSolver {
     for (std::size_t i = 0; i < frame.size(); ++i)
       if (!living[i]) frame[i] = 0.0;
     const FilterFrame analysed = problem.family().analyse(frame);
-    return tactile_net::surprise(analysed, problem.alpha_tables(analysed), problem.stated_noise());
+    return tactile_net::negative_log_evidence(analysed, problem.alpha_tables(analysed),
+                                              problem.stated_noise());
   }
 
  private:
@@ -249,13 +250,13 @@ class SkinSolver final : public PatternSolver {
     return presser_->press(*whole_contacts_, *frame);
   }
 
-  std::optional<double> surprise(std::span<const double> readings,
-                                 const std::vector<bool>& living) override {
+  std::optional<double> negative_log_evidence(std::span<const double> readings,
+                                              const std::vector<bool>& living) override {
     const auto frame = without_dead(readings, living);
     if (!frame) return std::nullopt;
     const FilterFrame analysed = problem_.family().analyse(*frame);
-    return tactile_net::surprise(analysed, problem_.alpha_tables(analysed),
-                                 problem_.stated_noise());
+    return tactile_net::negative_log_evidence(analysed, problem_.alpha_tables(analysed),
+                                              problem_.stated_noise());
   }
 
  private:

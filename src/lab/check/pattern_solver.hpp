@@ -13,8 +13,7 @@
 namespace tactile_net::lab {
 
 /// |W (K f - g)| / sqrt(rows - tr H): what one weighted reading is off the
-/// tractions found for it; 0 of a large array, which is solved without a
-/// matrix.
+/// tractions found for it; 0 of a large array, which is solved without a matrix.
 [[nodiscard]] double residual_rms(const SceneProblem& problem, std::span<const double> readings,
                                   std::span<const double> tractions, double alpha);
 
@@ -46,10 +45,11 @@ class PatternSolver {
   [[nodiscard]] virtual std::optional<PressedPattern> press(std::span<const double> readings,
                                                             const std::vector<bool>& living) = 0;
 
-  /// How little the readings are to be expected of any load: `surprise` at the likeliest alpha.
-  /// Nothing where it cannot be told: of an array solved without a matrix, or without a taxel.
-  [[nodiscard]] virtual std::optional<double> surprise(std::span<const double> readings,
-                                                       const std::vector<bool>& living) = 0;
+  /// How little the readings are to be expected of any load: `negative_log_evidence` at the
+  /// likeliest alpha. Nothing where it cannot be told: of an array solved without a matrix, or
+  /// without a taxel.
+  [[nodiscard]] virtual std::optional<double> negative_log_evidence(
+      std::span<const double> readings, const std::vector<bool>& living) = 0;
 };
 
 /// Of a line with the rule rgcv where taxels are dense, of a skin with aicc: rules that know the

@@ -135,9 +135,9 @@ Json answer_json(const lab::SkinExperiment& experiment) {
   if (const auto& cone = answer.cone)
     json["constraints"] = {{"residual", cone->residual},
                            {"iterations", cone->iterations},
-                           {"apart", cone->apart},
-                           {"sliding", cone->sliding},
-                           {"sticking", cone->sticking}};
+                           {"apart", cone->separation},
+                           {"sliding", cone->slip},
+                           {"sticking", cone->stick}};
   return json;
 }
 

@@ -19,7 +19,7 @@ Json hidden_json(const std::vector<HiddenWaves>& all) {
   return json;
 }
 
-Json finite_json(const std::optional<FiniteSight>& finite) {
+Json finite_json(const std::optional<FiniteObservability>& finite) {
   if (!finite) return nullptr;
   return {{"tractions", finite->tractions},
           {"hidden", finite->hidden},

@@ -60,7 +60,7 @@ Json actions_json(const std::vector<SpaceAction>& actions,
 Json internal_json(const InternalForces& internal) {
   Json pairs = Json::array();
   for (const InternalForces::Pair& pair : internal.pairs)
-    pairs.push_back({{"fingers", {pair.one, pair.other}}, {"push", pair.push}});
+    pairs.push_back({{"fingers", {pair.first, pair.second}}, {"push", pair.push}});
   Json free = Json::array();
   for (const ObjectMotion& motion : internal.free) free.push_back(motion_json(motion));
   return {

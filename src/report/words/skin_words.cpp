@@ -396,8 +396,8 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
         << percent(experiment.relative[2]) << " of it";
   out << "; data " << data_word(answer.data, scene) << '\n';
   if (answer.cone)
-    out << "cells that slide " << answer.cone->sliding << ", stick " << answer.cone->sticking
-        << ", touch nothing " << answer.cone->apart << " (" << answer.cone->iterations
+    out << "cells that slide " << answer.cone->slip << ", stick " << answer.cone->stick
+        << ", touch nothing " << answer.cone->separation << " (" << answer.cone->iterations
         << " iterations, residual " << brief(answer.cone->residual, 2) << ")\n";
   print_remarks(out, "", remarks_in_words(experiment));
   print_network(out, experiment);

@@ -131,7 +131,7 @@ std::vector<std::string> internal_in_words(const lab::SpaceGraspResult& grasp,
     largest = std::max(largest, std::abs(pair.push));
   for (const InternalForces::Pair& pair : internal.pairs)
     if (std::abs(pair.push) > 1e-9 * largest)
-      lines.push_back(names.fingers[pair.one] + " and " + names.fingers[pair.other] +
+      lines.push_back(names.fingers[pair.first] + " and " + names.fingers[pair.second] +
                       (pair.push < 0.0 ? " pull at" : " press against") + " each other with " +
                       names.forces()(std::abs(pair.push)));
   if (internal.rest > 1e-9 * largest && internal.rest > 0.0)

@@ -100,7 +100,7 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
   const auto count = static_cast<Index>(p.system->tractions());
   solution.tractions.assign(static_cast<std::size_t>(count), 0.0);
   if (scale == 0.0) {
-    solution.apart = static_cast<std::size_t>(p.cells);
+    solution.separation = static_cast<std::size_t>(p.cells);
     return solution;
   }
   right /= scale;
@@ -162,11 +162,11 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
   Eigen::VectorXd before = f - gradient / largest;  // at the minimum f is its projection
   std::optional<double> limit = p.limits.friction_limit;
   if (limit) *limit /= p.drag;
-  p.cones.project(before, [&](Index i, ConePart part) {
-    ++(part == ConePart::apart     ? solution.apart
-       : part == ConePart::sliding ? solution.sliding
-                                   : solution.sticking);
-    add_free_directions(solution.face, before, p.cells, i, part, limit);
+  p.cones.project(before, [&](Index i, ContactState state) {
+    ++(state == ContactState::separation ? solution.separation
+       : state == ContactState::slip     ? solution.slip
+                                         : solution.stick);
+    add_free_directions(solution.face, before, p.cells, i, state, limit);
   });
   f *= scale;
   if (p.drags()) f.tail(2 * p.cells) /= p.drag;

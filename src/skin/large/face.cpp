@@ -100,7 +100,7 @@ struct LargeSkinFaceCovariance::Parts {
   std::size_t unsolved = 0;  // sums that were asked for and are not
 };
 
-LargeSkinFaceCovariance::LargeSkinFaceCovariance(const LargeSkinPart& part, const ConeFace& face,
+LargeSkinFaceCovariance::LargeSkinFaceCovariance(const LargeSkinPart& part, const ActiveFace& face,
                                                  double alpha, double prior_alpha,
                                                  double degrees_of_freedom,
                                                  const Covariance& free) {

@@ -155,7 +155,7 @@ LargeSkinFamily::LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system,
   parts_ = std::move(parts);
 }
 LargeSkinFamily::LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system,
-                                 const ConeFace& face, std::size_t probes) {
+                                 const ActiveFace& face, std::size_t probes) {
   auto coordinates = std::make_unique<FaceCoordinates>(system->problem, face);
   auto parts = std::make_unique<Parts>(system, std::move(coordinates));
   parts->run_probes(probes);

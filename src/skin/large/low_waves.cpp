@@ -28,7 +28,7 @@ bool mirrors_itself(const SkinProblem& problem) {
 
 }  // namespace
 
-LowWaves::LowWaves(LargeSkinSystem& system, bool has_even_drags) {
+LowWaves::LowWaves(LargeSkinSystem& system, bool has_uniform_drags) {
   const SkinGrid& grid = system.problem.grid;
   const double shortest = 1.0 / std::sqrt(static_cast<double>(std::max(grid.rows, grid.columns)));
   const auto most = [&](std::size_t cells) {
@@ -47,7 +47,7 @@ LowWaves::LowWaves(LargeSkinSystem& system, bool has_even_drags) {
         const double y = static_cast<double>(m) / static_cast<double>(grid.rows);
         const double z = static_cast<double>(n) / static_cast<double>(grid.columns);
         if (std::hypot(y, z) >= shortest) continue;
-        if (!has_even_drags && u > 0 && m + n == 0) continue;
+        if (!has_uniform_drags && u > 0 && m + n == 0) continue;
         classes.at(parity_class(u, m, n)).push_back(count());
         waves_.push_back({u, m, n});
         const std::size_t row = u * grid.rows + static_cast<std::size_t>(m);

@@ -20,8 +20,8 @@ class LowWaves {
   /// the skin's reflections leave apart are told apart afterwards. One for each where taxels are
   /// dead.
   ///
-  /// @param has_even_drags  whether q_y and q_z that are the same everywhere are among them
-  LowWaves(LargeSkinSystem& system, bool has_even_drags);
+  /// @param has_uniform_drags  true: q_y and q_z that are the same everywhere are among the waves
+  LowWaves(LargeSkinSystem& system, bool has_uniform_drags);
 
   [[nodiscard]] Eigen::Index count() const noexcept { return std::ssize(waves_); }
   /// Z' x. O(cells^(5/4)) of a square, as `add`. @pre  a value per traction

@@ -114,9 +114,9 @@ std::size_t LargeSkinPart::cell(std::size_t whole_cell) const noexcept {
          whole_cell % whole_.columns - first_column_;
 }
 
-ConeFace LargeSkinPart::face(const ConeFace& whole) const {
-  ConeFace part;
-  for (const ConeFace::Direction& one : whole.free)
+ActiveFace LargeSkinPart::face(const ActiveFace& whole) const {
+  ActiveFace part;
+  for (const ActiveFace::Direction& one : whole.free)
     if (has(one.cell)) part.free.push_back({cell(one.cell), one.along});
   return part;
 }

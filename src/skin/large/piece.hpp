@@ -21,8 +21,8 @@ namespace tactile_net {
 /// ends. Around a dead taxel deviations are multiplied by what a dead taxel in the piece's middle
 /// multiplies them by, around several by all of theirs, up to the prior's, which is what a cell has
 /// whose nearest taxel is dead with all around it. Within 4 % of the exact ones for alpha >= 1e-4
-/// of |W K|^2 and 10 % at 1e-6 but for such blocks: too wide inside, at the
-/// rim up to a sixth too narrow (large_test.cpp).
+/// of |W K|^2 and 10 % at 1e-6 but for such blocks: too wide inside, at the rim up to a sixth too
+/// narrow (large_test.cpp).
 class SkinPiece {
  public:
   /// @param whole  the large skin's, of the same taxels and options; its dead ones do not count

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Index;
 
-/// From which share of the square of what even pressure reads on down: the smaller alpha, the
+/// From which share of the square of what uniform pressure reads on down: the smaller alpha, the
 /// farther a traction is felt, and the slower a rigid motion settles.
 struct Level {
   double below;
@@ -28,11 +28,11 @@ constexpr Level otherwise{1.0, 16, 4};
 constexpr double far = 1e-7;
 constexpr double far_between_taxels = 1e-3;
 
-/// Of what even pressure reads: a drag that reads less is hardly seen.
+/// Share of what uniform pressure reads: a uniform drag that reads less is hardly seen.
 constexpr double hardly_seen = 0.1;
 
-bool is_below(double share, double alpha, const EvenReadings& even) noexcept {
-  return std::sqrt(alpha / share) < even.pressure;
+bool is_below(double share, double alpha, const UniformReadings& uniform) noexcept {
+  return std::sqrt(alpha / share) < uniform.pressure;
 }
 
 /// Taxels deeper than three cells feel as far as others do at a hundredth of alpha.
@@ -47,21 +47,22 @@ double felt_alpha(const SkinProblem& problem, double alpha) {
 }
 
 /// @param alpha  that is felt
-const Level& level(double alpha, const EvenReadings& even) noexcept {
+const Level& level(double alpha, const UniformReadings& uniform) noexcept {
   for (const Level& one : levels)
-    if (is_below(one.below, alpha, even)) return one;
+    if (is_below(one.below, alpha, uniform)) return one;
   return otherwise;
 }
 
-bool drag_is_hardly_seen(const EvenReadings& even) noexcept {
-  return even.drag < hardly_seen * even.pressure;
+bool drag_is_hardly_seen(const UniformReadings& uniform) noexcept {
+  return uniform.drag < hardly_seen * uniform.pressure;
 }
 
 /// @param alpha  that is felt
-bool wants_coarse_space(const SkinGrid& grid, double alpha, const EvenReadings& even) noexcept {
+bool wants_coarse_space(const SkinGrid& grid, double alpha,
+                        const UniformReadings& uniform) noexcept {
   const bool cells_between = grid.stride_rows * grid.stride_columns > 1;
-  return drag_is_hardly_seen(even) ||
-         is_below(cells_between ? far_between_taxels : far, alpha, even);
+  return drag_is_hardly_seen(uniform) ||
+         is_below(cells_between ? far_between_taxels : far, alpha, uniform);
 }
 
 /// Along y, along z, and turning about the middle, as tractions of norm 1. @pre  three components
@@ -81,23 +82,24 @@ Eigen::MatrixXd rigid_motions(const SkinGrid& grid) {
 }  // namespace
 
 SkinPreconditioner::SkinPreconditioner(LargeSkinSystem& system, double alpha,
-                                       const EvenReadings& even,
+                                       const UniformReadings& uniform,
                                        std::shared_ptr<const LowWaves>& waves)
     : system_(system),
       alpha_(alpha),
-      tiles_(system, alpha, {.cells = level(felt_alpha(system.problem, alpha), even).cells}),
+      tiles_(system, alpha, {.cells = level(felt_alpha(system.problem, alpha), uniform).cells}),
       rows_(system.rows()),
       rest_(system.tractions()) {
   if (tiles_.tiles() == 1 ||
-      !wants_coarse_space(system.problem.grid, felt_alpha(system.problem, alpha), even))
+      !wants_coarse_space(system.problem.grid, felt_alpha(system.problem, alpha), uniform))
     return;
-  // What is to become of an even drag must not be in the coarse space as it is.
-  if (!waves) waves = std::make_shared<const LowWaves>(system, !drag_is_hardly_seen(even));
+  // Leave uniform shear out of the coarse space; slow_parts() adds what conjugate gradients are
+  // slow to remove of it.
+  if (!waves) waves = std::make_shared<const LowWaves>(system, !drag_is_hardly_seen(uniform));
   coarse_.emplace(waves, alpha);
-  if (!drag_is_hardly_seen(even)) return;
+  if (!drag_is_hardly_seen(uniform)) return;
 
   coarse_->extend(slow_parts(rigid_motions(system.problem.grid),
-                             level(felt_alpha(system.problem, alpha), even).steps),
+                             level(felt_alpha(system.problem, alpha), uniform).steps),
                   [&](std::span<const double> x, std::span<double> image) { multiply(x, image); });
 }
 

@@ -11,10 +11,10 @@
 
 #include "numeric/eigen.hpp"
 #include "skin/large/coarse_space.hpp"
-#include "skin/large/even_readings.hpp"
 #include "skin/large/low_waves.hpp"
 #include "skin/large/system.hpp"
 #include "skin/large/tiles.hpp"
+#include "skin/large/uniform_readings.hpp"
 
 namespace tactile_net {
 
@@ -24,14 +24,14 @@ namespace tactile_net {
 /// from `start` on. A step costs a product with P more than by tiles alone.
 ///
 /// Tiles, which end at zero, cannot make long waves that P hardly sees, and agree too well on those
-/// it sees. Both ends of the spectrum are the coarse space's: long waves; and where no shear is
-/// read, so that an even drag is seen near the ends alone, the skin's rigid motions in its plane,
-/// as traction: what conjugate gradients leave of them on their way to nothing.
+/// that it sees. The coarse space has both: the long waves; and where no shear is read, so that a
+/// uniform drag is seen near the ends alone, uniform shear and in-plane rotation: not themselves,
+/// but the parts of them that conjugate gradients are slow to remove.
 class SkinPreconditioner {
  public:
   /// @param waves  made where they are needed and absent, and then kept for other alphas
   /// @throw std::invalid_argument  rounding makes a block indefinite: alpha is too small
-  SkinPreconditioner(LargeSkinSystem& system, double alpha, const EvenReadings& even,
+  SkinPreconditioner(LargeSkinSystem& system, double alpha, const UniformReadings& uniform,
                      std::shared_ptr<const LowWaves>& waves);
 
   [[nodiscard]] bool has_coarse_space() const noexcept { return coarse_.has_value(); }
@@ -41,8 +41,8 @@ class SkinPreconditioner {
 
  private:
   void multiply(std::span<const double> x, std::span<double> image);
-  /// Each column on its way to nothing: what is left after the last step, and what went from one
-  /// power of two of steps to the next.
+  /// Solves P x = 0 by conjugate gradients from each column. Returns what is left after the last
+  /// step, and what was removed from one power of two of steps to the next.
   [[nodiscard]] Eigen::MatrixXd slow_parts(const Eigen::MatrixXd& tractions, std::size_t steps);
 
   LargeSkinSystem& system_;

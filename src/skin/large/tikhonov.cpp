@@ -9,16 +9,16 @@
 #include "inverse/checks.hpp"
 #include "numeric/conjugate_gradients.hpp"
 #include "numeric/finite.hpp"
-#include "skin/large/even_readings.hpp"
 #include "skin/large/preconditioner.hpp"
 #include "skin/large/system.hpp"
+#include "skin/large/uniform_readings.hpp"
 
 namespace tactile_net {
 
 struct LargeSkinTikhonov::Parts {
   explicit Parts(std::shared_ptr<LargeSkinSystem> made)
       : system(std::move(made)),
-        even(even_readings(*system)),
+        uniform(uniform_readings(*system)),
         residual(system->rows()),
         image(system->rows()),
         f(system->tractions()),
@@ -89,7 +89,7 @@ struct LargeSkinTikhonov::Parts {
   }
 
   std::shared_ptr<LargeSkinSystem> system;
-  EvenReadings even;
+  UniformReadings uniform;
   double alpha = 0.0;
   std::shared_ptr<const LowWaves> waves{};
   std::unique_ptr<SkinPreconditioner> preconditioner{};
@@ -114,7 +114,7 @@ void LargeSkinTikhonov::use_alpha(double alpha) {
   check_alpha(alpha);
   if (alpha == parts_->alpha) return;
   parts_->preconditioner =
-      std::make_unique<SkinPreconditioner>(*parts_->system, alpha, parts_->even, parts_->waves);
+      std::make_unique<SkinPreconditioner>(*parts_->system, alpha, parts_->uniform, parts_->waves);
   parts_->alpha = alpha;
 }
 

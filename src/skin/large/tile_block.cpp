@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Index;
 
-/// What even or odd numbers along one side have of the place `at`.
+/// What numbers of even or odd parity along one side have of the place `at`.
 struct Share {
   std::size_t place;
   double size;

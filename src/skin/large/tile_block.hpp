@@ -19,8 +19,8 @@ struct TileShape {
   [[nodiscard]] std::size_t tractions() const noexcept { return components * rows * columns; }
 };
 
-/// Tractions of which p is even or odd under each of a tile's reflections; q_y, being turned round
-/// along y, is the other one there, q_z along z.
+/// Tractions of which p has even or odd parity under each of a tile's reflections; q_y, being
+/// turned round along y, has the other parity there, q_z along z.
 struct TileClass {
   /// An orthonormal basis: of every traction its place in it and what it has there, 0 of an odd one
   /// in the middle.

@@ -27,14 +27,14 @@ namespace tactile_net {
 
 /// The reading at (y, z) [m] from a unit point force [Pa / N for stress, 1 / N for strain, m / N].
 /// Correct to a few ulp, with m T beside its other term a few ulp of the larger, a strain of the
-/// largest stress in it; even or odd to the bit; lengths of any size.
+/// largest stress in it; of even or odd parity to the bit; lengths of any size.
 ///
 /// @param depth  x [m], > 0
 [[nodiscard]] double half_space_kernel(Quantity quantity, Traction component,
                                        const Material& material, double depth, double y,
                                        double z) noexcept;
 
-/// The same for many places: `y`, `z` and `readings` have one number each.
+/// Readings from a unit point force at many places; `y`, `z` and `readings` have one number each.
 void half_space_kernel(Quantity quantity, Traction component, const Material& material,
                        double depth, std::span<const double> y, std::span<const double> z,
                        std::span<double> readings) noexcept;
@@ -51,15 +51,16 @@ struct Rectangle {
 /// Near the rectangle in closed form (Love 1929 for the normal load), from two half diagonals on
 /// by Gauss and Legendre's rule, whose error is below rounding: within 5e-14 of the largest stress
 /// or displacement at that place for rectangles up to ten times as long as they are wide, and of
-/// the traction for any. Even or odd to the bit. Widths, distances and depth may be of any size, up
-/// to 1e100 of each other.
+/// the traction for any. Of even or odd parity to the bit. Widths, distances and depth may be of
+/// any size, up to 1e100 of each other.
 ///
 /// @param depth  x [m], > 0
 [[nodiscard]] double half_space_kernel(Quantity quantity, Traction component,
                                        const Material& material, const Rectangle& load,
                                        double depth, double y, double z) noexcept;
 
-/// The same for many places: `y`, `z` and `readings` have one number each.
+/// Readings from a rectangle under 1 Pa at many places; `y`, `z` and `readings` have one number
+/// each.
 void half_space_kernel(Quantity quantity, Traction component, const Material& material,
                        const Rectangle& load, double depth, std::span<const double> y,
                        std::span<const double> z, std::span<double> readings) noexcept;

@@ -13,8 +13,10 @@ namespace tactile_net {
 
 class LayerTables;
 
+/// Refuses readings that have no value.
 /// @throw std::invalid_argument  a displacement along the surface under a tangential load in a
-/// layer on a frictionless base: nothing holds the layer, which slides without end
+///                               layer on a frictionless base: nothing holds the layer, which
+///                               slides without end
 void check_quantity(Quantity quantity, Traction component, const Material& material);
 
 /// Readings at one depth from point loads and rectangles, as functions of the place.
@@ -24,19 +26,18 @@ void check_quantity(Quantity quantity, Traction component, const Material& mater
 /// the load what is left of them in closed form: 0 on a bonded base; on a frictionless one, which
 /// holds no drag, that of a thin plate, falling as 1/r. A copy shares the tables.
 ///
-/// Readings are within `error_bound` of the true ones, and even or odd to the bit.
-/// `check_quantity`'s are NaN. Places are finite; lengths may be of any size.
+/// Readings are within `error_bound` of the true ones, and of even or odd parity to the bit; those
+/// that `check_quantity` refuses are NaN. Places are finite; lengths may be of any size.
 class SkinKernel {
  public:
   /// O(1) on a half space; in a layer some milliseconds, for all quantities together, and 0.1 s for
   /// what all depths share, once in a process.
   ///
   /// @throw std::invalid_argument  the material is out of range; depth is not > 0, or below the
-  /// base
+  ///                               base
   SkinKernel(const Material& material, double depth);
 
-  /// The reading at (y, z) [m] from a unit point force [Pa / N for stress, 1 / N for strain, m /
-  /// N].
+  /// The reading at (y, z) [m] from a unit point force [Pa/N for stress, 1/N for strain, m/N].
   [[nodiscard]] double operator()(Quantity quantity, Traction component, double y,
                                   double z) const noexcept;
 
@@ -46,7 +47,8 @@ class SkinKernel {
   [[nodiscard]] double operator()(Quantity quantity, Traction component, const Rectangle& load,
                                   double y, double z) const noexcept;
 
-  /// The same for many places: `y`, `z` and `readings` have one number each.
+  /// Readings from a unit point force, and from a rectangle under 1 Pa, at many places; `y`, `z`
+  /// and `readings` have one number each.
   void operator()(Quantity quantity, Traction component, std::span<const double> y,
                   std::span<const double> z, std::span<double> readings) const noexcept;
   void operator()(Quantity quantity, Traction component, const Rectangle& load,
@@ -60,8 +62,8 @@ class SkinKernel {
 
   /// The largest error of a point load's reading: 1e-13 of 3 / (2 pi depth^2) for stresses, of
   /// (1 + nu) / E times that for strains, of 3 (1 + nu) / (2 pi E depth) for displacements, which
-  /// is about what a half space reads on the load's axis. Of a rectangle's as much times its area,
-  /// or times depth^2 where that is less.
+  /// is about what a half space reads on the load's axis. For a rectangle's reading: this times its
+  /// area, or times depth^2 where that is less.
   [[nodiscard]] double error_bound(Quantity quantity) const noexcept;
 
  private:

@@ -18,10 +18,11 @@ namespace tactile_net {
 /// ulp of the half space's largest transform at that depth for every k, displacements in a layer of
 /// what a thickness as their unit makes of that: no exponential grows. Regular at nu = 0.5.
 ///
-/// At k = 0 it is the limit's mean over the directions of k, for periodic grids: stress_y under a
-/// normal load on a half space is (1 + 2 nu) / 2. A displacement without a limit is infinite where
-/// the pole is even (a half space under p; a layer that slips under q), and its principal value 0
-/// where it is odd, as are the stresses in a layer that slips under q.
+/// At k = 0 it is the mean of the limit over the directions of k, for periodic grids: stress_y
+/// under a normal load on a half space is (1 + 2 nu) / 2. A displacement without a limit is
+/// infinite where the pole has even parity (a half space under p; a layer that slips under q), and
+/// its principal value 0 where it has odd parity, as are the stresses in a layer that slips under
+/// q.
 ///
 /// Preconditions: a material in its range, 0 < depth <= its thickness. Pure, no allocation.
 ///

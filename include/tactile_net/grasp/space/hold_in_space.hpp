@@ -18,9 +18,10 @@
 
 namespace tactile_net {
 
+/// What `hold` minimises.
 enum class Least {
   torques,  ///< sum of squares of all joint torques
-  forces,   ///< of all contact forces, torsions over their radius
+  forces,   ///< sum of squares of all contact forces, torsions over their radius
 };
 
 /// How hard to squeeze, beyond what equilibrium fixes: at most one of the first two. Neither: as
@@ -37,21 +38,22 @@ struct HoldOptions {
   Least least = Least::torques;
 };
 
-/// Deviations come from those of the contacts' places alone. A force on its cone is taken to stay
-/// there, and what the contacts cannot bear not to arise: two hard fingers let the object turn
-/// about the line between them.
+/// A grasp that holds the load. Deviations are those of the contacts' places, propagated. A force
+/// on its cone is taken to stay there, and moments that the contacts cannot bear not to arise: two
+/// hard fingers let the object turn about the line between them.
 struct HeldSpaceGrasp {
   std::vector<SpaceAction> fingers{};
-  Matrix torque_covariance{};  ///< of all torques, finger after finger
+  Matrix torque_covariance{};  ///< covariance of all torques, finger after finger
   double squeeze = 0.0;
-  double residual = 0.0;    ///< of equilibrium, over load and squeeze
-  double optimality = 0.0;  ///< of the conditions for a minimum, over their terms
+  double residual = 0.0;    ///< residual of equilibrium, over load and squeeze
+  double optimality = 0.0;  ///< residual of the conditions for a minimum, over their terms
   int iterations = 0;       ///< of the interior-point method; 0: there are no cones, or edges alone
-  /// Of the scaled system of a grasp whose contacts are all planar: digits lost are its logarithm.
+  /// Condition number of the scaled system, where all contacts are planar: digits lost are its
+  /// logarithm.
   std::optional<double> condition{};
 };
 
-/// That no forces within the cones hold the load, with its proof.
+/// No forces within the cones hold the load, with the proof of it.
 class CannotHoldInSpace : public CannotHold {
  public:
   CannotHoldInSpace(NoHold reason, std::optional<ObjectMotion> motion,
@@ -61,7 +63,7 @@ class CannotHoldInSpace : public CannotHold {
   /// A motion of the object that the load drives, and against which no force within the cones does
   /// work: whoever doubts the answer can check both.
   [[nodiscard]] const std::optional<ObjectMotion>& motion() const noexcept { return motion_; }
-  /// Of `beyond_cones_squeezed`: the least squeeze that would hold the load.
+  /// The least squeeze that would hold the load; present for `beyond_cones_squeezed` alone.
   [[nodiscard]] const std::optional<double>& least_squeeze() const noexcept {
     return least_squeeze_;
   }

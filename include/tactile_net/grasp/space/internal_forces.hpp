@@ -19,41 +19,43 @@ namespace tactile_net {
 
 /// How an object may move: a screw.
 struct ObjectMotion {
-  Vector3 point{};     ///< that moves with `velocity`
-  Vector3 velocity{};  ///< [m]
+  Vector3 point{};     ///< a point that moves with `velocity`
+  Vector3 velocity{};  ///< velocity of `point` [m]
   Vector3 turn{};      ///< angular velocity; zero: it slides
 };
 
 /// Where a motion's axis runs, and how far it goes along it per turn of 1 rad.
 struct Screw {
-  Vector3 point{};      ///< of the axis
-  Vector3 direction{};  ///< of length 1; of a motion that slides, where to
+  Vector3 point{};      ///< a point of the axis
+  Vector3 direction{};  ///< of the axis, of length 1; of the motion, if it slides
   double pitch = 0.0;   ///< [m]; infinite: it slides
 };
-/// @param size  a length of the grasp [m]: what turns less than 1e-9 over it slides
+/// The screw of a motion.
+/// @param size  a length of the grasp [m]: a motion that turns less than 1e-9 over it slides
 [[nodiscard]] Screw screw_of(const ObjectMotion& motion, double size);
 
 struct InternalForces {
   std::size_t forces = 0;  ///< 3 of each hard contact, 4 of each soft one
-  std::size_t rank = 0;    ///< of G: how many of the six the contacts can bear at all
-  /// How many combinations press the fingers against each other alone: forces - rank.
+  std::size_t rank = 0;    ///< rank of G: how many of the six numbers the contacts can bear
+  /// Number of combinations that press the fingers against each other alone: forces - rank.
   [[nodiscard]] std::size_t count() const noexcept { return forces - rank; }
-  /// Of them, those that no joint's torque feels: the hand's bones bear them. Absent: a finger's
-  /// joints are not known.
+  /// Number of internal combinations that no joint's torque feels: the hand's bones bear them.
+  /// Absent: a finger's joints are not known.
   std::optional<std::size_t> without_torque{};
-  std::vector<ObjectMotion> free{};  ///< of the object, which no contact resists, cones aside
+  std::vector<ObjectMotion> free{};  ///< motions of the object that no contact resists, cones aside
 
   /// The forces' internal part as pushes of two contacts against each other; up to four contacts.
   struct Pair {
-    std::size_t one = 0;
-    std::size_t other = 0;
-    double push = 0.0;  ///< [N], > 0: towards each other
+    std::size_t first = 0;   ///< index of the first finger
+    std::size_t second = 0;  ///< index of the second finger
+    double push = 0.0;       ///< [N], > 0: towards each other
   };
   std::vector<Pair> pairs{};
-  double rest = 0.0;  ///< what these do not hold: torsions, over their radius [N]
+  double rest = 0.0;  ///< what no pair holds: torsions, over their radius [N]
 };
 
-/// @param actions  forces of every finger: of `MeasuredSpaceGrasp` or `HeldSpaceGrasp`
+/// Splits the forces of a grasp into what carries the load and what is internal.
+/// @param actions  forces of every finger, from `MeasuredSpaceGrasp` or `HeldSpaceGrasp`
 /// @throw std::invalid_argument  a finger is wrong; not as many actions as fingers
 [[nodiscard]] InternalForces internal_forces(std::span<const SpaceFinger> fingers,
                                              std::span<const SpaceAction> actions);

@@ -2,10 +2,9 @@
 /// What the forces that skins feel mean for a hand in space: the torques at its joints, and how
 /// well they carry the load.
 ///
-///     const std::vector<SpaceFingertipForce> forces = ...;  //
-///     space_fingertip_force(answer.wrench) const MeasuredSpaceGrasp grasp =
-///     measured_grasp(fingers, forces, load); grasp.fingers[0].torques[1];  // of the second joint,
-///     with its deviation
+///     const std::vector<SpaceFingertipForce> forces = ...;  // by space_fingertip_force
+///     const MeasuredSpaceGrasp grasp = measured_grasp(fingers, forces, load);
+///     grasp.fingers[0].torques[1];  // of the second joint, with its deviation
 #pragma once
 
 #include <array>
@@ -20,11 +19,11 @@
 
 namespace tactile_net {
 
-/// Deviations as of `MeasuredGrasp`: first order, by exact derivatives; fingertips err
-/// independently, geometry and load are certain.
+/// What measured forces mean for a hand in space. Deviations are of first order, by exact
+/// derivatives; fingertips err independently, geometry and load are certain.
 struct MeasuredSpaceGrasp {
   std::vector<SpaceAction> fingers{};
-  Matrix torque_covariance{};  ///< of all torques, finger after finger
+  Matrix torque_covariance{};  ///< covariance of all torques, finger after finger
   /// Sum of all forces on the object along X, Y, Z, and of all moments about the load's point.
   std::array<Uncertain, 6> unbalanced{};
   Matrix unbalanced_covariance{};

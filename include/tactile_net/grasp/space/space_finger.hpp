@@ -26,12 +26,13 @@ struct SpaceJoint {
 
 struct SpaceFinger {
   std::string name{};  ///< for messages
-  Vector3 place{};     ///< of the pad's y = z = 0, in the hand's frame [m]
+  Vector3 place{};     ///< place of the pad's y = z = 0, in the hand's frame [m]
   Vector3 normal{};    ///< x of the pad, into it, away from the object; of any length > 0
   Vector3 tangent{};   ///< y of the pad, across the normal
-  /// From the palm to the tip. None, and no Jacobian: how the finger moves is not known.
+  /// The joints from the palm to the tip. Neither joints nor Jacobian: the finger's motion is not
+  /// known.
   std::vector<SpaceJoint> joints{};
-  /// In place of joints: 6 x joints, the velocity of the pad's place [m] and the angular velocity
+  /// In place of joints, 6 x joints: the velocity of the pad's place [m] and the angular velocity
   /// of the pad, per unit of each joint's.
   Matrix jacobian{};
 };
@@ -42,7 +43,7 @@ struct PadFrame {
   Vector3 x{}, y{}, z{};
 };
 
-/// How far from a right angle normal and tangent may be: the cosine.
+/// Largest |cosine| of the angle between normal and tangent.
 inline constexpr double most_skew = 1e-3;
 
 /// @throw std::invalid_argument  a number is not finite, normal, tangent or an axis is zero, normal
@@ -50,7 +51,7 @@ inline constexpr double most_skew = 1e-3;
 ///                               the Jacobian has not six rows; the text names the finger
 void check(const SpaceFinger& finger);
 
-/// The tangent is turned until it is at right angles to the normal.
+/// The frame of a finger's pad; the tangent is turned until it is at right angles to the normal.
 [[nodiscard]] PadFrame pad_frame(const SpaceFinger& finger);
 
 [[nodiscard]] std::size_t joint_count(const SpaceFinger& finger) noexcept;
@@ -62,9 +63,10 @@ void check(const SpaceFinger& finger);
 
 /// What one joint does to the finger's tip, per unit of its own motion.
 struct JointMotion {
-  Vector3 velocity{};  ///< of `origin` of the pad [m], or without unit
+  Vector3 velocity{};  ///< velocity of `PadFrame::origin` [m], or without unit
   Vector3 turn{};      ///< angular velocity
 };
+/// The motion of the tip per unit of a joint's motion.
 /// @param joint  < joint_count
 [[nodiscard]] JointMotion motion_of(const SpaceFinger& finger, std::size_t joint);
 

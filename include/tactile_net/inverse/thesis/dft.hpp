@@ -67,11 +67,12 @@ class DftInverse {
   /// the errors of the kernel and of three transforms, and of readings near the smallest double.
   [[nodiscard]] double forward_bound(std::span<const double> readings) const noexcept;
 
-  /// Of the array and the kernel alone.
+  /// Verdict on the array and the kernel, whatever the readings.
   [[nodiscard]] DftVerdict verdict() const noexcept;
 
-  /// Of one frame too: `cut_off` if the readings at the array's ends, times the noise gain, exceed
-  /// the peak reading. What is cut off there is folded in from the other end and amplified.
+  /// Verdict on one frame: as without readings, or `cut_off` if the readings at the array's ends,
+  /// times the noise gain, exceed the peak reading. What is cut off there is folded in from the
+  /// other end and amplified.
   [[nodiscard]] DftVerdict verdict(std::span<const double> readings) const noexcept;
 
  private:

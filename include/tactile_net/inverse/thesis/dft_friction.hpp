@@ -48,14 +48,14 @@ enum class FrictionVerdict {
 /// The spelling in JSON and tables: "ok", "not_one_contact", "no_contact"; for `dft` see there.
 [[nodiscard]] std::string_view name(FrictionVerdict verdict) noexcept;
 
-/// Of one frame. Unless the status is `ok`, nothing else in it is set.
+/// The answer to one frame. Unless the status is `ok`, no other member is set.
 struct FrictionSolution {
   FrameStatus status = FrameStatus::ok;
   std::vector<double> normal{};      ///< f_v [Pa], one per taxel
   std::vector<double> tangential{};  ///< c on the contact, 0 elsewhere [Pa]
-  std::size_t width = 0;             ///< w, taxels in contact; even or odd as the array's count
+  std::size_t width = 0;             ///< w, taxels in contact: even or odd like the array's count
   FrictionVerdict verdict = FrictionVerdict::ok;
-  DftVerdict dft = DftVerdict::ok;  ///< of the division by K1's DFT
+  DftVerdict dft = DftVerdict::ok;  ///< verdict on the division by K1's DFT
 };
 
 class DftFriction {
@@ -85,9 +85,8 @@ class DftFriction {
 
   DftInverse division_;
   double friction_;
-  double depth_;  // in pitches
-  std::vector<double>
-      kernel_;  // K2 D, as `sampled_kernel`: what drags is where it is, not on a ring
+  double depth_;                // in pitches
+  std::vector<double> kernel_;  // K2 D, as `sampled_kernel`: a drag does not wrap around the ring
 };
 
 }  // namespace tactile_net

@@ -32,9 +32,9 @@ namespace tactile_net {
 /// A combination of tractions that no reading shows.
 struct DftNullMode {
   std::size_t frequency = 0;                  ///< 0 ... count / 2
-  Traction unknown = Traction::tangential_y;  ///< the larger part of it
+  Traction unknown = Traction::tangential_y;  ///< the traction that has the larger part of it
   std::optional<double> wavelength{};         ///< count pitch / frequency [m]; absent: constant
-  bool alternating = false;                   ///< that wavelength is two pitches: Nyquist
+  bool alternating = false;                   ///< `wavelength` is two pitches: Nyquist
 };
 
 class DftTikhonov {

@@ -11,7 +11,7 @@
 
 namespace tactile_net {
 
-/// These read the same for ever. The methods do not know it.
+/// Taxels that read the same for ever. The methods are not told.
 struct StuckTaxels {
   std::vector<std::size_t> indices{};         ///< < count, none twice
   PerQuantity<std::vector<double>> values{};  ///< one per index [unit of the reading]
@@ -19,9 +19,11 @@ struct StuckTaxels {
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const StuckTaxels& stuck,
                                                         const SignalLayout& sensor);
 
-/// A dead taxel reads zero: readings of one channel, and indices below their count.
+/// Sets the readings of dead taxels to zero.
+/// @pre  readings of one channel, and indices below their count
 void kill(std::span<double> readings, std::span<const std::size_t> dead_taxels) noexcept;
 
+/// Taxels that read zero for ever, and that the methods leave out.
 struct DeadTaxels {
   std::vector<std::size_t> indices{};  ///< < count
 };

@@ -13,10 +13,10 @@ namespace tactile_net {
 ///
 ///     out(j) = in(j) + fraction (in(j-1) - in(j)) + fraction (in(j+1) - in(j))
 ///
-/// A taxel at an end has one neighbour; of a skin's lattice one inside has four. The sum over the
+/// A taxel at an end has one neighbour; a taxel inside a skin's lattice has four. The sum over the
 /// array and a signal that is the same everywhere stay what they are.
 struct Crosstalk {
-  double fraction = 0.0;  ///< 0 ... 1 over the most neighbours: of a line 0.5
+  double fraction = 0.0;  ///< 0 ... 1 / (most neighbours of a taxel): on a line 0.5
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Crosstalk& crosstalk,

@@ -27,7 +27,7 @@ using PerQuantity = std::map<Quantity, T>;
 /// A moment at which the path is gone through.
 struct Instant {
   double time = 0.0;     ///< [s]
-  double since = 0.0;    ///< from the moment before [s]; 0: the load has jumped
+  double since = 0.0;    ///< time since the moment before [s]; 0: the load has jumped
   bool recorded = true;  ///< a frame is taken
   bool opens = false;    ///< the next frame's sampling window opens
 };
@@ -36,7 +36,7 @@ struct Instant {
 struct CutOffNote {
   std::string_view effect{};  ///< its name in a scene: "saturation"
   std::size_t cut_off = 0;    ///< readings that were beyond the range, >= 1
-  std::size_t readings = 0;   ///< of so many
+  std::size_t readings = 0;   ///< all readings of the frame
 };
 
 /// One stage. Between two moments every reading is a straight line.
@@ -47,13 +47,13 @@ class SensorEffect {
   /// Replaces the readings that come in, channels x count, by those that go out.
   virtual void apply(const Instant& at, std::span<double> readings) = 0;
 
-  /// As `apply`, for a sensor that has been unloaded for ever: a memory begins here.
+  /// Begins a memory: replaces the readings of a sensor that has been unloaded for ever.
   virtual void rest(std::span<double> readings) { apply(Instant{}, readings); }
 
-  /// What goes out depends on what came in before.
+  /// True if what goes out depends on what came in before.
   [[nodiscard]] virtual bool has_memory() const noexcept { return false; }
 
-  /// Of the frame last taken; nothing where no reading was cut off.
+  /// Says of the frame last taken how many readings were cut off; absent: none.
   [[nodiscard]] virtual std::optional<CutOffNote> note() const { return std::nullopt; }
 };
 

@@ -13,7 +13,7 @@ namespace tactile_net {
 /// reading -> (1 + e) reading. Either `values` or `rms`.
 struct GainError {
   std::vector<double> values{};  ///< e of every taxel, the same for all its quantities
-  double rms = 0.0;              ///< of e, drawn for each reading from a Gaussian, >= 0
+  double rms = 0.0;              ///< rms of e, drawn for each reading from a Gaussian, >= 0
   std::uint64_t seed = 1;
 };
 

@@ -14,7 +14,7 @@ namespace tactile_net {
 /// `rms` is one number for every quantity, or a table per quantity: then the rows of the problem
 /// are divided by it.
 struct NoiseModel {
-  PerQuantity<double> rms;    ///< of every quantity that is read [unit of the reading], >= 0
+  PerQuantity<double> rms;    ///< one for every quantity that is read [unit of the reading], >= 0
   bool weights_rows = false;  ///< `rms` was given as a table
   std::uint64_t seed = 1;
 };
@@ -22,13 +22,12 @@ struct NoiseModel {
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const NoiseModel& noise,
                                                         const SignalLayout& sensor);
 
-/// Adds white Gaussian noise of that rms [unit of the readings] to one channel: that of the first
-/// frame.
+/// Adds the first frame's white Gaussian noise to one channel.
 ///
 /// Equal (seed, channel) give equal noise, whatever other channels do: each has a stream of its
 /// own. Engine and distribution are Boost's, so that every platform draws the same.
 ///
-/// @param rms  >= 0
+/// @param rms  [unit of the readings], >= 0
 void add_noise(std::span<double> readings, double rms, std::uint64_t seed, std::size_t channel);
 
 }  // namespace tactile_net

@@ -14,7 +14,7 @@ namespace tactile_net {
 /// [unit of the reading].
 struct OffsetError {
   PerQuantity<std::vector<double>> values{};  ///< e of every taxel
-  PerQuantity<double> rms{};                  ///< of e, drawn from a Gaussian, >= 0
+  PerQuantity<double> rms{};                  ///< rms of e, drawn from a Gaussian, >= 0
   std::uint64_t seed = 1;
 };
 

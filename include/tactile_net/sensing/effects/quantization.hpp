@@ -17,22 +17,23 @@ struct Converter {
   double low = 0.0;   ///< [unit of the readings]
   double high = 0.0;  ///< > low
 };
+/// Replaces readings by the nearest levels of a converter.
 void quantize(std::span<double> readings, const Converter& converter) noexcept;
 
 /// Converters of one width, a range for every quantity.
 struct Quantization {
   int bits = 12;               ///< 1 ... 32
-  PerQuantity<Range> range{};  ///< of every quantity that is read [unit of the reading]
+  PerQuantity<Range> range{};  ///< one for every quantity that is read [unit of the reading]
 };
 
-/// Between two levels [unit of the reading]. @pre  there is a range of it
+/// Distance of two levels [unit of the reading]. @pre  the quantity has a range
 [[nodiscard]] double step(const Quantization& quantization, Quantity quantity);
 
 /// Each frame says how many of its readings lay beyond the levels.
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Quantization& quantization,
                                                         const SignalLayout& sensor);
 
-/// The same converter for every quantity.
+/// The stage of one converter for every quantity.
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Converter& converter,
                                                         const SignalLayout& sensor);
 

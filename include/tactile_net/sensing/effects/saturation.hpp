@@ -15,7 +15,7 @@ struct Range {
 
 /// Readings beyond the range stay at its end; each frame says how many do.
 struct Saturation {
-  PerQuantity<Range> range;  ///< of every quantity that is read [unit of the reading]
+  PerQuantity<Range> range;  ///< one for every quantity that is read [unit of the reading]
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const Saturation& saturation,

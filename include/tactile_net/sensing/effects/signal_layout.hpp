@@ -13,7 +13,8 @@ namespace tactile_net {
 
 struct SignalLayout {
   SignalLayout() = default;
-  /// Of a line: a reading's neighbours are the one before and the one behind it in its channel.
+  /// The layout of a line: a reading's neighbours are the one before and the one behind it in its
+  /// channel.
   SignalLayout(const SensorArray& array);
 
   std::size_t taxels = 0;
@@ -25,7 +26,7 @@ struct SignalLayout {
     std::size_t second = 0;
   };
   std::vector<Neighbours> neighbours{};
-  std::size_t most_neighbours = 2;  ///< of one reading
+  std::size_t most_neighbours = 2;  ///< largest number of neighbours of one reading
 };
 
 }  // namespace tactile_net

@@ -12,7 +12,7 @@
 namespace tactile_net {
 
 struct TaxelNoise {
-  /// Of every quantity that is read and every taxel [unit of the reading], >= 0.
+  /// Rms for every quantity that is read and every taxel [unit of the reading], >= 0.
   PerQuantity<std::vector<double>> rms;
   std::uint64_t seed = 1;
 };

@@ -12,7 +12,7 @@ namespace tactile_net {
 /// reading -> (1 + gain dT) reading + offset dT, dT = `change` of the moment.
 struct TemperatureDrift {
   double gain = 0.0;             ///< [1/K]
-  PerQuantity<double> offset{};  ///< of every quantity that is read [unit of the reading / K]
+  PerQuantity<double> offset{};  ///< one for every quantity that is read [unit of the reading / K]
   PiecewiseLinear change{};      ///< from the temperature of calibration [K]
 };
 

@@ -31,8 +31,8 @@ class LargeSkinCone {
   /// at once. `too_large` if any weighted reading or traction would not be finite.
   ///
   /// @param iteration_limit  steps after which the best so far is returned, with its verdict
-  /// @param enough           residual at which it ends, as `SkinCone`'s
-  /// @param explained        it also ends, with the verdict ok, where |W (K f - g)| is at most this
+  /// @param enough           `SkinConeSolution::residual` at which the iteration ends
+  /// @param explained        |W (K f - g)|_2 at which the iteration ends too, with the verdict `ok`
   [[nodiscard]] SkinConeSolution solve(std::span<const double> readings,
                                        std::size_t iteration_limit = 2000, double enough = 1e-6,
                                        double explained = 0.0) const;

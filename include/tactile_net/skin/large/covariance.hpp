@@ -26,23 +26,24 @@
 
 namespace tactile_net {
 
-/// How far estimated deviations are off: of so many tractions whose deviation was solved for, the
-/// estimate over it, less 1; negative where it is too narrow.
+/// Relative error of estimated deviations, estimate / solved - 1, over tractions whose deviation
+/// was solved for; negative: the estimate is too narrow.
 struct BandError {
-  std::size_t tractions = 0;
+  std::size_t tractions = 0;  ///< how many were compared
   double least = 0.0;
   double most = 0.0;
 };
 
-/// What covariances of one solver share, whatever their prior: solves that have been made, and the
-/// smaller skin's family.
+/// What the covariances of one solver share, whatever their prior: the solves made so far, and the
+/// family of the smaller skin.
 class LargeSkinBands {
  public:
   /// @param solver   kept by reference; its buffers are used
   /// @param options  as the solver's
   LargeSkinBands(LargeSkinTikhonov& solver, const SkinArray& skin, const Material& material,
                  const SkinProblemOptions& options);
-  /// With the smaller skin of another's, of the same taxels, of which others may be dead.
+  /// Shares the smaller skin's family with `like`, the bands of a skin of the same taxels, of which
+  /// others may be dead.
   LargeSkinBands(LargeSkinTikhonov& solver, const LargeSkinBands& like);
   ~LargeSkinBands();
   LargeSkinBands(const LargeSkinBands&) = delete;
@@ -56,7 +57,7 @@ class LargeSkinBands {
 
 class LargeSkinCovariance final : public CellCovariance {
  public:
-  /// Of the solver's alpha as it is now, which the solver takes again for whatever is asked for.
+  /// The covariance at the solver's present alpha; the solver returns to it for whatever is asked.
   ///
   /// @param bands               kept by reference
   /// @param prior_alpha         > 0
@@ -65,13 +66,14 @@ class LargeSkinCovariance final : public CellCovariance {
   LargeSkinCovariance(LargeSkinBands& bands, double prior_alpha, double degrees_of_freedom);
 
   [[nodiscard]] std::vector<double> deviations() const override;
-  /// Estimates as `deviations`; a window that a dead taxel's cell is in gets the prior's.
+  /// Estimated as `deviations` are; a window that holds the cell of a dead taxel gets the deviation
+  /// of the prior.
   [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
                                                       const CellWindow& window) const override;
-  /// Of `deviations`, measured by four to six solves at the nearest alphas that are a power of two
-  /// from a size of the skin; of other alphas near these what it was there.
+  /// Error of `deviations`, measured by four to six solves at the nearest alphas that are a power
+  /// of two from a size of the skin; alphas near these share the result.
   [[nodiscard]] BandError error() const;
-  /// Of weights in a single cell as `deviations`.
+  /// Exact, by one solve; for weights in a single cell estimated, as `deviations`.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
                                   std::span<const double> b) const override;

@@ -3,7 +3,7 @@
 /// tactile_net::spectral): `SkinCovariance` of the family on a face, by one solve a sum.
 ///
 ///     const LargeSkinPart part(skin, pad, options, problem, contact, reach);
-///     const ConeFace face = part.face(solution.face);
+///     const ActiveFace face = part.face(solution.face);
 ///     const FilterFrame frame = LargeSkinFamily(part.system(), face).analyse(left);
 ///     const LargeSkinFaceCovariance held(part, face, alpha, prior_alpha, degrees, free);
 #pragma once
@@ -18,35 +18,37 @@
 
 namespace tactile_net {
 
-/// Tractions that the face does not leave free are taken for certain, and so are those beyond the
-/// part. Weights are of all tractions of the whole skin; those beyond the part count as 0.
+/// Covariance of the tractions that a face leaves free. All other tractions, and those beyond the
+/// part, are taken to be exact. Weights are one per traction of the whole skin; those beyond the
+/// part count as 0.
 class LargeSkinFaceCovariance final : public Covariance {
  public:
   /// @param part                kept by reference, as `free` is
-  /// @param face                of the part
+  /// @param face                its cells are cells of the part
   /// @param alpha, prior_alpha  > 0
   /// @param degrees_of_freedom  tr H on the face
-  /// @param free                of the whole, without constraints: it has what single cells do, for
-  ///                            which a solve each would be too many, and what no solve reaches
+  /// @param free                covariance of the whole skin without constraints: used for single
+  ///                            cells, where a solve each would take too long, and where a solve
+  ///                            does not converge
   /// @throw std::invalid_argument  an alpha is not > 0 and finite; nothing is free
-  LargeSkinFaceCovariance(const LargeSkinPart& part, const ConeFace& face, double alpha,
+  LargeSkinFaceCovariance(const LargeSkinPart& part, const ActiveFace& face, double alpha,
                           double prior_alpha, double degrees_of_freedom, const Covariance& free);
   ~LargeSkinFaceCovariance() override;
 
-  /// Those without constraints, which are more.
+  /// Deviations without constraints (of `free`), which are larger.
   [[nodiscard]] std::vector<double> deviations() const override;
-  /// Of weights in a single cell that without constraints.
+  /// By one solve; for weights in a single cell the deviation without constraints.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
   [[nodiscard]] double covariance(std::span<const double> a,
                                   std::span<const double> b) const override;
-  /// Of several sums all are without constraints where a solve for one does not come to its end:
-  /// what they say of each other is of one covariance.
+  /// If a solve for one sum does not converge, all sums get the covariance without constraints: so
+  /// the deviations are those of one covariance.
   [[nodiscard]] std::vector<double> deviations_of(
       std::span<const std::vector<double>> weights) const override;
   [[nodiscard]] Matrix covariances(std::span<const std::vector<double>> weights) const override;
   [[nodiscard]] double degrees_of_freedom() const noexcept override;
-  /// Whether every solve so far came to its end; sums for which one did not have the variance
-  /// without constraints.
+  /// True if every solve so far converged; a sum whose solve did not has the variance without
+  /// constraints.
   [[nodiscard]] bool converged() const noexcept;
 
  private:

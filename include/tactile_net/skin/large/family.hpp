@@ -25,35 +25,37 @@ namespace tactile_net {
 
 class LargeSkinFamily {
  public:
-  /// Runs the probes: for each up to 300 products with K and its transposed.
+  /// Runs the probes: up to 300 products with K and its transposed for each.
   ///
   /// @param probes  >= 1
   explicit LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system, std::size_t probes = 4);
   explicit LargeSkinFamily(const LargeSkinTikhonov& solver, std::size_t probes = 4);
-  /// Of the tractions that a face of the cones leaves free, as `SkinFamily`'s.
+  /// The family on a face of the friction cones: directions that the face holds are no unknowns.
   /// @throw std::invalid_argument  the face leaves nothing free, or is of another problem
-  LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system, const ConeFace& face,
+  LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system, const ActiveFace& face,
                   std::size_t probes = 4);
-  /// With the probes of another's, of the same skin without these dead taxels: no product. Their
-  /// share of the taxels is about what the traces may be off by; of some hundredths that is less
-  /// than the probes' own deviation.
+  /// Reuses the probes of `like`, the same skin before these taxels died; needs no product. Traces
+  /// err by about the fraction of dead taxels; some hundredths are less than the probes' own
+  /// deviation.
   LargeSkinFamily(const std::shared_ptr<LargeSkinSystem>& system, const LargeSkinFamily& like);
   ~LargeSkinFamily();
   LargeSkinFamily(LargeSkinFamily&&) noexcept;
   LargeSkinFamily& operator=(LargeSkinFamily&&) noexcept;
 
   /// The frame for the rules for alpha, with `shares` and `powers`: nodes of the probes, then of
-  /// the frame. One run.
+  /// the frame. Costs one run.
   /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;
 
-  /// tr H, by the probes.
+  /// tr H: degrees of freedom that the tractions of one alpha use up, estimated by the probes.
   [[nodiscard]] double degrees_of_freedom(double alpha) const noexcept;
-  /// How far the probes' values of tr H spread, as the standard deviation of their mean; 0 of one.
+  /// Standard deviation of `degrees_of_freedom`, from the spread of the probes; 0 with one probe.
   [[nodiscard]] double degrees_deviation(double alpha) const noexcept;
 
-  /// As `SkinFamily`'s: at most this, with the largest node for the largest singular value.
+  /// Upper bound of `SkinFamily::condition`, with the largest node for the largest singular value.
   [[nodiscard]] double condition(double alpha) const noexcept;
+  /// Upper bound of `SkinFamily::stacked_condition`, with the largest node for the largest singular
+  /// value.
   [[nodiscard]] double stacked_condition(double alpha) const noexcept;
 
  private:

@@ -22,26 +22,29 @@ class LargeSkinPart {
  public:
   /// Transforms the part's kernels.
   ///
-  /// @param options  the whole's
-  /// @param whole    its problem; its weights count, whatever taxels the options call dead
-  /// @param cells    of the whole; at least one
-  /// @param reach    of the part's taxels beyond them [m], >= 0
+  /// @param options  of the whole skin
+  /// @param whole    problem of the whole skin; its weights count, whatever taxels the options call
+  ///                 dead
+  /// @param cells    cells of the whole skin to surround; at least one
+  /// @param reach    how far the part's taxels reach beyond the cells [m], >= 0
   /// @throw std::invalid_argument  as `make_large_skin_system`; there is no such cell
   LargeSkinPart(SkinArray skin, const Material& material, SkinProblemOptions options,
                 const SkinProblem& whole, std::span<const std::size_t> cells, double reach);
 
   [[nodiscard]] const std::shared_ptr<LargeSkinSystem>& system() const noexcept { return system_; }
-  /// Those of the part. @pre  one value per reading of the whole
+  /// The part's readings among those of the whole. @pre  one value per reading of the whole
   [[nodiscard]] std::vector<double> readings(std::span<const double> whole) const;
-  /// Those of the part. @pre  one value per traction of the whole
+  /// The part's tractions among those of the whole. @pre  one value per traction of the whole
   [[nodiscard]] std::vector<double> tractions(std::span<const double> whole) const;
-  /// One value per traction of the whole, 0 elsewhere. @pre  one per traction of the part
+  /// The part's tractions as tractions of the whole, 0 elsewhere.
+  /// @pre  one value per traction of the part
   [[nodiscard]] std::vector<double> among_all(std::span<const double> part) const;
+  /// True if the part has this cell of the whole.
   [[nodiscard]] bool has(std::size_t whole_cell) const noexcept;
-  /// Of the part. @pre  it has the cell
+  /// Index in the part of a cell of the whole. @pre  the part has the cell
   [[nodiscard]] std::size_t cell(std::size_t whole_cell) const noexcept;
-  /// The directions that lie in the part.
-  [[nodiscard]] ConeFace face(const ConeFace& whole) const;
+  /// The directions of a face of the whole that lie in the part, with the part's cell indices.
+  [[nodiscard]] ActiveFace face(const ActiveFace& whole) const;
 
  private:
   SkinGrid whole_;

@@ -19,20 +19,20 @@
 
 namespace tactile_net {
 
-/// [W K; sqrt(alpha) L] as products. Its buffers are one thread's, and so is all that shares it.
+/// [W K; sqrt(alpha) L] as products, with buffers: one thread may use it and all that shares it.
 struct LargeSkinSystem;
 
-/// Transforms the kernels. O(cells log cells).
+/// Makes a system: transforms the kernels. O(cells log cells).
 ///
 /// @throw std::invalid_argument  as `make_problem`, but for the kernel's size; offsets are unknown;
 ///                               the taxels do not lie on the cells' lattice
 [[nodiscard]] std::shared_ptr<LargeSkinSystem> make_large_skin_system(
     const SkinArray& skin, const Material& material, const SkinProblemOptions& options);
 
-/// All but the kernel, which is empty.
+/// The system's problem, without the kernel, which is empty.
 [[nodiscard]] const SkinProblem& problem_of(const LargeSkinSystem& system) noexcept;
 
-/// The same where these taxels are dead too.
+/// The system with these taxels dead as well.
 /// @pre  they are taxels of the skin
 [[nodiscard]] std::shared_ptr<LargeSkinSystem> without_taxels(
     const LargeSkinSystem& system, const std::vector<std::size_t>& taxels);
@@ -50,9 +50,9 @@ struct LargeSkinSize {
   bool constrained = false;
 };
 
-/// What a program takes in memory that solves one frame of it, with bands, and writes the answer,
-/// about, and rather more than less [bytes]: measured (docs/internals/skin.md). Alphas below 1e-5
-/// of the square of what even pressure reads have larger tiles, of 0.1 GB at most.
+/// Memory of a program that solves one frame, with bands, and writes the answer [bytes]: about, and
+/// rather too much; measured (docs/internals/skin.md). Alphas below 1e-5 of the square of what
+/// uniform pressure reads need larger tiles, of 0.1 GB at most.
 [[nodiscard]] double large_skin_bytes(const LargeSkinSize& size) noexcept;
 
 }  // namespace tactile_net

@@ -23,12 +23,13 @@
 
 namespace tactile_net {
 
-/// What one frame's iteration came to.
+/// How the iteration for one frame ended.
 struct SkinConvergence {
   std::size_t steps = 0;
   double residual = 0.0;  ///< |P f - b| / |b|
-  double bound = 0.0;  ///< of |error|_2 / |f|_2, proven: |P f - b| / (least eigenvalue |f|), that
-                       ///< of alpha L'L for P's
+  /// Proven bound of |error|_2 / |f|_2: |P f - b| / (lambda |f|), with the least eigenvalue lambda
+  /// of alpha L'L for that of P.
+  double bound = 0.0;
   /// Estimate of |error|_2 / |f|_2 of the iterate four steps back (Hestenes and Stiefel 1952,
   /// section 6); the answer returned is better.
   double estimate = 0.0;
@@ -39,10 +40,10 @@ class LargeSkinTikhonov {
  public:
   /// Transforms the kernels and factors the tiles. O(cells log cells), and one decomposition of
   /// 768 to 1728 unknowns for each kind of tile: four of a skin whose tiles fit. A coarse space is
-  /// made below 1e-7 of the square of what even pressure reads, below 1e-3 where there are several
-  /// cells to a taxel, and for every alpha where an even drag is hardly seen, as by stresses in the
-  /// plane: once some 1.2 products for each cell along the longer side, four times as many where
-  /// taxels are dead, and in the last case 12 to 96 steps for each alpha.
+  /// made below 1e-7 of the square of what uniform pressure reads, below 1e-3 where there are
+  /// several cells to a taxel, and for every alpha where a uniform drag is hardly seen, as by
+  /// stresses in the plane: once some 1.2 products for each cell along the longer side, four times
+  /// as many where taxels are dead, and in the last case 12 to 96 steps for each alpha.
   ///
   /// @param alpha  > 0
   /// @throw std::invalid_argument  as `make_problem`, but for the kernel's size; alpha is not > 0
@@ -51,7 +52,8 @@ class LargeSkinTikhonov {
   ///                               lattice
   LargeSkinTikhonov(const SkinArray& skin, const Material& material,
                     const SkinProblemOptions& options, double alpha);
-  /// @throw std::invalid_argument  of alpha, as above
+  /// @throw std::invalid_argument  alpha is not > 0 and finite, or so small that a double cannot
+  ///                               tell the tractions apart
   LargeSkinTikhonov(std::shared_ptr<LargeSkinSystem> system, double alpha);
   ~LargeSkinTikhonov();
   LargeSkinTikhonov(LargeSkinTikhonov&&) noexcept;
@@ -63,7 +65,7 @@ class LargeSkinTikhonov {
   void use_alpha(double alpha);
   [[nodiscard]] double alpha() const noexcept;
 
-  /// All but the kernel, which is empty.
+  /// The solver's problem, without the kernel, which is empty.
   [[nodiscard]] const SkinProblem& problem() const noexcept;
 
   /// One frame. Uses buffers of its own: one object per thread.
@@ -85,15 +87,15 @@ class LargeSkinTikhonov {
   [[nodiscard]] std::vector<double> solve_normal(std::span<const double> right,
                                                  double residual = 1e-8);
 
-  /// [W K; sqrt(alpha) L] times tractions: the readings' part, then what smooths, of which the
-  /// squares count. @pre  there is one value per traction
+  /// [W K; sqrt(alpha) L] times tractions: `stacked_rows()` values, the weighted readings, then the
+  /// smoothness terms. @pre  there is one value per traction
   [[nodiscard]] std::vector<double> stacked_product(std::span<const double> tractions);
   [[nodiscard]] std::size_t stacked_rows() const noexcept;
 
-  /// Of the last `solve` or `solve_normal`.
+  /// How the last `solve` or `solve_normal` ended.
   [[nodiscard]] const SkinConvergence& convergence() const noexcept;
 
-  /// Shared with families: the products, whose buffers are one thread's.
+  /// The products, which families share; their buffers are for one thread.
   [[nodiscard]] std::shared_ptr<LargeSkinSystem> system() const noexcept;
 
  private:

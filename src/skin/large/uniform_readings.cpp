@@ -1,4 +1,4 @@
-#include "skin/large/even_readings.hpp"
+#include "skin/large/uniform_readings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@ namespace tactile_net {
 namespace {
 
 std::vector<double> readings_of(LargeSkinSystem& system, std::size_t component) {
-  std::vector<double> even(system.tractions());
+  std::vector<double> uniform(system.tractions());
   const std::size_t cells = system.problem.grid.count();
-  std::fill_n(even.begin() + static_cast<std::ptrdiff_t>(component * cells), cells, 1.0);
-  return weighted_product(system, even);
+  std::fill_n(uniform.begin() + static_cast<std::ptrdiff_t>(component * cells), cells, 1.0);
+  return weighted_product(system, uniform);
 }
 
 double least_of_a_taxel(const SkinProblem& problem, const std::vector<double>& readings) {
@@ -31,13 +31,13 @@ double least_of_a_taxel(const SkinProblem& problem, const std::vector<double>& r
 
 }  // namespace
 
-EvenReadings even_readings(LargeSkinSystem& system) {
-  EvenReadings even{.drag = std::numeric_limits<double>::infinity()};
+UniformReadings uniform_readings(LargeSkinSystem& system) {
+  UniformReadings uniform{.drag = std::numeric_limits<double>::infinity()};
   for (const double reading : readings_of(system, 0))
-    even.pressure = std::max(even.pressure, std::abs(reading));
+    uniform.pressure = std::max(uniform.pressure, std::abs(reading));
   for (std::size_t u = 1; u < system.problem.components; ++u)
-    even.drag = std::min(even.drag, least_of_a_taxel(system.problem, readings_of(system, u)));
-  return even;
+    uniform.drag = std::min(uniform.drag, least_of_a_taxel(system.problem, readings_of(system, u)));
+  return uniform;
 }
 
 }  // namespace tactile_net
