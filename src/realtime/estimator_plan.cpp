@@ -94,7 +94,6 @@ void check(const EstimatorPlan& plan) {
   if (skin) check_skin(plan);
   require(skin || (plan.unjudged.empty() && !plan.fill),
           "unjudged taxels and what dead taxels read are of skins alone");
-  if (!skin) check_lines(plan);
   require(!skin || (plan.reconstruction.structure != Structure::fft &&
                     !(plan.prediction && plan.prediction->structure == Structure::fft)),
           "fft is of lines alone");
@@ -120,6 +119,7 @@ void check(const EstimatorPlan& plan) {
   require(plan.reconstruction.rows == plan.tractions() &&
               plan.reconstruction.columns == plan.readings(),
           "the reconstruction is not of tractions x readings");
+  if (!skin) check_lines(plan);
   check(plan.reconstruction);
   if (skin) check_cells_of_grid(plan);
   require(plan.weights.size() == plan.readings() &&

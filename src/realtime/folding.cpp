@@ -58,6 +58,7 @@ Folding<T>::Folding(const GridBlocks& grid) : rows_(grid.rows), columns_(grid.co
   }
   if (grid.partners.empty()) {
     offsets_.assign(reflected_.begin(), reflected_.end());
+    is_line_ = rows_ == 1;
     return;
   }
   for (const std::size_t size : class_sizes(grid)) {

@@ -76,7 +76,7 @@ class Folding {
   }
   [[nodiscard]] bool exchanges() const noexcept { return offsets_.size() == 5; }
   /// Whether sums and differences of rows are all there is to it.
-  [[nodiscard]] bool is_line() const noexcept { return rows_ == 1 && !exchanges(); }
+  [[nodiscard]] bool is_line() const noexcept { return is_line_; }
 
   /// As `class_sizes`; with partners class 2 has a second vector, that of (-, +) exchanged.
   [[nodiscard]] std::size_t classes() const noexcept { return offsets_.size(); }
@@ -98,6 +98,7 @@ class Folding {
 
   std::size_t rows_;
   std::size_t columns_;
+  bool is_line_ = false;
   std::vector<Quarters<std::size_t>> blocks_{};
   std::array<std::size_t, 4> reflected_{};  // where each class of the reflections begins
   std::vector<std::size_t> offsets_{};

@@ -40,6 +40,7 @@ class Writer {
       bytes_.push_back(static_cast<std::byte>(static_cast<std::uint64_t>(value) >> (8 * i)));
   }
   void size(std::size_t value) { integer<std::uint64_t>(value); }
+  void flag(bool value) { integer<std::uint8_t>(value ? 1 : 0); }
   void number(double value) { integer(std::bit_cast<std::uint64_t>(value)); }
   void text(std::string_view value) {
     for (const char letter : value) bytes_.push_back(static_cast<std::byte>(letter));
@@ -111,7 +112,8 @@ constexpr std::uint8_t older_parity_low_rank = 3;
 GridBlocks line_of(std::size_t size, std::vector<std::int8_t> signs) {
   if (signs.empty() || size % signs.size() != 0)
     throw std::runtime_error("the plan's blocks are not of equal length");
-  return line_blocks(size / signs.size(), std::move(signs));
+  const std::size_t length = size / signs.size();  // before they are moved from
+  return line_blocks(length, std::move(signs));
 }
 
 /// Never reads beyond the end, never reserves more than what is left can hold.
@@ -172,7 +174,8 @@ class Reader {
     plan.rows = size();
     plan.columns = size();
     plan.scale = number();
-    std::vector<std::int8_t> row_signs, column_signs;
+    std::vector<std::int8_t> row_signs;
+    std::vector<std::int8_t> column_signs;
     if (older) {
       row_signs = signs();
       column_signs = signs();
@@ -344,13 +347,13 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
   payload.number(plan.accuracy);
   payload.number(plan.error_bound);
   payload.product(plan.reconstruction, version);
-  payload.integer<std::uint8_t>(plan.prediction.has_value());
+  payload.flag(plan.prediction.has_value());
   if (plan.prediction) payload.product(*plan.prediction, version);
   payload.numbers(plan.weights);
   payload.numbers(plan.leverages);
   payload.number(plan.noise_rms);
   payload.number(plan.outlier_limit);
-  payload.integer<std::uint8_t>(plan.friction_coefficient.has_value());
+  payload.flag(plan.friction_coefficient.has_value());
   if (plan.friction_coefficient) payload.number(*plan.friction_coefficient);
   payload.size(plan.ranges.size());
   for (const ReadingRange& range : plan.ranges) {
@@ -369,11 +372,11 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.number(plan.force_deviation);
   }
   if (version >= PlanVersion::taxels) payload.indices(plan.taxels);
-  if (version >= PlanVersion::border) payload.integer<std::uint8_t>(plan.cells.has_value());
+  if (version >= PlanVersion::border) payload.flag(plan.cells.has_value());
   if (plan.cells) {
     payload.cells(*plan.cells);
     payload.indices(plan.unjudged);
-    payload.integer<std::uint8_t>(plan.fill.has_value());
+    payload.flag(plan.fill.has_value());
     if (plan.fill) {
       payload.size(plan.fill->rows);
       payload.numbers(plan.fill->values);
@@ -386,7 +389,7 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
   }
   if (version >= PlanVersion::border) {
     payload.indices(plan.border);
-    payload.integer<std::uint8_t>(plan.known_offsets);
+    payload.flag(plan.known_offsets);
   }
 
   Writer file;

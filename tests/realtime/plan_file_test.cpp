@@ -155,8 +155,9 @@ TEST_CASE("a line's plan of an older version is read as reflections, and answers
     if (version == 3) plan.centre = 0.5;
     if (version == 4) plan.residual_limit = 0.25;
     if (version == 5) plan.ranges.clear();  // else one for each reading
+    const std::size_t of_all = plan.readings();
     if (version == 5)
-      for (std::size_t i = 0; i < plan.readings(); ++i)
+      for (std::size_t i = 0; i < of_all; ++i)
         plan.taxels.push_back(static_cast<std::uint32_t>(i % plan.count));
     if (version == 8) plan.border = {0, 4};
     const std::vector<std::byte> older = older_bytes(plan, version);

@@ -18,9 +18,8 @@ using report::knob_named;
 TEST_CASE("every curve, knob and job that there is comes back from its words, and no two are alike",
           "[tradeoff]") {
   std::vector<WorkCurve> curves = {ideal_circuit(10e-12)};
-  for (const Structure structure :
-       {Structure::dense, Structure::low_rank, Structure::reflections,
-        Structure::reflections_low_rank, Structure::reflections, Structure::reflections_low_rank})
+  for (const Structure structure : {Structure::dense, Structure::low_rank, Structure::reflections,
+                                    Structure::reflections_low_rank})
     for (const Precision precision : {Precision::float64, Precision::float32})
       curves.push_back(product(structure, precision));
   curves.push_back(product(Structure::fft, Precision::float64));
