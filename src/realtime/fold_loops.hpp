@@ -194,10 +194,11 @@ template <int Bytes, class T>
 [[gnu::always_inline]] inline void fold_line(const Folding<T>& to, Difference x, double factor,
                                              T* folded) noexcept {
   const std::size_t n = to.columns();
+  std::size_t first = 0;
   for (const Quarters<std::size_t>& block : to.blocks()) {
-    fold_row<Bytes>(x, n, factor, folded + block.plus_plus, folded + block.plus_minus);
-    x.a += n;
-    x.b += n;
+    fold_row<Bytes>({x.a + first, x.b + first}, n, factor, folded + block.plus_plus,
+                    folded + block.plus_minus);
+    first += n;
   }
 }
 
