@@ -17,6 +17,7 @@
 #include "bench/alpha_contest.hpp"
 #include "bench/measure.hpp"
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
@@ -29,7 +30,7 @@ using namespace tactile_net;
 void cost() {
   const SensorArray array{81, 0.25, {1.5}, {Quantity::stress_x, Quantity::shear_xy}};
   const Material pad{1.0, 0.45};
-  const InverseProblem problem = make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.5});
+  const LinearProblem problem = make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.5});
   const std::vector<Contact> contacts = {RigidContact{.half_width = 2.0, .friction = 0.3}};
   std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
   add_noise(g, 1e-3, 1, 0);

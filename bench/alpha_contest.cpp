@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bench/floors.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
@@ -68,7 +69,7 @@ struct Cases {
   }
   std::vector<Case> all{};
   std::vector<double> rms{};  // of each channel
-  InverseProblem problem{};
+  LinearProblem problem{};
 };
 
 constexpr double depth = 1.5;  // of uneven taxels on average

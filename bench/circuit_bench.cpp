@@ -9,6 +9,7 @@
 
 #include "bench/circuits.hpp"
 #include "bench/measure.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/simulator/child_process.hpp"
 #include "tests/network/networks.hpp"
@@ -237,7 +238,7 @@ void overhead(Floors& floors) {
   const double alpha = 1e-5;
   const std::vector<Contact> contacts = {RigidContact{.half_width = 2.0}};
   const std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
-  const InverseProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
+  const LinearProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
   const std::vector<double> direct = tikhonov_solve(inverse, alpha, g);
   const Circuit circuit = realize(Realization::ideal, network_problem(inverse, alpha, g));
 

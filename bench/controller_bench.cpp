@@ -14,6 +14,7 @@
 #include "bench/native.hpp"
 #include "bench/rivals.hpp"
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/sensing/sampled.hpp"
@@ -35,32 +36,32 @@ void say(const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); 
 /// Where the arrays stand: thesis, 4.3, or with its pitch at 81 taxels whatever their number.
 enum class Spacing { thesis_aperture, fixed_pitch };
 
-InverseProblem problem_of(std::size_t count, std::size_t unknowns, Spacing spacing) {
+LinearProblem problem_of(std::size_t count, std::size_t unknowns, Spacing spacing) {
   const double pitch =
       spacing == Spacing::thesis_aperture ? 10.0 / static_cast<double>(count - 1) : 0.125;
   SensorArray array{.count = count, .pitch = pitch, .depths = {1.5}, .reads = {Quantity::stress_x}};
   if (unknowns == 2) array.reads.push_back(Quantity::shear_xy);
-  ProblemOptions options;
+  LineProblemOptions options;
   options.unknowns = unknowns;
   options.smoothing_length = 1.0;
   return make_problem(array, {.youngs_modulus = 1.0, .poisson_ratio = 0.45}, options);
 }
 
 /// Two contacts, one of them at the edge, and noise of a thousandth.
-std::vector<std::vector<double>> frames_of(const InverseProblem& problem) {
+std::vector<std::vector<double>> frames_of(const LinearProblem& problem) {
   std::mt19937 generator(7);
   std::normal_distribution<double> noise;
   std::vector<std::vector<double>> frames(8, std::vector<double>(problem.kernel.rows));
   for (std::size_t k = 0; k < frames.size(); ++k) {
     std::vector<double> f(problem.kernel.columns);
     for (std::size_t j = 0; j < f.size(); ++j) {
-      const double y = static_cast<double>(j % problem.surface.count) /
-                       static_cast<double>(problem.surface.count);
+      const double y =
+          static_cast<double>(j % problem.grid.count()) / static_cast<double>(problem.grid.count());
       const double middle = (y - 0.3 - 0.02 * static_cast<double>(k)) / 0.1;
       const double edge = (1.0 - y) / 0.1;
       f[j] = (std::sqrt(std::max(0.0, 1.0 - middle * middle)) +
               0.5 * std::sqrt(std::max(0.0, 1.0 - edge * edge))) *
-             (j < problem.surface.count ? 1.0 : 0.3);
+             (j < problem.grid.count() ? 1.0 : 0.3);
     }
     for (std::size_t i = 0; i < problem.kernel.rows; ++i) {
       for (std::size_t j = 0; j < f.size(); ++j) frames[k][i] += problem.kernel(i, j) * f[j];
@@ -99,7 +100,7 @@ class Runner {
 struct Case {
   std::size_t count, unknowns;
   Spacing spacing;
-  InverseProblem problem;
+  LinearProblem problem;
   std::vector<std::vector<double>> frames;
   std::vector<double> right_side;  // of the first frame
   std::optional<bench::Rivals> rivals{};
@@ -333,7 +334,7 @@ void builds(Floors& floors, Case& one) {
 
 /// 5. Whether the planner's choice is the fastest of all that are accurate enough.
 void choices(Floors& floors, std::size_t count, std::size_t unknowns, double accuracy) {
-  const InverseProblem problem = problem_of(count, unknowns, Spacing::thesis_aperture);
+  const LinearProblem problem = problem_of(count, unknowns, Spacing::thesis_aperture);
   const std::vector<std::vector<double>> frames = frames_of(problem);
   PlannerOptions options{.accuracy = accuracy};
   options.diagnostics = false;

@@ -17,6 +17,7 @@
 #include "bench/floors.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
@@ -147,7 +148,7 @@ class Contest {
  private:
   [[nodiscard]] double rms() const { return setting_.noise * peak; }
 
-  [[nodiscard]] InverseProblem made(const SurfaceOptions& surface) const {
+  [[nodiscard]] LinearProblem made(const SurfaceOptions& surface) const {
     return make_problem(
         array_, pad_,
         {.unknowns = setting_.unknowns, .smoothing_length = depth, .surface = surface});
@@ -179,7 +180,7 @@ class Contest {
   Setting setting_;
   SensorArray array_;
   Material pad_, layer_;
-  InverseProblem problem_;
+  LinearProblem problem_;
   std::optional<TikhonovFamily> family_;
   std::optional<AlphaTables> tables_;
   std::optional<DataJudge> judge_;

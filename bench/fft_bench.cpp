@@ -12,6 +12,7 @@
 #include "numeric/real_fft.hpp"
 #include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -27,9 +28,9 @@ constexpr double alpha = 1e-4;
 /// conj(k) / (|k|^2 + alpha (1 + l^2/D^2 4 sin^2)) on a padded circle: the endless array's answer.
 class BareFilter {
  public:
-  BareFilter(const InverseProblem& problem, FftEffort effort)
-      : count_(problem.surface.count),
-        fft_(RealFft::fast_size(2 * problem.surface.count - 1), effort) {
+  BareFilter(const LinearProblem& problem, FftEffort effort)
+      : count_(problem.grid.count()),
+        fft_(RealFft::fast_size(2 * problem.grid.count() - 1), effort) {
     std::vector<double> kernel(2 * count_ - 1);
     for (std::size_t i = 0; i < count_; ++i) {
       kernel[count_ - 1 + i] = problem.kernel(i, 0);
@@ -39,7 +40,7 @@ class BareFilter {
     const auto size = static_cast<double>(fft_.size());
     for (std::size_t i = 0; i < fft_.bins().size(); ++i) {
       const std::complex<double> k = fft_.bins()[i];
-      const double wave = 2.0 * problem.smoothing_length / problem.surface.spacing *
+      const double wave = 2.0 * problem.smoothing_length / problem.grid.spacing_y *
                           std::sin(std::numbers::pi * static_cast<double>(i) / size);
       filter_.push_back(std::conj(k) / (std::norm(k) + alpha * (1.0 + wave * wave)) / size);
     }
@@ -86,7 +87,7 @@ struct Way {
   ContactEstimate estimate{};
 };
 
-void compare(std::size_t n, double accuracy, const InverseProblem& problem,
+void compare(std::size_t n, double accuracy, const LinearProblem& problem,
              const Reconstruction& inverse, std::span<const double> g) {
   PlannerOptions options{.accuracy = accuracy, .diagnostics = false};
   std::vector<Way> ways;
@@ -157,7 +158,7 @@ void compare(std::size_t n, double accuracy, const InverseProblem& problem,
 int main() {
   for (const std::size_t n : {181UL, 256UL, 512UL, 1024UL}) {
     const SensorArray array{n, 0.125, {1.5}, {Quantity::stress_x}};
-    const InverseProblem problem = make_problem(array, pad, {.smoothing_length = 1.0});
+    const LinearProblem problem = make_problem(array, pad, {.smoothing_length = 1.0});
     const Reconstruction inverse = tikhonov(problem, alpha);
     const double end = 0.5 * 0.125 * static_cast<double>(n - 1);
     const std::vector<Contact> contacts = {

@@ -14,12 +14,12 @@ int main() {
   const double alpha = 1e-3;
   const SensorArray array{n, 0.125, {1.5}, {Quantity::stress_x}};
   const Material pad{1.0, 0.45};
-  const ProblemOptions options{.smoothing_length = 1.0};
+  const LineProblemOptions options{.smoothing_length = 1.0};
   const std::vector<Contact> contacts = {RigidContact{.center = -20.0, .half_width = 3.0},
                                          RigidContact{.center = 63.0, .half_width = 2.0}};
   const std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
 
-  const InverseProblem problem = make_problem(array, pad, options);
+  const LinearProblem problem = make_problem(array, pad, options);
   const Matrix normal = normal_matrix(problem, alpha);
   const std::vector<double> right = normal_right_side(problem, g);
   const auto size = static_cast<Eigen::Index>(n);

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/forward.hpp"
-#include "tactile_net/skin/tangential_weight.hpp"
 #include "tests/skin/skins.hpp"
 
 namespace {
@@ -47,9 +47,9 @@ struct Contact {
 };
 
 /// Without noise.
-std::vector<Contact> contacts(const SkinArray& skin, const SkinProblem& problem,
+std::vector<Contact> contacts(const SkinArray& skin, const LinearProblem& problem,
                               std::size_t count) {
-  const SkinGrid fine =
+  const SurfaceGrid fine =
       grid_of(skin, {.spacing = std::min(1e-3, skin.depths.front()) / 4.0, .margin = 4e-3});
   std::mt19937 random(20261123);
   std::vector<Contact> all(count);
@@ -109,7 +109,7 @@ bool compare_rules(std::size_t frames) {
     const SkinArray skin = square_skin(setting.count, setting.depth, setting.reads);
     SkinProblemOptions options;
     options.components = setting.reads.size() == 1 ? 1 : 3;
-    const SkinProblem problem = make_problem(skin, silicone, options);
+    const LinearProblem problem = make_problem(skin, silicone, options);
     const SkinFamily family(problem);
     const AlphaTables tables(family.singular_values(), independent_readings(problem));
     const double largest =
@@ -158,7 +158,7 @@ bool compare_rules(std::size_t frames) {
 
 void compare_shares(std::size_t count) {
   const SkinArray skin = square_skin(count, 2e-3);
-  SkinProblem problem = make_problem(skin, silicone);
+  LinearProblem problem = make_problem(skin, silicone);
   constexpr std::array shares{1.0, 0.5, 1.0 / 3.0, 0.2};
   std::vector<std::vector<double>> ratios(shares.size());
   std::vector<double> gains, steps;
@@ -166,7 +166,8 @@ void compare_shares(std::size_t count) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (const Contact& contact : contacts(skin, problem, 12)) {
     const NoisyReadings noisy = with_noise(contact, 1e-3 * std::pow(50.0, unit(random)), random);
-    problem.tangential_weight = likeliest_tangential_weight(problem, noisy.readings, noisy.rms);
+    problem.tangential_weight =
+        likeliest_tangential_weight<SkinFamily>(problem, noisy.readings, noisy.rms);
     const SkinFamily family(problem);
     const FilterFrame frame = family.analyse(noisy.readings);
     const double alpha = choose_alone(frame, AlphaRule::aicc).alpha;

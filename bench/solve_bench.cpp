@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "bench/measure.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/scene/reader.hpp"
 

@@ -2,6 +2,7 @@
 // Prints the pressure under the indenter and the force in all, beside what really pressed.
 #include <cmath>
 #include <cstdio>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/inverse/reconstruction.hpp>
 #include <tactile_net/sensing/exact.hpp>
 #include <tactile_net/sensing/resultant.hpp>
@@ -16,7 +17,7 @@ int main() {
   const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
 
   // Once: the matrix from tractions to readings, and Tikhonov's method made ready for frames.
-  const InverseProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
+  const LinearProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
   const double alpha = 1e-3;  // how much smoothness counts beside the readings
   const Reconstruction method = tikhonov(problem, alpha);
 

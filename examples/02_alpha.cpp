@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string>
 #include <tactile_net/inverse/alpha.hpp>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/inverse/tikhonov_family.hpp>
 #include <tactile_net/numeric/comparison.hpp>
 #include <tactile_net/sensing/effects/noise.hpp>
@@ -22,7 +23,7 @@ int main() {
   add_noise(readings, noise, /*seed*/ 1, /*channel*/ 0);
 
   // One decomposition serves every alpha and every frame.
-  const InverseProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
+  const LinearProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
   const TikhonovFamily family(problem);
   const FilterFrame frame = family.analyse(readings);
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <span>
 #include <tactile_net/inverse/constrained.hpp>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/inverse/reconstruction.hpp>
 #include <tactile_net/sensing/exact.hpp>
 #include <vector>
@@ -31,7 +32,7 @@ int main() {
       RigidContact{.half_width = 2e-3, .force = 2.0, .friction = 0.3}};
   const std::vector<double> readings = exact_readings(array, silicone, dragged);
 
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(array, silicone, {.unknowns = 2, .smoothing_length = 1.5e-3});
   const double alpha = 1e-3, limit = 0.5;
   const std::vector<double> free = tikhonov_solve(problem, alpha, readings);

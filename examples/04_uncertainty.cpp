@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <tactile_net/inverse/alpha.hpp>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/inverse/tikhonov_family.hpp>
 #include <tactile_net/inverse/uncertainty.hpp>
 #include <tactile_net/sensing/effects/noise.hpp>
@@ -21,7 +22,7 @@ int main() {
   std::vector<double> readings = exact_readings(array, silicone, contacts);
   add_noise(readings, 2.0, /*seed*/ 1, /*channel*/ 0);
 
-  const InverseProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
+  const LinearProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
   const TikhonovFamily family(problem);
   const FilterFrame frame = family.analyse(readings);
   const double alpha = choose_alpha(frame, AlphaRule::rgcv).alpha;

@@ -1,6 +1,7 @@
 // The inverse problem as a circuit: conductances, realised by op-amps, written as a SPICE deck.
 // Prints the deck, whose node voltages are the tractions: `05_deck > x.cir; ngspice -b x.cir`.
 #include <iostream>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/inverse/reconstruction.hpp>
 #include <tactile_net/network/deck.hpp>
 #include <tactile_net/network/flat_circuit.hpp>
@@ -13,7 +14,7 @@ int main() {
   const SensorArray array{
       .count = 5, .pitch = 1e-3, .depths = {1.5e-3}, .reads = {Quantity::stress_x}};
   const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
-  const InverseProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
+  const LinearProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
   const std::vector<double> readings = {20.0, 120.0, 300.0, 120.0, 20.0};  // [Pa]
   const double alpha = 1e-2;
 

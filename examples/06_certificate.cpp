@@ -2,6 +2,7 @@
 // Prints stability, theorem, settling time and margin of three realisations of one problem.
 #include <cstdio>
 #include <string>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/network/certificate.hpp>
 #include <vector>
 
@@ -11,7 +12,7 @@ int main() {
   const SensorArray array{
       .count = 11, .pitch = 1e-3, .depths = {1.5e-3}, .reads = {Quantity::stress_x}};
   const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
-  const InverseProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
+  const LinearProblem problem = make_problem(array, silicone, {.smoothing_length = 1.5e-3});
   const std::vector<double> readings = {0, 0, 0, 20, 120, 300, 120, 20, 0, 0, 0};  // [Pa]
   const NetworkProblem network = network_problem(problem, 1e-2, readings);
 

@@ -2,6 +2,7 @@
 // Prints what was planned and why, and what one frame says of the contact and its friction.
 #include <cstdio>
 #include <tactile_net/control/planner.hpp>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
 #include <tactile_net/sensing/exact.hpp>
 #include <vector>
@@ -14,7 +15,7 @@ int main() {
                           .depths = {1.5e-3},
                           .reads = {Quantity::stress_x, Quantity::shear_xy}};
   const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.45};
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(array, silicone, {.unknowns = 2, .smoothing_length = 1.5e-3});
 
   // Before the loop, everything that allocates, throws or takes long.

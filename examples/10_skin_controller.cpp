@@ -5,6 +5,7 @@
 #include <tactile_net/control/skin_planner.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
 #include <tactile_net/skin/forward.hpp>
+#include <tactile_net/skin/problem.hpp>
 #include <vector>
 
 using namespace tactile_net;
@@ -17,7 +18,7 @@ int main() {
                        .depths = {4e-3},
                        .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}};
   const Material silicone{.youngs_modulus = 0.2e6, .poisson_ratio = 0.48};
-  const SkinProblem problem = make_problem(skin, silicone);
+  const LinearProblem problem = make_problem(skin, silicone);
 
   // Before the loop, everything that allocates, throws or takes long.
   const SkinFamily family(problem);

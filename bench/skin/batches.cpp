@@ -29,7 +29,7 @@ double products_of(const ProductPlan& plan) {
 
 /// 1e4 frames of 16 x 16 x 3: a loop of `update`, `update_batch` on one thread and on all, Eigen's
 /// dense product, and what the products alone would take in registers.
-void measure_batch(Floors& floors, const SkinProblem& problem, const SkinFamily& family,
+void measure_batch(Floors& floors, const LinearProblem& problem, const SkinFamily& family,
                    bool diagnostics) {
   constexpr std::size_t frames = 10000;
   const PlannedEstimator planned =
@@ -92,7 +92,7 @@ void measure_batch(Floors& floors, const SkinProblem& problem, const SkinFamily&
 }  // namespace
 
 void batches(Floors& floors) {
-  const SkinProblem problem = square_problem(16, 3);
+  const LinearProblem problem = square_problem(16, 3);
   const SkinFamily family(problem);
   for (const bool diagnostics : {false, true}) measure_batch(floors, problem, family, diagnostics);
 }

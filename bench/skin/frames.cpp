@@ -34,7 +34,7 @@ struct Case {
   double limit;  // over summing the dense matrix
 };
 
-void measure(Floors& floors, const SkinProblem& problem, const SkinFamily& family,
+void measure(Floors& floors, const LinearProblem& problem, const SkinFamily& family,
              const Case& one) {
   PlannedEstimator planned;
   const double planning = seconds_of([&] {
@@ -99,7 +99,7 @@ void single_frames(Floors& floors, const std::vector<std::string>& skins) {
            cases[i].components == cases[first].components)
       ++i;
     if (!wanted) continue;
-    const SkinProblem problem = square_problem(cases[first].size, cases[first].components);
+    const LinearProblem problem = square_problem(cases[first].size, cases[first].components);
     const SkinFamily family(problem);
     for (std::size_t k = first; k < i; ++k) measure(floors, problem, family, cases[k]);
   }

@@ -101,7 +101,7 @@ std::optional<double> scipys_transforms() {
 
 void measure_products(Floors& floors) {
   const SkinArray skin = skin_of(256, press_and_drag);
-  const SkinGrid grid = grid_of(skin, {.margin = 0.0});
+  const SurfaceGrid grid = grid_of(skin, {.margin = 0.0});
   SpectralSkinModel model(skin, half_space, grid, 3);
   const std::vector<double> tractions(3 * grid.count(), 1.0);
   const Transforms transforms(512);
@@ -123,7 +123,7 @@ void measure_products(Floors& floors) {
 
 /// A patch that presses and drags, and 0.1 % noise.
 std::vector<double> readings_of(LargeSkinTikhonov& solver) {
-  const SkinGrid& grid = solver.problem().grid;
+  const SurfaceGrid& grid = solver.problem().grid;
   std::vector<double> tractions(solver.problem().components * grid.count());
   const auto side = static_cast<double>(grid.rows);
   for (std::size_t i = 0; i < tractions.size(); ++i) {

@@ -52,7 +52,7 @@ void latency(Floors& floors) {
   const Ticks ticks;
   (void)pin_to_one_core();
   for (const auto& [size, components] : {std::pair{16U, 1U}, std::pair{16U, 3U}}) {
-    const SkinProblem problem = square_problem(size, components);
+    const LinearProblem problem = square_problem(size, components);
     const PlannedEstimator planned =
         plan_estimator(problem, SkinFamily(problem), alpha, {.diagnostics = false});
     ContactEstimator estimator(planned.plan);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tactile_net/control/skin_planner.hpp"
+#include "tactile_net/skin/problem.hpp"
 
 namespace bench {
 
@@ -24,7 +25,7 @@ inline double seconds_of(const std::function<void()>& call) {
 }
 
 /// Taxels above the cells' middles, depth two pitches.
-inline SkinProblem square_problem(std::size_t size, std::size_t components) {
+inline LinearProblem square_problem(std::size_t size, std::size_t components) {
   SkinArray skin{.rows = size,
                  .columns = size,
                  .pitch_y = 2e-3,

@@ -67,7 +67,7 @@ std::pair<Array, Array> places_of(const ScenesRelaxation& self) {
   if (const auto* line = std::get_if<Scene>(&self.of_circuit)) {
     y = positions(surface(*line));
   } else {
-    const SkinGrid cells = grid(std::get<SkinScene>(self.of_circuit));
+    const SurfaceGrid cells = grid(std::get<SkinScene>(self.of_circuit));
     for (std::size_t row = 0; row < cells.rows; ++row) y.push_back(cells.y(row));
     for (std::size_t column = 0; column < cells.columns; ++column) z.push_back(cells.z(column));
   }

@@ -46,7 +46,7 @@ SimulatedFrames simulated_frames(const SkinScene& scene, lab::Observer& observer
 }
 
 Matrix plain_kernel(const Scene& scene) {
-  ProblemOptions options = lab::SceneProblem(scene).options();
+  LineProblemOptions options = lab::SceneProblem(scene).options();
   options.dead_taxels.clear();
   options.channel_rms.assign(channel_count(scene.sensor), 1.0);
   return make_problem(scene.sensor, scene.material, options).kernel;

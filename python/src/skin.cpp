@@ -47,7 +47,7 @@ std::vector<std::string> taxel_names(const SharedSkin& self) {
 
 /// y of the cells' rows, z of their columns, and how far apart these are.
 std::tuple<Array, Array, std::pair<double, double>> cell_places(const SharedSkin& self) {
-  const SkinGrid cells = grid(self.scene());
+  const SurfaceGrid cells = grid(self.scene());
   std::vector<double> y;
   std::vector<double> z;
   for (std::size_t row = 0; row < cells.rows; ++row) y.push_back(cells.y(row));

@@ -43,7 +43,7 @@ Array deviations_of(Answers answers, std::size_t width) {
 }
 
 /// 1 for a cell that touches, else 0.
-Array touching_of(Answers answers, const SkinGrid& grid) {
+Array touching_of(Answers answers, const SurfaceGrid& grid) {
   std::vector<double> all(answers.size() * grid.count());
   for (std::size_t i = 0; i < answers.size(); ++i)
     if (answers[i])
@@ -75,7 +75,7 @@ Array ellipses_of(Answers answers) {
 }  // namespace
 
 nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinScene& scene,
-                                                const SkinGrid& grid, std::size_t width) {
+                                                const SurfaceGrid& grid, std::size_t width) {
   nb::typed<nb::dict, nb::str, nb::any> found;
   std::vector<std::string> verdicts;
   std::vector<std::string> data;

@@ -20,7 +20,7 @@ using Answers = std::span<const std::optional<lab::SkinAnswer>>;
 /// Fields by name, a row a frame. @param width  components x cells
 [[nodiscard]] nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers,
                                                               const SkinScene& scene,
-                                                              const SkinGrid& grid,
+                                                              const SurfaceGrid& grid,
                                                               std::size_t width);
 
 /// The names of `report::uncertainty_columns` but the verdict, and their values, a row a frame.

@@ -53,7 +53,7 @@ std::optional<nb::typed<nb::dict, nb::str, nb::any>> network_of(const lab::SkinE
       result.relaxation ? nb::cast(result.relaxation->explained.total()) : nb::none();
   if (result.relaxation) {
     const SkinScene& own = std::get<SkinScene>(result.circuit->scene());
-    const SkinGrid cells = grid(own);
+    const SurfaceGrid cells = grid(own);
     found["shape"] = nb::make_tuple(components(own), cells.rows, cells.columns);
     found["cell_area"] = cells.spacing_y * cells.spacing_z;
     if (const auto disagreement = result.relaxation->disagreement())

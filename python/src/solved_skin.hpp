@@ -36,7 +36,7 @@ class SolvedSkin {
     return answers_;
   }
   [[nodiscard]] const SkinScene& scene() const noexcept;
-  [[nodiscard]] const SkinGrid& grid() const noexcept { return grid_; }
+  [[nodiscard]] const SurfaceGrid& grid() const noexcept { return grid_; }
   /// Of one frame: components x cells.
   [[nodiscard]] std::size_t width() const noexcept { return width_; }
   /// A sentence each: of the frames together, and of the one that presses hardest.
@@ -60,7 +60,7 @@ class SolvedSkin {
   std::vector<double> times_;
   std::vector<double> readings_;  // as they were solved: missing values of a frame are 0
   std::size_t size_;              // of a frame of them
-  SkinGrid grid_{};
+  SurfaceGrid grid_{};
   std::size_t width_ = 0;
   lab::SkinRecordingSolver solver_;
   std::vector<std::optional<lab::SkinAnswer>> answers_{};

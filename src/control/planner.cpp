@@ -17,10 +17,10 @@ namespace {
 
 /// Whether mirroring the array mirrors a channel (+1) or negates it too (-1), as its kernel for
 /// normal traction shows; a tangential traction turns round.
-std::vector<std::int8_t> channel_signs(const InverseProblem& problem) {
+std::vector<std::int8_t> channel_signs(const LinearProblem& problem) {
   const auto kernel = as_eigen(problem.kernel);
-  const auto taxels = static_cast<Eigen::Index>(line_length(problem));
-  const auto values = static_cast<Eigen::Index>(problem.surface.count);
+  const auto taxels = static_cast<Eigen::Index>(channel_length(problem));
+  const auto values = static_cast<Eigen::Index>(problem.grid.count());
   std::vector<std::int8_t> signs;
   for (Eigen::Index row = 0; row < kernel.rows(); row += taxels) {
     const Eigen::MatrixXd block = kernel.block(row, 0, taxels, values);
@@ -45,9 +45,10 @@ bool is_symmetric(const Eigen::MatrixXd& kernel, const GridBlocks& rows,
   return std::sqrt(squares) <= 1e-12 * kernel.norm();
 }
 
-/// The weight of each channel, on all of its readings: dead taxels have rows of zeros anyway.
-Eigen::VectorXd channel_weights(const InverseProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(line_length(problem));
+/// The weight of each channel (`channel_length`), on all of its readings: dead taxels have rows of
+/// zeros anyway.
+Eigen::VectorXd line_weights(const LinearProblem& problem) {
+  const auto n = static_cast<Eigen::Index>(channel_length(problem));
   Eigen::VectorXd weights = as_eigen(std::span(problem.weights));
   for (Eigen::Index row = 0; row < weights.size(); row += n) {
     const double largest = weights.segment(row, n).maxCoeff();
@@ -57,22 +58,22 @@ Eigen::VectorXd channel_weights(const InverseProblem& problem) {
 }
 
 /// A convolution takes a line of values to one of as many.
-bool can_be_convolution(const InverseProblem& problem) {
-  return problem.surface.count == problem.taxels && problem.surface.stride == 1;
+bool can_be_convolution(const LinearProblem& problem) {
+  return problem.grid.count() == problem.taxels && problem.grid.stride_rows == 1;
 }
 
 /// M W^-1: from weighted readings to tractions.
-ProductTask reconstruction_task(const InverseProblem& problem, const Reconstruction& inverse,
+ProductTask reconstruction_task(const LinearProblem& problem, const Reconstruction& inverse,
                                 const PlannerOptions& options) {
   const Eigen::MatrixXd kernel = as_eigen(problem.kernel);  // W K
   ProductTask task;
-  task.column_factors = channel_weights(problem);
+  task.column_factors = line_weights(problem);
   task.matrix =
       as_eigen(inverse.transposed()).transpose() * task.column_factors.cwiseInverse().asDiagonal();
   task.row_factors = Eigen::VectorXd::Ones(task.matrix.rows());
-  task.row_grid = line_blocks(problem.surface.count, {1});
-  if (problem.unknowns == 2) task.row_grid = line_blocks(problem.surface.count, {1, -1});
-  task.column_grid = line_blocks(line_length(problem), channel_signs(problem));
+  task.row_grid = line_blocks(problem.grid.count(), {1});
+  if (problem.components == 2) task.row_grid = line_blocks(problem.grid.count(), {1, -1});
+  task.column_grid = line_blocks(channel_length(problem), channel_signs(problem));
   task.symmetric = is_symmetric(kernel, task.column_grid, task.row_grid);
   task.explained = kernel;
   task.accuracy = options.accuracy;
@@ -102,13 +103,13 @@ ProductTask prediction_task(const ProductTask& reconstruction, const Weighting& 
 }
 
 /// Of the normal force h sum f_v, per unit of noise: the posterior's.
-double force_deviation(const InverseProblem& problem, double alpha) {
+double force_deviation(const LinearProblem& problem, double alpha) {
   std::vector<double> sum(problem.kernel.columns);
-  std::fill_n(sum.begin(), problem.surface.count, problem.surface.spacing);
+  std::fill_n(sum.begin(), problem.grid.count(), problem.grid.spacing_y);
   return TractionCovariance(problem, alpha, alpha).deviation(sum);
 }
 
-std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,
+std::string why_no_fft(const LinearProblem& problem, const ProductTask& task,
                        const PlannedProduct& planned) {
   if (!can_be_convolution(problem))
     return "the surface has values between the taxels or beyond them";
@@ -124,7 +125,7 @@ std::string why_no_fft(const InverseProblem& problem, const ProductTask& task,
 
 }  // namespace
 
-PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
+PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
                                 const PlannerOptions& options) {
   check(options, problem.weights.size());
   if (options.structure == Structure::fft && !can_be_convolution(problem))
@@ -132,7 +133,7 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
         "structure fft needs the tractions at the taxels: surface = \"taxels\"");
 
   ProductTask task = reconstruction_task(problem, tikhonov(problem, alpha), options);
-  if (options.calibration) take_raw(task, *options.calibration, line_length(problem));
+  if (options.calibration) take_raw(task, *options.calibration, channel_length(problem));
   PlannedProduct reconstruction = plan_product(task);
   PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),
                            .asymmetry = reconstruction.asymmetry,
@@ -140,13 +141,13 @@ PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
   EstimatorPlan& plan = planned.plan;
   plan.count = problem.taxels;
   plan.channels = problem.sites.back().channel + 1;
-  if (plan.readings() != problem.sites.size() || line_length(problem) != problem.taxels)
+  if (plan.readings() != problem.sites.size() || channel_length(problem) != problem.taxels)
     for (const Site& site : problem.sites)
       plan.taxels.push_back(static_cast<std::uint32_t>(site.taxel));
-  plan.unknowns = problem.unknowns;
-  plan.values = problem.surface.count;
-  plan.spacing = problem.surface.spacing;
-  plan.centre = problem.surface.centre;
+  plan.unknowns = problem.components;
+  plan.values = problem.grid.count();
+  plan.spacing = problem.grid.spacing_y;
+  plan.centre = problem.grid.centre_y;
   plan.alpha = alpha;
   plan.reconstruction = std::move(reconstruction.plan);
   plan.weights = problem.weights;

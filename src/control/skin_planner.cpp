@@ -20,8 +20,8 @@ using Eigen::Index;
 int sign(bool is_negative) { return is_negative ? -1 : 1; }
 
 /// Channels of a regular skin as grids; of no size for an irregular one.
-GridBlocks reading_grid(const SkinProblem& problem) {
-  const SkinGrid& grid = problem.grid;
+GridBlocks reading_grid(const LinearProblem& problem) {
+  const SurfaceGrid& grid = problem.grid;
   if (grid.stride_rows == 0 || grid.stride_columns == 0) return {};
   GridBlocks blocks;
   blocks.rows = (grid.rows - 1 - 2 * grid.margin_rows) / grid.stride_rows + 1;
@@ -50,7 +50,7 @@ GridBlocks reading_grid(const SkinProblem& problem) {
   return blocks;
 }
 
-GridBlocks traction_grid(const SkinProblem& problem) {
+GridBlocks traction_grid(const LinearProblem& problem) {
   GridBlocks blocks{.rows = problem.grid.rows, .columns = problem.grid.columns};
   for (std::size_t u = 0; u < problem.components; ++u) {
     blocks.signs_y.push_back(u == 1 ? -1 : 1);
@@ -63,7 +63,7 @@ GridBlocks traction_grid(const SkinProblem& problem) {
 }
 
 /// The weight of each channel, on all of its readings.
-Eigen::VectorXd channel_weights(const SkinProblem& problem) {
+Eigen::VectorXd channel_weights(const LinearProblem& problem) {
   Eigen::VectorXd weights = as_eigen(std::span(problem.weights));
   std::vector<double> largest;
   for (const bool fill : {false, true})
@@ -92,7 +92,7 @@ struct Whole {
   Eigen::MatrixXd fill;            // weighted readings of all, from those of the live ones
 };
 
-Whole whole_of(const SkinProblem& problem, const SkinProblem& whole, double alpha,
+Whole whole_of(const LinearProblem& problem, const LinearProblem& whole, double alpha,
                const Eigen::MatrixXd& without, const Eigen::VectorXd& weights) {
   Whole result;
   result.kernel = as_eigen(whole.kernel);
@@ -131,7 +131,7 @@ void take_fill(EstimatorPlan& plan, const Eigen::MatrixXd& fill, const Eigen::Ve
 }
 
 /// Taxels that have none of their twelve nearest beyond them in some direction.
-std::vector<std::uint32_t> edge_taxels(const SkinProblem& problem) {
+std::vector<std::uint32_t> edge_taxels(const LinearProblem& problem) {
   struct Place {
     double y = 0.0, z = 0.0;
   };
@@ -161,14 +161,14 @@ std::vector<std::uint32_t> edge_taxels(const SkinProblem& problem) {
   return edge;
 }
 
-double least_depth(const SkinProblem& problem) {
+double least_depth(const LinearProblem& problem) {
   double depth = problem.sites.front().depth;
   for (const Site& site : problem.sites) depth = std::min(depth, site.depth);
   return depth;
 }
 
-PlanCells cells_of(const SkinProblem& problem) {
-  const SkinGrid& grid = problem.grid;
+PlanCells cells_of(const LinearProblem& problem) {
+  const SurfaceGrid& grid = problem.grid;
   const double depth = least_depth(problem);
   const auto rim = [&](double spacing) {
     return static_cast<std::size_t>(std::lround(std::min(0.5 * depth / spacing, 1e6)));
@@ -184,7 +184,7 @@ PlanCells cells_of(const SkinProblem& problem) {
 }
 
 /// What noise does to the tractions, for frames to be judged by.
-void take_noise(EstimatorPlan& plan, const SkinProblem& problem, const SkinFamily& family,
+void take_noise(EstimatorPlan& plan, const LinearProblem& problem, const SkinFamily& family,
                 double alpha, const PlannerOptions& options) {
   const SkinCovariance covariance(family, alpha, alpha);
   PlanCells& cells = *plan.cells;
@@ -205,11 +205,12 @@ void take_noise(EstimatorPlan& plan, const SkinProblem& problem, const SkinFamil
 }
 
 /// Fewer than are missing among the independent ones where offsets are unknown: these take some.
-std::size_t dead_readings(const SkinProblem& problem) {
+std::size_t dead_readings(const LinearProblem& problem) {
   return static_cast<std::size_t>(std::count(problem.weights.begin(), problem.weights.end(), 0.0));
 }
 
-void check_sizes(const SkinProblem& problem, const SkinFamily& family, const SkinProblem* whole) {
+void check_sizes(const LinearProblem& problem, const SkinFamily& family,
+                 const LinearProblem* whole) {
   if (family.factors() == nullptr ||
       family.analyse(std::vector<double>(problem.weights.size())).rows !=
           independent_readings(problem))
@@ -231,8 +232,9 @@ double planning_bytes(std::size_t readings, std::size_t tractions) noexcept {
   return 8.0 * (10.0 * m * n + 7.0 * m * m);
 }
 
-PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& family, double alpha,
-                                const PlannerOptions& options, const SkinProblem* whole) {
+PlannedEstimator plan_estimator(const LinearProblem& problem, const SkinFamily& family,
+                                double alpha, const PlannerOptions& options,
+                                const LinearProblem* whole) {
   check(options, problem.weights.size());
   check_sizes(problem, family, whole);
   if (options.structure == Structure::fft)

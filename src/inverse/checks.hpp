@@ -13,7 +13,7 @@
 
 #include "numeric/finite.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
@@ -83,15 +83,6 @@ inline void check_weights(std::span<const double> weights, std::size_t tractions
     throw std::invalid_argument(
         "a sum of tractions needs one weight per traction: " + std::to_string(tractions) +
         ", not " + std::to_string(weights.size()));
-}
-
-/// A kernel of zeros. @throw std::invalid_argument  it has more than `most_kernel_entries`
-[[nodiscard]] inline Matrix make_kernel(std::size_t rows, std::size_t columns) {
-  if (columns > most_kernel_entries / rows)
-    throw std::invalid_argument(std::to_string(rows) + " readings and " + std::to_string(columns) +
-                                " unknown tractions are more than a dense solver takes: choose a "
-                                "wider spacing");
-  return {rows, columns, std::vector<double>(rows * columns)};
 }
 
 }  // namespace tactile_net

@@ -11,25 +11,26 @@
 namespace tactile_net {
 namespace {
 
-void check(const InverseProblem& problem, const Constraints& constraints) {
+void check(const LinearProblem& problem, const Constraints& constraints) {
+  require_line(problem);
   if (!constraints.friction_limit) return;
   if (!(*constraints.friction_limit > 0.0) || !std::isfinite(*constraints.friction_limit))
     throw std::invalid_argument("friction_limit must be > 0 and finite");
-  if (problem.unknowns != 2)
+  if (problem.components != 2)
     throw std::invalid_argument("a friction limit needs the tangential traction as an unknown");
 }
 
 }  // namespace
 
-Matrix edges(const InverseProblem& problem, const Constraints& constraints) {
+Matrix edges(const LinearProblem& problem, const Constraints& constraints) {
   check(problem, constraints);
-  const std::size_t n = problem.unknowns * problem.surface.count;
+  const std::size_t n = problem.components * problem.grid.count();
   Matrix map{n, n, std::vector<double>(n * n)};
   for (std::size_t i = 0; i < n; ++i) map(i, i) = 1.0;
   if (!constraints.friction_limit) return map;
   const double limit = *constraints.friction_limit;
-  for (std::size_t i = 0; i < problem.surface.count; ++i) {
-    const std::size_t t = i + problem.surface.count;
+  for (std::size_t i = 0; i < problem.grid.count(); ++i) {
+    const std::size_t t = i + problem.grid.count();
     map(i, t) = 1.0;
     map(t, i) = limit;
     map(t, t) = -limit;
@@ -38,7 +39,7 @@ Matrix edges(const InverseProblem& problem, const Constraints& constraints) {
 }
 
 struct ConstrainedTikhonov::System {
-  explicit System(const InverseProblem& problem) : weighting(problem) {}
+  explicit System(const LinearProblem& problem) : weighting(problem) {}
 
   Weighting weighting;
   Eigen::MatrixXd edges;
@@ -48,7 +49,7 @@ struct ConstrainedTikhonov::System {
   std::vector<bool> bounded;
 };
 
-ConstrainedTikhonov::ConstrainedTikhonov(const InverseProblem& problem, double alpha,
+ConstrainedTikhonov::ConstrainedTikhonov(const LinearProblem& problem, double alpha,
                                          const Constraints& constraints)
     : system_(std::make_unique<System>(problem)) {
   check_alpha(alpha);
@@ -66,7 +67,7 @@ ConstrainedTikhonov::ConstrainedTikhonov(const InverseProblem& problem, double a
   s.bounded.assign(static_cast<std::size_t>(n), true);
   if (!constraints.friction_limit)
     for (std::size_t i = 0; i < s.bounded.size(); ++i)
-      s.bounded[i] = constraints.nonnegative && i < problem.surface.count;
+      s.bounded[i] = constraints.nonnegative && i < problem.grid.count();
 }
 
 ConstrainedTikhonov::~ConstrainedTikhonov() = default;

@@ -41,11 +41,11 @@ struct Fit {
 }  // namespace
 
 struct DataJudge::Parts {
-  Parts(const InverseProblem& problem, const InverseProblem& contacts, DataLimits given);
+  Parts(const LinearProblem& problem, const LinearProblem& contacts, DataLimits given);
 
   enum class Side { middle, first_end, last_end };
 
-  [[nodiscard]] std::vector<Side> sides(const Surface& surface) const;
+  [[nodiscard]] std::vector<Side> sides(const SurfaceGrid& grid) const;
   [[nodiscard]] Fit fit(const Eigen::MatrixXd& of, const Eigen::VectorXd& y, double enough = 0.0,
                         const Freedom& freedom = {}) const;
   [[nodiscard]] Fit with_constants(const Eigen::MatrixXd& of, const Eigen::VectorXd& y,
@@ -93,14 +93,14 @@ struct DataJudge::Parts {
   Freedom free_constants{};             // one in each of them
 };
 
-DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& contacts,
+DataJudge::Parts::Parts(const LinearProblem& problem, const LinearProblem& contacts,
                         DataLimits given)
     : limits(std::move(given)),
       unit(limits.noise_rms.value_or(1.0)),
       sites(problem.sites),
       taxels(problem.taxels),
-      values(problem.surface.count),
-      components(static_cast<std::ptrdiff_t>(problem.unknowns)),
+      values(problem.grid.count()),
+      components(static_cast<std::ptrdiff_t>(problem.components)),
       weighting(problem),
       weights(weighting.weights()),
       kernel(as_eigen(problem.kernel)),
@@ -108,7 +108,7 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
       liars(rows),
       constant_gain(std::numeric_limits<double>::infinity()) {
   check_limits(limits, problem.weights.size());
-  if (!(contacts.weights == problem.weights && contacts.unknowns == problem.unknowns &&
+  if (!(contacts.weights == problem.weights && contacts.components == problem.components &&
         contacts.unknown_offsets == problem.unknown_offsets))
     throw std::invalid_argument("contacts need the rows and unknowns of the problem");
 
@@ -121,15 +121,16 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
     return all;
   };
   Constraints press{.nonnegative = true};
-  if (problem.unknowns == 2) press.friction_limit = limits.friction_limit.value_or(usual_friction);
+  if (problem.components == 2)
+    press.friction_limit = limits.friction_limit.value_or(usual_friction);
   cone = columns(press);
-  if (problem.unknowns == 2 && limits.friction_limit) {
+  if (problem.components == 2 && limits.friction_limit) {
     press.friction_limit = widest_friction(limits.friction_limit);
     wide = columns(press);
   }
-  places = sides(contacts.surface);
-  found_places = sides(problem.surface);
-  const Eigen::MatrixXd all = channel_constants(problem);
+  places = sides(contacts.grid);
+  found_places = sides(problem.grid);
+  const Eigen::MatrixXd all = channel_constants(problem.weights, problem.sites);
   for (Eigen::Index c = 0; c < all.cols() && !problem.unknown_offsets; ++c)
     if (all.col(c).squaredNorm() > 0.0) channels.push_back(static_cast<std::size_t>(c));
   free_constants.columns = all(Eigen::indexing::all, channels);
@@ -138,10 +139,10 @@ DataJudge::Parts::Parts(const InverseProblem& problem, const InverseProblem& con
     constant_gain = chi_squared_quantile(static_cast<double>(channels.size()), 0.1 * false_alarms);
 }
 
-std::vector<DataJudge::Parts::Side> DataJudge::Parts::sides(const Surface& surface) const {
-  std::vector<Side> all(surface.count, Side::middle);
-  for (std::size_t i = 0; i < surface.count && limits.inner; ++i) {
-    const double y = surface.position(i);
+std::vector<DataJudge::Parts::Side> DataJudge::Parts::sides(const SurfaceGrid& grid) const {
+  std::vector<Side> all(grid.rows, Side::middle);
+  for (std::size_t i = 0; i < grid.rows && limits.inner; ++i) {
+    const double y = grid.y(i);
     if (y < limits.inner->first) all[i] = Side::first_end;
     if (y > limits.inner->second) all[i] = Side::last_end;
   }
@@ -425,10 +426,9 @@ void DataJudge::Parts::explain(const Eigen::VectorXd& y, std::span<const double>
   verdict.doubts.push_back(found <= most ? DataDoubt::pulls : DataDoubt::misfit);
 }
 
-DataJudge::DataJudge(const InverseProblem& problem, DataLimits limits)
+DataJudge::DataJudge(const LinearProblem& problem, DataLimits limits)
     : DataJudge(problem, problem, std::move(limits)) {}
-DataJudge::DataJudge(const InverseProblem& problem, const InverseProblem& contacts,
-                     DataLimits limits)
+DataJudge::DataJudge(const LinearProblem& problem, const LinearProblem& contacts, DataLimits limits)
     : parts_(std::make_unique<const Parts>(problem, contacts, std::move(limits))) {}
 DataJudge::~DataJudge() = default;
 DataJudge::DataJudge(DataJudge&&) noexcept = default;

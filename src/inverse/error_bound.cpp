@@ -7,8 +7,8 @@
 #include <string>
 
 #include "inverse/checks.hpp"
+#include "inverse/line_stabiliser.hpp"
 #include "inverse/rounding.hpp"
-#include "inverse/stabiliser.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -32,7 +32,7 @@ void require_full_rank(double condition, std::size_t rows) {
                             brief(limit, 6) + "; raise alpha");
 }
 
-double forward_bound(const InverseProblem& problem, double alpha, std::span<const double> readings,
+double forward_bound(const LinearProblem& problem, double alpha, std::span<const double> readings,
                      std::span<const double> tractions, double condition) {
   check_size(readings, problem.weights.size());
   check_tractions(tractions, problem.kernel.columns);
@@ -49,10 +49,10 @@ double forward_bound(const InverseProblem& problem, double alpha, std::span<cons
 
   // |A|_2 lies between the root of the mean and the root of the sum of its squared entries; from
   // below the bound stays one. |A|_2 >= the norm of the stabiliser, and >= |K x| for any unit x.
-  const double ratio = problem.smoothing_length / problem.surface.spacing;
+  const double ratio = problem.smoothing_length / problem.grid.spacing_y;
   const double heavier = std::max(1.0, stabiliser_weight(problem, kernel.cols() - 1));
   const double stabiliser =
-      heavier * std::sqrt(alpha * problem.surface.area * (1.0 + 2.0 * ratio * ratio));
+      heavier * std::sqrt(alpha * problem.measure * (1.0 + 2.0 * ratio * ratio));
   Eigen::VectorXd x = Eigen::VectorXd::Constant(kernel.cols(), 1.0);
   x /= x.norm();
   double response = 0.0;

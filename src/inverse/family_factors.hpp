@@ -15,7 +15,7 @@ namespace tactile_net {
 
 struct TikhonovFamily::Factors {
   /// @param condition  of L, at most
-  Factors(const InverseProblem& problem, StandardForm standard, double condition);
+  Factors(const LinearProblem& problem, StandardForm standard, double condition);
 
   /// The transform of readings to frequencies, which the rule ncp alone asks for.
   struct Spectra {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "inverse/checks.hpp"
-#include "inverse/stabiliser.hpp"
+#include "inverse/line_stabiliser.hpp"
 #include "numeric/conjugate_gradients.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
@@ -158,6 +158,7 @@ struct FftTikhonov::Plan {
   RealFft padded;  // for Toeplitz blocks: nothing that wraps around is read
   RealFft circle;  // for the preconditioner
   double alpha = 0.0;
+  double measure = 1.0;   // h / D
   double size = 0.0;      // sqrt(alpha h / D)
   double slope = 0.0;     // that times l / h
   double end_size = 0.0;  // of both together
@@ -182,7 +183,7 @@ FftTikhonov::FftTikhonov(FftTikhonov&&) noexcept = default;
 FftTikhonov& FftTikhonov::operator=(FftTikhonov&&) noexcept = default;
 
 FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
-                         const ProblemOptions& options, double alpha) {
+                         const LineProblemOptions& options, double alpha) {
   check(array, material, options);
   require_even(array, "conjugate gradients by FFT");
   require_known_offsets(options.unknown_offsets, "conjugate gradients by FFT");
@@ -191,6 +192,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
   const std::vector<Channel> all = channels(array);
   plan_ = std::make_unique<Plan>(surface, array.count, all.size(), options.unknowns);
   Plan& plan = *plan_;
+  plan.measure = measure_of(array, surface);
   plan.ratio = options.smoothing_length / surface.spacing;
   plan.tangential_weight = options.tangential_weight;
 
@@ -204,7 +206,7 @@ FftTikhonov::FftTikhonov(const SensorArray& array, const Material& material,
 
   // The circular stand-in: the Toeplitz blocks' lags, those beyond half the surface wrapped
   // (Strang), as if there were a taxel at every value and each counted for a part.
-  const double thinned = std::sqrt(surface.area);
+  const double thinned = std::sqrt(plan.measure);
   const std::size_t bins = plan.circle.bins().size();
   const auto u_count = static_cast<Eigen::Index>(plan.unknowns);
   std::vector<Eigen::MatrixXcd> a(
@@ -239,7 +241,7 @@ void FftTikhonov::use_alpha(double alpha) {
   check_alpha(alpha);
   Plan& plan = *plan_;
   plan.alpha = alpha;
-  plan.size = std::sqrt(alpha * plan.surface.area);
+  plan.size = std::sqrt(alpha * plan.measure);
   plan.slope = plan.size * plan.ratio;
   plan.end_size = std::hypot(plan.size, plan.slope);
   const std::size_t bins = plan.circle.bins().size();
@@ -247,7 +249,7 @@ void FftTikhonov::use_alpha(double alpha) {
     const double wave =
         2.0 * plan.ratio *
         std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(plan.count));
-    const double shift = alpha * plan.surface.area * (1.0 + wave * wave);
+    const double shift = alpha * plan.measure * (1.0 + wave * wave);
     const Plan::Gram& gram = plan.grams[k];
     if (plan.unknowns == 1) {
       plan.inverse[k] = 1.0 / (gram.first + shift);
@@ -293,7 +295,7 @@ FrameStatus FftTikhonov::solve(std::span<const double> readings, std::span<doubl
   // about as large (Hestenes and Stiefel 1952, 6). P >= alpha h / D, times the lighter traction's
   // weight squared, turns it into the 2-norm.
   const double lighter = std::min(1.0, stabiliser_weight(p.unknowns - 1, p.tangential_weight));
-  const double least = p.alpha * p.surface.area * lighter * lighter;
+  const double least = p.alpha * p.measure * lighter * lighter;
   std::array<double, 4> gains{};
   Convergence& c = p.convergence;
   c.converged = false;

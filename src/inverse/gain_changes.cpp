@@ -179,7 +179,7 @@ double squared_distance(const Fitted& fitted, Eigen::Index j, double variance, d
 
 }  // namespace
 
-GainChanges gain_changes(const InverseProblem& contacts, double friction_limit,
+GainChanges gain_changes(const LinearProblem& contacts, double friction_limit,
                          const GainFrames& given) {
   const std::size_t n = given.noise.size();
   const auto fits = [n](const std::vector<double>& one) { return one.size() == n; };

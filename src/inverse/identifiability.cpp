@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "inverse/line_stabiliser.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
@@ -42,11 +43,13 @@ Eigen::MatrixXd half_waves(Eigen::Index n) {
 /// Describes modes of one problem by their waves.
 class Describer {
  public:
-  explicit Describer(const InverseProblem& problem)
+  explicit Describer(const LinearProblem& problem)
       : problem_(problem),
-        count_(static_cast<Eigen::Index>(problem.surface.count)),
-        unknowns_(static_cast<Eigen::Index>(problem.unknowns)),
-        waves_(half_waves(count_)) {}
+        count_(static_cast<Eigen::Index>(problem.grid.count())),
+        unknowns_(static_cast<Eigen::Index>(problem.components)),
+        waves_(half_waves(count_)) {
+    require_line(problem);
+  }
 
   [[nodiscard]] TractionMode describe(const Eigen::VectorXd& mode) const;
 
@@ -71,11 +74,11 @@ class Describer {
   }
   [[nodiscard]] double wavelength(Eigen::Index m) const {
     return m == 0 ? infinity
-                  : 2.0 * static_cast<double>(count_) * problem_.surface.spacing /
+                  : 2.0 * static_cast<double>(count_) * problem_.grid.spacing_y /
                         static_cast<double>(m);
   }
 
-  const InverseProblem& problem_;
+  const LinearProblem& problem_;
   Eigen::Index count_;
   Eigen::Index unknowns_;
   Eigen::MatrixXd waves_;
@@ -161,13 +164,13 @@ Eigen::MatrixXd tall(const Matrix& kernel) {
 }
 
 /// Where W K's singular values end to count.
-double floor_of(const InverseProblem& problem, double largest) {
+double floor_of(const LinearProblem& problem, double largest) {
   const auto size = static_cast<double>(std::max(problem.kernel.rows, problem.kernel.columns));
   return std::max(size * epsilon * largest, problem.kernel_error);
 }
 
 /// Whether some tractions show in no reading: by singular values alone, a third of the work.
-bool hides(const InverseProblem& problem) {
+bool hides(const LinearProblem& problem) {
   if (problem.kernel.rows < problem.kernel.columns) return true;
   const Eigen::VectorXd s = singular_values(as_eigen(problem.kernel));
   return !(s(s.size() - 1) > floor_of(problem, s(0)));
@@ -175,7 +178,7 @@ bool hides(const InverseProblem& problem) {
 
 /// W K = U S V', and where its singular values end to count.
 struct Decomposition {
-  explicit Decomposition(const InverseProblem& problem)
+  explicit Decomposition(const LinearProblem& problem)
       : svd(singular_value_decomposition(tall(problem.kernel))),
         floor(floor_of(problem, svd.values(0))),
         rank((svd.values.array() > floor).count()) {}
@@ -190,7 +193,7 @@ struct Decomposition {
 
 }  // namespace
 
-Identifiability identifiability(const InverseProblem& problem) {
+Identifiability identifiability(const LinearProblem& problem) {
   const Decomposition decomposition(problem);
   const Svd& svd = decomposition.svd;
   const Eigen::VectorXd& s = svd.values;
@@ -212,19 +215,19 @@ Identifiability identifiability(const InverseProblem& problem) {
   return result;
 }
 
-ModeSpace hidden_modes(const InverseProblem& problem) {
+ModeSpace hidden_modes(const LinearProblem& problem) {
   if (!hides(problem)) return {};
   const Decomposition decomposition(problem);
   return Describer(problem).describe_space(decomposition.null_basis(), 1);
 }
 
-ModeSpace hidden_modes(const InverseProblem& problem, const TikhonovFamily& family) {
+ModeSpace hidden_modes(const LinearProblem& problem, const TikhonovFamily& family) {
   // K = U diag(gamma) V' R, and of each traction R's singular values lie between sqrt(h/D) and that
   // times the condition of L, times the traction's weight.
   const std::span<const double> gamma = family.singular_values();
-  const double size = std::sqrt(problem.surface.area);
-  const double ratio = problem.smoothing_length / problem.surface.spacing;
-  const double weight = problem.unknowns == 2 ? problem.tangential_weight : 1.0;
+  const double size = std::sqrt(problem.measure);
+  const double ratio = problem.smoothing_length / problem.grid.spacing_y;
+  const double weight = problem.components == 2 ? problem.tangential_weight : 1.0;
   const double least = size * std::min(1.0, weight);
   const double most = size * std::max(1.0, weight) * std::sqrt(1.0 + 5.0 * ratio * ratio);
   if (problem.kernel.rows >= problem.kernel.columns &&

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "inverse/checks.hpp"
-#include "inverse/stabiliser.hpp"
+#include "inverse/line_stabiliser.hpp"
 #include "inverse/standard_form.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/require.hpp"
@@ -32,18 +32,18 @@ struct Range {
 };
 
 /// Level after level, each of one width.
-std::vector<std::vector<Range>> ranges(const Surface& surface, double narrowest) {
-  const auto n = static_cast<Index>(surface.count);
-  const double whole = static_cast<double>(n + 1) * surface.spacing;
-  const double to_array = static_cast<double>(surface.margin);
+std::vector<std::vector<Range>> ranges(const SurfaceGrid& grid, double narrowest) {
+  const auto n = static_cast<Index>(grid.rows);
+  const double whole = static_cast<double>(n + 1) * grid.spacing_y;
+  const double to_array = static_cast<double>(grid.margin_rows);
   const double last = static_cast<double>(n - 1);
   std::vector<std::vector<Range>> levels;
   for (double width = narrowest; width < whole && levels.size() < most_widths;
        width *= std::sqrt(2.0)) {
     // Hats fall to 0 one spacing beyond the outermost values: they are one less than spacings.
-    const Index count = std::clamp<Index>(std::lround(width / surface.spacing) - 1, 1, n);
+    const Index count = std::clamp<Index>(std::lround(width / grid.spacing_y) - 1, 1, n);
     if (count == n) break;
-    const double step = std::max(0.25 * width / surface.spacing, 1.0);
+    const double step = std::max(0.25 * width / grid.spacing_y, 1.0);
     Index places = static_cast<Index>(std::ceil(static_cast<double>(n - count) / step)) + 1;
     // No window lies in the very middle where the values left over are odd: two are beside it.
     if (places % 2 == 1 && (n - count) % 2 == 1) ++places;
@@ -73,15 +73,15 @@ struct LoadWindows::Windows {
     Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
   };
 
-  Windows(const InverseProblem& problem, double narrowest) : weighting(problem) {
+  Windows(const LinearProblem& problem, double narrowest) : weighting(problem) {
     const Eigen::MatrixXd k = as_eigen(problem.kernel);
     const Eigen::MatrixXd l = stabiliser(problem);
-    const auto block = static_cast<Index>(problem.surface.count);
-    const auto levels = ranges(problem.surface, narrowest);
+    const auto block = static_cast<Index>(problem.grid.count());
+    const auto levels = ranges(problem.grid, narrowest);
     for (auto level = levels.rbegin(); level != levels.rend(); ++level)  // the whole surface first
       for (const Range& range : *level) {
         Window window;
-        for (std::size_t unknown = 0; unknown < problem.unknowns; ++unknown)
+        for (std::size_t unknown = 0; unknown < problem.components; ++unknown)
           for (Index i = 0; i < range.count; ++i)
             window.columns.push_back(static_cast<Index>(unknown) * block + range.first + i);
         fill(window, k, l, -std::log(static_cast<double>(level->size())));
@@ -121,7 +121,7 @@ struct LoadWindows::Windows {
   std::vector<Window> all;  // the whole surface first
 };
 
-LoadWindows::LoadWindows(const InverseProblem& problem, double narrowest) {
+LoadWindows::LoadWindows(const LinearProblem& problem, double narrowest) {
   require_positive("narrowest", narrowest);
   windows_ = std::make_unique<const Windows>(problem, narrowest);
 }

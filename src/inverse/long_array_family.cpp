@@ -28,17 +28,17 @@ struct Alike {
 }  // namespace
 
 struct LongArrayFamily::Parts {
-  Parts(const SensorArray& array, const Material& material, const ProblemOptions& options)
+  Parts(const SensorArray& array, const Material& material, const LineProblemOptions& options)
       : sections(sections_of(array, options)), taxels(array.count), unknowns(options.unknowns) {
     check(array, material, options);
     require_known_offsets(options.unknown_offsets, "sections of an array");
     surface = surface_of(array, options.surface);
     SensorArray piece = array;
     piece.count = sections.length;
-    ProblemOptions all_alive = options;
+    LineProblemOptions all_alive = options;
     all_alive.dead_taxels.clear();
-    const InverseProblem alive = make_problem(piece, material, all_alive);
-    values = alive.surface.count;
+    const LinearProblem alive = make_problem(piece, material, all_alive);
+    values = alive.grid.count();
     channels = alive.weights.size() / sections.length;
     for (std::size_t c = 0; c < channels; ++c)
       weights.insert(weights.end(), taxels, alive.weights[c * sections.length]);
@@ -59,7 +59,7 @@ struct LongArrayFamily::Parts {
     rows = channels * (taxels - dead.size());
     if (rows == 0) throw std::invalid_argument("every taxel is dead: nothing is measured");
     for (const auto& [pattern, of] : patterns) {
-      InverseProblem problem = alive;
+      LinearProblem problem = alive;
       leave_out(problem, pattern);
       add(TikhonovFamily(problem), of);
     }
@@ -110,7 +110,7 @@ struct LongArrayFamily::Parts {
 };
 
 LongArrayFamily::LongArrayFamily(const SensorArray& array, const Material& material,
-                                 const ProblemOptions& options)
+                                 const LineProblemOptions& options)
     : parts_(std::make_shared<const Parts>(array, material, options)) {}
 
 std::size_t LongArrayFamily::sections() const noexcept { return parts_->sections.starts.size(); }

@@ -55,7 +55,7 @@ struct Row {
 /// The rows of a wave's problem. For a regular array one for each channel; for an irregular one a
 /// row for each reading, weighted as a `count`-th of a taxel: what a wave gives to all of them on
 /// average.
-std::vector<Row> rows_of(const SensorArray& array, const ProblemOptions& options) {
+std::vector<Row> rows_of(const SensorArray& array, const LineProblemOptions& options) {
   const auto weight = [&](std::size_t channel) {
     return options.channel_rms.empty() ? 1.0 : 1.0 / options.channel_rms[channel];
   };
@@ -74,7 +74,8 @@ std::vector<Row> rows_of(const SensorArray& array, const ProblemOptions& options
 }
 
 std::vector<Complex> columns_of(const SensorArray& array, const Material& material,
-                                const ProblemOptions& options, double wavenumber, bool on_grid) {
+                                const LineProblemOptions& options, double wavenumber,
+                                bool on_grid) {
   const std::vector<Row> rows = rows_of(array, options);
   std::vector<Complex> columns;  // one after the other
   const bool constant = options.unknown_offsets && wavenumber == 0.0;
@@ -94,7 +95,7 @@ std::vector<Complex> columns_of(const SensorArray& array, const Material& materi
 }  // namespace
 
 std::vector<Complex> transfer_matrix(const SensorArray& array, const Material& material,
-                                     const ProblemOptions& options, double wavenumber) {
+                                     const LineProblemOptions& options, double wavenumber) {
   check(array, material, options);
   const std::vector<Complex> columns = columns_of(array, material, options, wavenumber, false);
   const std::size_t rows = columns.size() / options.unknowns;
@@ -105,7 +106,7 @@ std::vector<Complex> transfer_matrix(const SensorArray& array, const Material& m
 }
 
 std::vector<Resolution> resolutions(const SensorArray& array, const Material& material,
-                                    const ProblemOptions& options) {
+                                    const LineProblemOptions& options) {
   check(array, material, options);
   const std::size_t n = array.count;
   const auto length = static_cast<double>(n) * array.pitch;

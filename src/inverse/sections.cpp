@@ -31,7 +31,7 @@ double Sections::risen(std::size_t s, double place) const noexcept {
   return std::pow(std::sin(0.5 * std::numbers::pi * way), 2);
 }
 
-Sections sections_of(const SensorArray& array, const ProblemOptions& options) {
+Sections sections_of(const SensorArray& array, const LineProblemOptions& options) {
   check(array);
   require_even(array, "a division into sections");
   const double depth = *std::max_element(array.depths.begin(), array.depths.end());

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -23,6 +23,6 @@ struct Sections {
 };
 
 /// As many as an array's length asks for: one of an array that is hardly longer than a section.
-[[nodiscard]] Sections sections_of(const SensorArray& array, const ProblemOptions& options);
+[[nodiscard]] Sections sections_of(const SensorArray& array, const LineProblemOptions& options);
 
 }  // namespace tactile_net

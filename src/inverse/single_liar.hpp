@@ -10,13 +10,16 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <vector>
+
+#include "tactile_net/sensing/site.hpp"
 
 namespace tactile_net {
 
 /// The taxels with the largest residuals, largest first.
 /// @param sites  of each row
-[[nodiscard]] std::vector<std::size_t> suspects(const auto& residual, const auto& sites,
+[[nodiscard]] std::vector<std::size_t> suspects(const auto& residual, std::span<const Site> sites,
                                                 std::size_t taxels) {
   constexpr std::size_t most = 4;
   std::vector<double> squares(taxels);
@@ -89,9 +92,9 @@ class SingleLiar {
 ///                   none was found
 /// @param rest_left  of that smoothing and a taxel the same of the rest, 0 at the taxel
 [[nodiscard]] std::optional<std::size_t> sought_liar(const SingleLiar& liars, const auto& seen,
-                                                     const auto& sites, std::size_t all_taxels,
-                                                     const auto& rows_of, const auto& all_left,
-                                                     const auto& rest_left) {
+                                                     std::span<const Site> sites,
+                                                     std::size_t all_taxels, const auto& rows_of,
+                                                     const auto& all_left, const auto& rest_left) {
   const double least_chance = taxel_gain(1.0, all_taxels);  // of as few readings as there are
   std::vector<std::size_t> taxels;
   std::optional<std::size_t> liar;

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <utility>
 
-#include "inverse/stabiliser.hpp"
+#include "inverse/line_stabiliser.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
 
 /// [W K; sqrt(alpha) L].
-[[nodiscard]] inline Eigen::MatrixXd stacked(const InverseProblem& problem, double alpha) {
+[[nodiscard]] inline Eigen::MatrixXd stacked(const LinearProblem& problem, double alpha) {
   const auto kernel = as_eigen(problem.kernel);
   Eigen::MatrixXd a(kernel.rows() + 2 * kernel.cols(), kernel.cols());
   a.topRows(kernel.rows()) = kernel;
@@ -64,7 +64,7 @@ class StackedQr {
 
 /// M P W: a pseudo-inverse of weighted rows, applied to readings as they are.
 [[nodiscard]] inline Matrix unweighted(const Eigen::MatrixXd& inverse,
-                                       const InverseProblem& problem) {
+                                       const LinearProblem& problem) {
   return from_eigen(Weighting(problem).applied(inverse));
 }
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "inverse/stabiliser.hpp"
+#include "inverse/line_stabiliser.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 
@@ -20,13 +20,13 @@ struct StandardForm {
     v = std::move(svd.v);
     gamma = std::move(svd.values);
   }
-  explicit StandardForm(const InverseProblem& problem)
+  explicit StandardForm(const LinearProblem& problem)
       : StandardForm(as_eigen(problem.kernel), stabiliser_triangle(problem)) {}
 
   /// Of the variables z that constraints leave free, f = E z (constrained.hpp).
   ///
   /// @param free_edges  the columns of E that they are
-  StandardForm(const InverseProblem& problem, const Eigen::MatrixXd& free_edges)
+  StandardForm(const LinearProblem& problem, const Eigen::MatrixXd& free_edges)
       : StandardForm(as_eigen(problem.kernel) * free_edges,
                      HouseholderQr(stabiliser(problem) * free_edges).triangle()) {
     edges = free_edges;

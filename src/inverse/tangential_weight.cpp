@@ -1,8 +1,11 @@
 #include "tactile_net/inverse/tangential_weight.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <stdexcept>
+#include <vector>
 
 #include "inverse/alpha_criteria.hpp"
 
@@ -32,6 +35,26 @@ double negative_log_evidence(const FilterFrame& frame, const AlphaTables& tables
   const double size = noise_rms ? fit * (frame.scale / *noise_rms) * (frame.scale / *noise_rms)
                                 : static_cast<double>(parts.rows) * std::log(fit);
   return 0.5 * (size - log_determinant);
+}
+
+double likeliest_tangential_weight(
+    const std::function<double(double weight)>& negative_log_posterior) {
+  std::vector<double> weights(tangential_weights.begin(), tangential_weights.end());
+  std::sort(weights.begin(), weights.end());
+  const auto last = std::ssize(weights) - 1;
+  const auto one = std::find(weights.begin(), weights.end(), 1.0) - weights.begin();
+  std::map<std::ptrdiff_t, double> known;
+  const auto value = [&](std::ptrdiff_t at) {
+    const auto [entry, is_new] = known.try_emplace(at);
+    if (is_new) entry->second = negative_log_posterior(weights[static_cast<std::size_t>(at)]);
+    return entry->second;
+  };
+
+  std::ptrdiff_t best = one;
+  for (const std::ptrdiff_t step : {2, 1})
+    for (const std::ptrdiff_t way : {step, -step})
+      while (best + way >= 0 && best + way <= last && value(best + way) < value(best)) best += way;
+  return weights[static_cast<std::size_t>(best)];
 }
 
 }  // namespace tactile_net

@@ -34,14 +34,14 @@ Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
 }
 
 /// Of L, at most: of one traction's, times the heavier one's weight over the lighter one's.
-double stabiliser_condition(const InverseProblem& problem) {
+double stabiliser_condition(const LinearProblem& problem) {
   const double last = stabiliser_weight(problem, as_eigen(problem.kernel).cols() - 1);
-  return std::hypot(1.0, 2.0 * problem.smoothing_length / problem.surface.spacing) *
+  return std::hypot(1.0, 2.0 * problem.smoothing_length / problem.grid.spacing_y) *
          std::max(last, 1.0 / last);
 }
 
 /// Of the columns of `edges` that are free.
-StandardForm face(const InverseProblem& problem, const Constraints& constraints,
+StandardForm face(const LinearProblem& problem, const Constraints& constraints,
                   std::span<const std::size_t> free) {
   if (free.empty()) throw std::invalid_argument("every traction is held at zero: no family of any");
   const Matrix all = edges(problem, constraints);
@@ -101,9 +101,9 @@ class DensePeriodogram final : public ResidualPeriodogram {
 
 }  // namespace
 
-TikhonovFamily::Factors::Factors(const InverseProblem& problem, StandardForm standard,
+TikhonovFamily::Factors::Factors(const LinearProblem& problem, StandardForm standard,
                                  double condition)
-    : line(line_length(problem)),
+    : line(channel_length(problem)),
       weighting(problem),
       stabiliser_condition(condition),
       form(std::move(standard)),
@@ -119,11 +119,11 @@ const TikhonovFamily::Factors::Spectra& TikhonovFamily::Factors::spectra() const
   return spectra_;
 }
 
-TikhonovFamily::TikhonovFamily(const InverseProblem& problem)
+TikhonovFamily::TikhonovFamily(const LinearProblem& problem)
     : factors_(std::make_shared<const Factors>(problem, StandardForm(problem),
                                                stabiliser_condition(problem))) {}
 
-TikhonovFamily::TikhonovFamily(const InverseProblem& problem, const Constraints& constraints,
+TikhonovFamily::TikhonovFamily(const LinearProblem& problem, const Constraints& constraints,
                                std::span<const std::size_t> free) {
   StandardForm form = face(problem, constraints, free);
   const Eigen::VectorXd sizes = tactile_net::singular_values(form.triangle);

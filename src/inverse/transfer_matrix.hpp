@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 
 namespace tactile_net {
 
@@ -18,7 +18,7 @@ namespace tactile_net {
 /// @throw std::invalid_argument  as `make_problem`
 [[nodiscard]] std::vector<std::complex<double>> transfer_matrix(const SensorArray& array,
                                                                 const Material& material,
-                                                                const ProblemOptions& options,
+                                                                const LineProblemOptions& options,
                                                                 double wavenumber);
 
 }  // namespace tactile_net

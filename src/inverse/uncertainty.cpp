@@ -7,8 +7,8 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/family_factors.hpp"
+#include "inverse/line_stabiliser.hpp"
 #include "inverse/significance.hpp"
-#include "inverse/stabiliser.hpp"
 #include "inverse/weighting.hpp"
 #include "realtime/line_contacts.hpp"
 #include "tactile_net/sensing/resultant.hpp"
@@ -72,11 +72,11 @@ TractionCovariance::TractionCovariance(const TikhonovFamily& family, double alph
                                        double prior_alpha)
     : factor_(std::make_unique<const Factor>(family.factors().form, alpha, prior_alpha)) {}
 
-TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha,
+TractionCovariance::TractionCovariance(const LinearProblem& problem, double alpha,
                                        double prior_alpha)
     : factor_(std::make_unique<const Factor>(StandardForm(problem), alpha, prior_alpha)) {}
 
-TractionCovariance::TractionCovariance(const InverseProblem& problem, double alpha,
+TractionCovariance::TractionCovariance(const LinearProblem& problem, double alpha,
                                        double prior_alpha, const Constraints& constraints,
                                        std::span<const std::size_t> free) {
   check_alpha(alpha);
@@ -132,19 +132,25 @@ double TractionCovariance::covariance(std::span<const double> a, std::span<const
 
 double TractionCovariance::degrees_of_freedom() const noexcept { return factor_->degrees; }
 
-NoiseEstimate estimate_noise(const InverseProblem& problem, std::span<const double> readings,
+double residual_norm(const LinearProblem& problem, std::span<const double> readings,
+                     std::span<const double> tractions) {
+  const std::vector<double> rows = weighted(problem, readings);
+  check_tractions(tractions, problem.kernel.columns);
+  const auto g = as_eigen(std::span(rows));
+  // Squares of what has been divided by its size are numbers in any unit.
+  const Eigen::VectorXd left = as_eigen(problem.kernel) * as_eigen(tractions) - g;
+  const double scale = left.cwiseAbs().maxCoeff();
+  return scale > 0.0 && std::isfinite(scale) ? (left / scale).norm() * scale : scale;
+}
+
+NoiseEstimate estimate_noise(const LinearProblem& problem, std::span<const double> readings,
                              std::span<const double> tractions, double degrees_of_freedom,
                              std::optional<double> stated_rms) {
-  check_size(readings, problem.weights.size());
-  check_tractions(tractions, problem.kernel.columns);
-  const Weighting weighting(problem);
-  const Eigen::VectorXd g = weighting(readings);
-  const double scale = std::max(g.cwiseAbs().maxCoeff(), 0.0);
-  if (scale == 0.0) return {.stated_rms = stated_rms};
-  const Eigen::VectorXd residual =
-      as_eigen(problem.kernel) * (as_eigen(tractions) / scale) - g / scale;
-  return estimate_noise(residual.norm() * scale, static_cast<std::size_t>(weighting.rows()),
-                        degrees_of_freedom, stated_rms);
+  const double left = residual_norm(problem, readings, tractions);
+  // Of a frame without any reading nothing is known.
+  const std::vector<double> rows = weighted(problem, readings);
+  if (as_eigen(std::span(rows)).cwiseAbs().maxCoeff() == 0.0) return {.stated_rms = stated_rms};
+  return estimate_noise(left, independent_readings(problem), degrees_of_freedom, stated_rms);
 }
 
 NoiseEstimate estimate_noise(double residual, std::size_t rows, double degrees_of_freedom,
@@ -161,9 +167,9 @@ NoiseEstimate estimate_noise(double residual, std::size_t rows, double degrees_o
   return noise;
 }
 
-UncertainResultant resultant_of(const InverseProblem& problem, std::span<const double> tractions,
+UncertainResultant resultant_of(const LinearProblem& problem, std::span<const double> tractions,
                                 const Covariance& covariance, double noise_rms) {
-  return resultant_of(problem.surface, tractions, covariance, noise_rms);
+  return resultant_of(surface_of(problem.grid), tractions, covariance, noise_rms);
 }
 
 namespace {

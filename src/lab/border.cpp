@@ -20,8 +20,8 @@ std::size_t nearest_place(double at, double first, double spacing, std::size_t c
 /// The cells above dead taxels that no live one sees, and those that touch them.
 std::vector<std::size_t> holes(const SkinSceneProblem& problem, const std::vector<bool>& unseen,
                                double sight) {
-  const SkinGrid& grid = problem.grid();
-  const SkinProblem& solved = problem.layout();
+  const SurfaceGrid& grid = problem.grid();
+  const LinearProblem& solved = problem.layout();
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < solved.sites.size(); ++i) {
     if (solved.weights[i] != 0.0) continue;
@@ -66,8 +66,8 @@ std::vector<std::size_t> border_values(const SceneProblem& problem) {
 std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,
                                       const std::vector<bool>& unseen) {
   const SkinArray& skin = problem.scene().sensor;
-  const SkinGrid& grid = problem.grid();
-  const SkinProblem& solved = problem.layout();
+  const SurfaceGrid& grid = problem.grid();
+  const LinearProblem& solved = problem.layout();
   const double sight = sight_of(skin);
   const double reach = sight + 1.01 * std::max(grid.spacing_y, grid.spacing_z);
   // Across a single row of taxels every contact reaches beyond them.

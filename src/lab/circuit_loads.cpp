@@ -17,7 +17,7 @@ double length_along_y(const Scene& scene) {
 }
 
 double length_along_y(const SkinScene& scene) {
-  const SkinGrid on = grid(scene);
+  const SurfaceGrid on = grid(scene);
   return on.spacing_y * static_cast<double>(on.rows);
 }
 

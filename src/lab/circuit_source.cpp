@@ -39,7 +39,7 @@ class LineSource final : public CircuitSource {
 
   const AnyScene& scene() const noexcept override { return scene_; }
   NetworkProblem problem(double alpha) const override {
-    return tactile_net::network_problem(frame_.problem().problem(), alpha, frame_.readings());
+    return network_problem(frame_.problem().problem(), alpha, frame_.readings());
   }
   std::vector<double> direct(double alpha) const override {
     return tikhonov_solve(frame_.problem().problem(), alpha, frame_.readings());
@@ -84,7 +84,7 @@ class SkinSource final : public CircuitSource {
 
   const AnyScene& scene() const noexcept override { return scene_; }
   NetworkProblem problem(double alpha) const override {
-    return network_problem(problem_.problem(), alpha, readings_);
+    return skin_network_problem(problem_.problem(), alpha, readings_);
   }
   std::vector<double> direct(double alpha) const override {
     const SkinFamily& family = problem_.family();

@@ -30,7 +30,7 @@ DataJudge data_judge(const SceneProblem& problem) {
   const Scene& scene = problem.scene();
   const Surface& own = problem.surface();
   const double depth = least_depth(scene.sensor);
-  ProblemOptions options = problem.options();
+  LineProblemOptions options = problem.options();
   options.surface = {.basis = SurfaceBasis::hats, .spacing = std::min(0.25 * depth, own.spacing)};
   const Surface finer = surface_of(scene.sensor, options.surface);
   const bool is_own = own.basis == finer.basis && own.count == finer.count;

@@ -81,7 +81,8 @@ SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t tax
   SensorChoice choice{.reads = array.reads, .depths = depths_of(array)};
   const std::vector<Channel> all = channels(array);
   choice.unknowns = all.size() > 1 && scene.reconstruct.tangential.value_or(true) ? 2 : 1;
-  ProblemOptions options{.unknowns = choice.unknowns, .unknown_offsets = scene.reconstruct.offset};
+  LineProblemOptions options{.unknowns = choice.unknowns,
+                             .unknown_offsets = scene.reconstruct.offset};
   for (const Channel& channel : all)
     options.channel_rms.push_back(assumed_rms(scene, noise, channel, traction, response_of(scene)));
   choice.resolutions = resolutions(array, scene.material, options);

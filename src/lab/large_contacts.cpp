@@ -24,7 +24,7 @@ struct Box {
   }
 };
 
-Box box_of(const SkinGrid& grid, std::span<const std::size_t> cells) {
+Box box_of(const SurfaceGrid& grid, std::span<const std::size_t> cells) {
   Box box{grid.rows, 0, grid.columns, 0};
   for (const std::size_t cell : cells) {
     box.first_row = std::min(box.first_row, cell / grid.columns);
@@ -36,7 +36,7 @@ Box box_of(const SkinGrid& grid, std::span<const std::size_t> cells) {
 }
 
 /// Those whose boxes are within reach of each other are one.
-std::vector<std::vector<std::size_t>> joined(const SkinGrid& grid,
+std::vector<std::vector<std::size_t>> joined(const SurfaceGrid& grid,
                                              std::vector<std::vector<std::size_t>> groups,
                                              double reach) {
   const auto rows = static_cast<std::size_t>(std::ceil(reach / grid.spacing_y));
@@ -67,14 +67,14 @@ std::vector<double> at_cells(std::span<const double> all, std::span<const std::s
   return some;
 }
 
-bool measures_anything(const SkinProblem& problem) {
+bool measures_anything(const LinearProblem& problem) {
   return std::any_of(problem.weights.begin(), problem.weights.end(),
                      [](double weight) { return weight > 0.0; });
 }
 
 }  // namespace
 
-LargeContacts::LargeContacts(const SkinProblem& whole,
+LargeContacts::LargeContacts(const LinearProblem& whole,
                              const std::vector<std::vector<std::size_t>>& contacts, double reach,
                              const Cut& cut)
     : cells_(whole.grid.count()) {

@@ -26,7 +26,7 @@ class LargeContacts {
 
   /// @param contacts  cells of the whole that lie apart
   /// @param reach     of a part beyond its cells [m]
-  LargeContacts(const SkinProblem& whole, const std::vector<std::vector<std::size_t>>& contacts,
+  LargeContacts(const LinearProblem& whole, const std::vector<std::vector<std::size_t>>& contacts,
                 double reach, const Cut& cut);
 
   /// Of sums over these contacts, constraints taken for certain; refers to this object.

@@ -17,7 +17,7 @@ namespace {
 void check_large_memory(const SkinArray& skin, const SkinProblemOptions& options, bool constrained,
                         double available) {
   constexpr double gigabyte = 1e9;
-  const SkinGrid grid = grid_of(skin, options.grid);
+  const SurfaceGrid grid = grid_of(skin, options.grid);
   const double bytes = large_skin_bytes({.cells = grid.count(),
                                          .components = options.components,
                                          .channels = channel_count(skin),

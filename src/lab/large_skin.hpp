@@ -33,7 +33,7 @@ class LargeSkin {
   LargeSkin(LargeSkin& whole, const std::vector<std::size_t>& dead);
 
   /// Without its kernel.
-  [[nodiscard]] const SkinProblem& problem() const noexcept { return problem_of(*system_); }
+  [[nodiscard]] const LinearProblem& problem() const noexcept { return problem_of(*system_); }
   [[nodiscard]] const LargeSkinFamily& family();
   /// tr H of the tractions that the face leaves free, by one probe of random signs: of a large
   /// skin's many readings one is enough.

@@ -75,7 +75,7 @@ class ContactSearch {
     return left_by(readings, found.tractions);
   }
   static double square_of(LargeSkinSystem& system) {
-    const SkinProblem& problem = problem_of(system);
+    const LinearProblem& problem = problem_of(system);
     std::vector<double> even(problem.components * problem.grid.count());
     std::fill_n(even.begin(), problem.grid.count(), 1.0);
     double largest = 0.0;
@@ -95,7 +95,7 @@ double norm(const std::vector<double>& left) { return std::sqrt(SingleLiar::squa
 
 /// Whether readings away from a taxel are explained about as noise allows. A broken taxel bends the
 /// contact beside it and nowhere else: where they are not, no contact without it explains the rest.
-bool is_explained_elsewhere(const SkinProblem& problem, const SkinArray& skin, std::size_t taxel,
+bool is_explained_elsewhere(const LinearProblem& problem, const SkinArray& skin, std::size_t taxel,
                             const std::vector<double>& left) {
   constexpr std::size_t reach = 6;  // taxels
   constexpr double slack = 2.0;     // of a norm: a search ends early

@@ -70,7 +70,7 @@ std::optional<FrameResult> IncompleteFrames::solve(std::span<double> readings,
   const std::vector<Site>& sites = problem_.problem().sites;
   const std::vector<std::size_t> dead =
       dead_with_missing(problem_.scene().dead_taxels, sites, readings);
-  ProblemOptions options = problem_.options();
+  LineProblemOptions options = problem_.options();
   options.dead_taxels = dead;
   if (!is_measured(problem_.scene().sensor, options)) return std::nullopt;
   for (std::size_t i = 0; i < readings.size(); ++i)

@@ -219,7 +219,7 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
 remark::Clipped clipped_in(const SceneProblem& problem, std::span<const double> readings) {
   const Scene& scene = problem.scene();
   const ClippedTaxels found = clipped_taxels(scene, sites(scene.sensor), readings);
-  ProblemOptions rest = problem.options();
+  LineProblemOptions rest = problem.options();
   rest.dead_taxels.insert(rest.dead_taxels.end(), found.taxels.begin(), found.taxels.end());
   return {.taxels = found.taxels,
           .names = taxel_names(scene.sensor, found.taxels),

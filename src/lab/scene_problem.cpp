@@ -31,14 +31,14 @@ constexpr double narrowest_of_coarse = 1.0;
 /// Tractions over taxels up to which windows of them take less than a second.
 constexpr std::size_t most_of_windows = 384;
 
-ProblemOptions options_of(const Scene& scene) {
-  ProblemOptions options{.unknowns = unknowns(scene),
-                         .smoothing_length = scene.reconstruct.smoothing_length,
-                         .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
-                         .channel_rms = {},
-                         .dead_taxels = scene.dead_taxels,
-                         .surface = scene.reconstruct.surface,
-                         .unknown_offsets = scene.reconstruct.offset};
+LineProblemOptions options_of(const Scene& scene) {
+  LineProblemOptions options{.unknowns = unknowns(scene),
+                             .smoothing_length = scene.reconstruct.smoothing_length,
+                             .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
+                             .channel_rms = {},
+                             .dead_taxels = scene.dead_taxels,
+                             .surface = scene.reconstruct.surface,
+                             .unknown_offsets = scene.reconstruct.offset};
   if (scene.noise && scene.noise->weights_rows)
     for (const Channel& channel : channels(scene.sensor))
       options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
@@ -58,10 +58,10 @@ struct SceneProblem::Parts {
         constraints(stated_constraints(scene.reconstruct)) {}
 
   Scene scene;
-  ProblemOptions options;
+  LineProblemOptions options;
   std::optional<Constraints> constraints;
   std::optional<Surface> surface;
-  std::optional<InverseProblem> problem;
+  std::optional<LinearProblem> problem;
   std::optional<std::pair<double, Reconstruction>> tikhonov;  // of its alpha
   std::optional<TikhonovFamily> family;
   std::optional<LongArrayFamily> sections;
@@ -81,7 +81,7 @@ SceneProblem::SceneProblem(Scene scene) : parts_(std::make_shared<Parts>(std::mo
 
 const Scene& SceneProblem::scene() const noexcept { return parts_->scene; }
 
-const ProblemOptions& SceneProblem::options() const noexcept { return parts_->options; }
+const LineProblemOptions& SceneProblem::options() const noexcept { return parts_->options; }
 
 std::size_t SceneProblem::readings() const { return reading_count(parts_->scene.sensor); }
 
@@ -104,7 +104,7 @@ const std::optional<Constraints>& SceneProblem::constraints() const noexcept {
   return parts_->constraints;
 }
 
-const InverseProblem& SceneProblem::problem() const {
+const LinearProblem& SceneProblem::problem() const {
   if (!parts_->problem)
     parts_->problem = make_problem(parts_->scene.sensor, parts_->scene.material, parts_->options);
   return *parts_->problem;
@@ -196,7 +196,7 @@ const std::vector<std::size_t>& SceneProblem::border() const {
 double SceneProblem::residual(std::span<const double> readings,
                               std::span<const double> tractions) const {
   if (is_large()) return products().residual(readings, tractions);
-  const InverseProblem& problem = this->problem();
+  const LinearProblem& problem = this->problem();
   const std::vector<double> explained = weighted(problem, readings);
   double size = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i) {
@@ -213,7 +213,7 @@ const ModeSpace& SceneProblem::hidden() const {
   if (surface().basis == SurfaceBasis::taxels) {
     parts_->hidden = hidden_modes(problem(), family());
   } else {
-    ProblemOptions options = parts_->options;
+    LineProblemOptions options = parts_->options;
     options.surface = one_value_per_taxel(scene().sensor);
     parts_->hidden = hidden_modes(make_problem(scene().sensor, scene().material, options));
   }

@@ -30,7 +30,7 @@ SkinGridOptions cells_for(const SkinArray& sensor) {
 SkinPadModel::SkinPadModel(SkinScene scene)
     : scene_(std::move(scene)), sites_(sites(scene_.sensor)) {
   // Rows of equal weight: the readings themselves.
-  const SkinProblem problem =
+  const LinearProblem problem =
       make_problem(scene_.sensor, scene_.material,
                    {.components = skin_tractions.size(),
                     .channel_rms = std::vector<double>(channel_count(scene_.sensor), 1.0),

@@ -96,7 +96,7 @@ void take_from_beyond(SkinAnswer& answer, SkinAnswer beyond) {
 bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> readings,
                        double noise) {
   constexpr double deviations = 4.0;  // of the largest of many honest readings
-  const SkinProblem& solved = problem.layout();
+  const LinearProblem& solved = problem.layout();
   const std::vector<double> seen = weighted(solved, readings);
   std::size_t strongest = 0;
   double most = 0.0;
@@ -107,7 +107,7 @@ bool strongest_at_edge(const SkinSceneProblem& problem, std::span<const double> 
     }
   if (!(most > deviations * noise)) return false;
   const Site& site = solved.sites[strongest];
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   const double reach =
       std::max(grid.spacing_y, grid.spacing_z) + least_depth(problem.scene().sensor);
   for (std::size_t cell = 0; cell < grid.count(); ++cell)
@@ -214,7 +214,7 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
 
 }  // namespace
 
-std::span<const double> component(std::span<const double> values, const SkinGrid& grid,
+std::span<const double> component(std::span<const double> values, const SurfaceGrid& grid,
                                   Traction which) {
   const std::size_t first = static_cast<std::size_t>(which) * grid.count();
   return first < values.size() ? values.subspan(first, grid.count()) : std::span<const double>{};

@@ -14,9 +14,9 @@
 #include "lab/skin_constraint_bias.hpp"
 #include "numeric/robust.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/inverse/stabiliser.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/skin/covariance.hpp"
-#include "tactile_net/skin/stabiliser.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -45,7 +45,7 @@ bool is_felt(const Uncertain& force) {
 /// that may only be pushed no further.
 WindowBands windows_of(const SkinSceneProblem& problem, const CellCovariance& covariance,
                        double rms) {
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   WindowBands bands{.window = window_of(grid, least_depth(problem.scene().sensor))};
   bands.deviations = covariance.window_deviations(grid, bands.window);
   for (double& deviation : bands.deviations) deviation *= rms;
@@ -143,7 +143,7 @@ double moved_by_constraints(const Uncertain& held, const Uncertain& free) {
 
 /// A face on which the cells beside those that press may press too: which of them do nobody knows
 /// better than by a cell.
-ActiveFace with_cells_beside(ActiveFace face, const SkinGrid& grid) {
+ActiveFace with_cells_beside(ActiveFace face, const SurfaceGrid& grid) {
   std::vector<bool> presses(grid.count());
   for (const ActiveFace::Direction& one : face.free)
     if (one.along[0] != 0.0) presses[one.cell] = true;
@@ -172,7 +172,7 @@ void doubt_force(SkinAnswer& answer, double doubt) {
 /// What stands out of the map beside the contact's cells, and these leave out: a contact that is
 /// weak for the strongest one. It may be there, or not: every sum's deviation holds it. Where
 /// several stand out they are there, or not, one by one.
-void doubt_what_is_left_out(UncertainWrench& wrench, const SkinGrid& grid,
+void doubt_what_is_left_out(UncertainWrench& wrench, const SurfaceGrid& grid,
                             std::span<const double> tractions, std::span<const std::size_t> cells,
                             const std::vector<bool>& unseen) {
   constexpr double quiet_share = 0.9;  // of the cells beside the contact
@@ -220,7 +220,7 @@ void doubt_what_is_left_out(UncertainWrench& wrench, const SkinGrid& grid,
 /// and what drags presses. It is no more than what they leave of all pressure.
 ///
 /// @param free  without constraints
-double pressed_where_it_drags(const UncertainWrench& wrench, const SkinGrid& grid,
+double pressed_where_it_drags(const UncertainWrench& wrench, const SurfaceGrid& grid,
                               std::span<const double> tractions, std::span<const std::size_t> cells,
                               const std::vector<bool>& unseen, const Covariance& free, double rms) {
   constexpr double drag_deviations = 1.0;   // that make it likely to be no noise
@@ -255,8 +255,9 @@ double pressed_where_it_drags(const UncertainWrench& wrench, const SkinGrid& gri
 /// Where constraints leave a single row or column of cells, its place is what they have decided,
 /// not what the readings tell: the deviations are those of the cells beside it too, without
 /// constraints, and of a place anywhere in the width of a cell.
-void widen_centre(UncertainWrench& wrench, const SkinGrid& grid, std::span<const double> tractions,
-                  std::span<const std::size_t> cells, const Covariance& free, double rms) {
+void widen_centre(UncertainWrench& wrench, const SurfaceGrid& grid,
+                  std::span<const double> tractions, std::span<const std::size_t> cells,
+                  const Covariance& free, double rms) {
   if (!wrench.centre_y || !wrench.centre_z) return;
   std::vector<std::size_t> pressed;
   for (const std::size_t cell : cells)
@@ -286,7 +287,7 @@ double pitch_in_depths(const SkinArray& skin) {
 void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
                const FilterFrame& frame, const std::optional<SkinFamily>& face,
                std::span<const double> readings) {
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   const double alpha = answer.alpha.value;
   // An error of the model counts for noise.
   const double rms = answer.noise.model_rms > 0.0 ? answer.noise.residual_rms : answer.noise.rms();

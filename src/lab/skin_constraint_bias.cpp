@@ -28,7 +28,8 @@ double pressed(std::span<const double> tractions, std::span<const std::size_t> c
 }
 
 /// Of a contact alone, what every taxel would read, weighted.
-std::vector<double> weighted_readings(const SkinProblem& problem, std::span<const double> tractions,
+std::vector<double> weighted_readings(const LinearProblem& problem,
+                                      std::span<const double> tractions,
                                       std::span<const std::size_t> cells) {
   std::vector<double> readings(problem.kernel.rows);
   const std::size_t count = problem.grid.count();

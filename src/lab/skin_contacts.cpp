@@ -105,7 +105,7 @@ struct Raster {
 };
 
 /// The cells that a rectangle touches, without a shape.
-Raster cells_between(const SkinGrid& grid, PlanePoint low, PlanePoint high) {
+Raster cells_between(const SurfaceGrid& grid, PlanePoint low, PlanePoint high) {
   const auto cells = [](double first, double spacing, double from, double to) {
     const double begin = std::floor((from - first) / spacing + 0.5);
     const double end = std::floor((to - first) / spacing + 0.5);
@@ -125,7 +125,7 @@ Raster cells_between(const SkinGrid& grid, PlanePoint low, PlanePoint high) {
           .spacing_z = grid.spacing_z};
 }
 
-Raster raster_of(const std::vector<PlanePoint>& hull, const SkinGrid& grid) {
+Raster raster_of(const std::vector<PlanePoint>& hull, const SurfaceGrid& grid) {
   PlanePoint low = hull.front();
   PlanePoint high = low;
   for (const PlanePoint& point : hull) {
@@ -143,7 +143,7 @@ Raster raster_of(const std::vector<PlanePoint>& hull, const SkinGrid& grid) {
 }
 
 /// Hertz' pressure on a circle, over its peak: at four by four places of a cell.
-Raster hertz_raster(PlanePoint centre, double radius, const SkinGrid& grid) {
+Raster hertz_raster(PlanePoint centre, double radius, const SurfaceGrid& grid) {
   Raster raster = cells_between(grid, {centre.y - radius, centre.z - radius},
                                 {centre.y + radius, centre.z + radius});
   for (std::size_t i = 0; i < raster.rows * raster.columns; ++i) {
@@ -161,7 +161,7 @@ Raster hertz_raster(PlanePoint centre, double radius, const SkinGrid& grid) {
 }
 
 /// A point load on three by three cells, by quadratic B-splines: force and centre are its own.
-Raster point_raster(PlanePoint at, const SkinGrid& grid) {
+Raster point_raster(PlanePoint at, const SurfaceGrid& grid) {
   Raster raster = cells_between(grid, at, at);
   const auto shares = [](double off) {
     return Three{0.5 * (0.5 - off) * (0.5 - off), 0.75 - off * off,
@@ -248,7 +248,7 @@ SampledPatch patch_on(const Raster& raster, std::vector<double> pressure, const 
 }
 
 /// Of a shape where it can bear the force, else as a point load.
-SampledPatch patch_of(const Raster& raster, const SkinTouch& touch, const SkinGrid& grid) {
+SampledPatch patch_of(const Raster& raster, const SkinTouch& touch, const SurfaceGrid& grid) {
   if (auto pressure = linear_pressure(raster, touch.normal, touch.centre()))
     return patch_on(raster, std::move(*pressure), touch);
   const Raster point = point_raster(touch.centre(), grid);
@@ -257,7 +257,7 @@ SampledPatch patch_of(const Raster& raster, const SkinTouch& touch, const SkinGr
   return patch_on(point, std::move(pressure), touch);
 }
 
-Raster shape_of(const SkinTouch& touch, const Material& pad, double edge, const SkinGrid& grid) {
+Raster shape_of(const SkinTouch& touch, const Material& pad, double edge, const SurfaceGrid& grid) {
   if (!(touch.curvature > 0.0)) return raster_of(widened_hull(touch.points, edge), grid);
   const double nu = pad.poisson_ratio;
   const double modulus = pad.youngs_modulus / (1.0 - nu * nu);
@@ -272,7 +272,7 @@ Raster shape_of(const SkinTouch& touch, const Material& pad, double edge, const 
 }  // namespace
 
 std::vector<SampledPatch> skin_patches(std::span<const ContactPoint> points, const Material& pad,
-                                       double edge, const SkinGrid& grid) {
+                                       double edge, const SurfaceGrid& grid) {
   check(pad);
   require_positive("edge_width", edge);
   std::map<std::size_t, SkinTouch> touches;

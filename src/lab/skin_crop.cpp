@@ -27,7 +27,7 @@ TaxelRange about(std::size_t middle, std::size_t wanted, std::size_t all) {
 
 SkinCrop strongest_part(const SkinSceneProblem& problem, std::span<const double> readings) {
   const SkinScene& whole = problem.scene();
-  const SkinProblem& layout = problem.layout();
+  const LinearProblem& layout = problem.layout();
   check_readings(readings, layout.sites.size());
   std::vector<double> squares(layout.taxels);
   for (std::size_t i = 0; i < readings.size(); ++i)

@@ -45,7 +45,7 @@ std::vector<double> without_offsets(const SkinSceneProblem& problem,
 }
 
 double largest_force(const SkinSceneProblem& problem, std::span<const double> readings) {
-  const SkinProblem& solved = problem.layout();
+  const LinearProblem& solved = problem.layout();
   const DataLimits limits = data_limits(problem);
   double strain = 0.0;
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -58,7 +58,7 @@ double largest_force(const SkinSceneProblem& problem, std::span<const double> re
 SkinDataJudge data_judge(const SkinSceneProblem& problem) {
   constexpr std::size_t most_cells_sought = 2400;
   const SkinScene& scene = problem.scene();
-  const SkinGrid& own = problem.grid();
+  const SurfaceGrid& own = problem.grid();
   const double depth = least_depth(scene.sensor);
   const double spacing = std::min({0.25 * depth, own.spacing_y, own.spacing_z});
   for (const SkinGridOptions& finer :

@@ -1,17 +1,13 @@
 #include "tactile_net/lab/skin_network.hpp"
 
 #include <array>
-#include <cmath>
 #include <string_view>
 #include <vector>
-
-#include "network/rounding.hpp"
-#include "tactile_net/skin/stabiliser.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
-std::vector<std::string> node_names(const SkinProblem& problem) {
+std::vector<std::string> node_names(const LinearProblem& problem) {
   constexpr std::array<std::string_view, 3> letters = {"p_", "qy_", "qz_"};
   std::vector<std::string> names;
   for (std::size_t component = 0; component < problem.components; ++component)
@@ -24,17 +20,10 @@ std::vector<std::string> node_names(const SkinProblem& problem) {
 
 }  // namespace
 
-NetworkProblem network_problem(const SkinProblem& problem, double alpha,
-                               std::span<const double> readings) {
-  NetworkProblem result{.matrix = normal_matrix(problem, alpha),
-                        .right_side = normal_right_side(problem, readings),
-                        .kernel = problem.kernel,
-                        .stabiliser = stabiliser_matrix(problem, alpha),
-                        .readings = weighted(problem, readings),
-                        .names = node_names(problem)};
-  drop_rounding(result.matrix, 0.0);
-  const auto entries = static_cast<double>(problem.kernel.values.size());
-  drop_rounding(result.kernel, problem.kernel_error / std::sqrt(entries));
+NetworkProblem skin_network_problem(const LinearProblem& problem, double alpha,
+                                    std::span<const double> readings) {
+  NetworkProblem result = network_problem(problem, alpha, readings);
+  result.names = node_names(problem);
   return result;
 }
 

@@ -18,7 +18,6 @@
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/scene/skin_size.hpp"
-#include "tactile_net/skin/tangential_weight.hpp"
 #include "tactile_net/system/memory.hpp"
 
 namespace tactile_net::lab {
@@ -105,7 +104,7 @@ struct SkinSceneProblem::Parts {
   std::size_t most_dense;
   bool is_large;
   std::optional<Constraints> constraints;
-  std::shared_ptr<const SkinProblem> problem{};
+  std::shared_ptr<const LinearProblem> problem{};
   std::optional<SkinFamily> family{};
   std::unique_ptr<LargeSkin> large{};
   std::optional<AlphaTables> alpha_tables{};
@@ -134,9 +133,9 @@ bool SkinSceneProblem::is_large() const noexcept { return parts_->is_large; }
 
 SkinProblemOptions SkinSceneProblem::options() const { return options_of(parts_->scene); }
 
-const SkinProblem& SkinSceneProblem::problem() const { return *shared_problem(); }
+const LinearProblem& SkinSceneProblem::problem() const { return *shared_problem(); }
 
-std::shared_ptr<const SkinProblem> SkinSceneProblem::shared_problem() const {
+std::shared_ptr<const LinearProblem> SkinSceneProblem::shared_problem() const {
   if (is_large())
     throw std::invalid_argument(
         "the skin has more than " + std::to_string(most_skin_tractions) +
@@ -144,12 +143,12 @@ std::shared_ptr<const SkinProblem> SkinSceneProblem::shared_problem() const {
         "larger spacing or a smaller margin");
   const std::lock_guard lock(parts_->mutex);
   if (!parts_->problem)
-    parts_->problem = std::make_shared<const SkinProblem>(
+    parts_->problem = std::make_shared<const LinearProblem>(
         make_problem(parts_->scene.sensor, parts_->scene.material, options()));
   return parts_->problem;
 }
 
-const SkinProblem& SkinSceneProblem::layout() const {
+const LinearProblem& SkinSceneProblem::layout() const {
   return is_large() ? large().problem() : problem();
 }
 
@@ -222,9 +221,9 @@ SkinSceneProblem SkinSceneProblem::weighed(double tangential_weight) const {
     scene.reconstruct.tangential_weight = tangential_weight;
     auto made = std::make_unique<SkinSceneProblem>(std::move(scene), parts_->most_dense);
     if (is_large()) return made;
-    SkinProblem own = problem();  // kernels take longest, of layers above all
+    LinearProblem own = problem();  // kernels take longest, of layers above all
     own.tangential_weight = tangential_weight;
-    made->parts_->problem = std::make_shared<const SkinProblem>(std::move(own));
+    made->parts_->problem = std::make_shared<const LinearProblem>(std::move(own));
     return made;
   });
 }
@@ -299,7 +298,7 @@ const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
   return *parts_->beyond;
 }
 
-SkinProblem SkinSceneProblem::on(const SkinGridOptions& grid) const {
+LinearProblem SkinSceneProblem::on(const SkinGridOptions& grid) const {
   SkinProblemOptions with_grid = options();
   with_grid.grid = grid;
   return make_problem(parts_->scene.sensor, parts_->scene.material, with_grid);
@@ -319,9 +318,9 @@ SkinSceneProblem SkinSceneProblem::without(std::span<const std::size_t> taxels) 
     rest.parts_->large = std::make_unique<LargeSkin>(large(), dead);
     return rest;
   }
-  SkinProblem own = problem();  // kernels take longest, of layers above all
+  LinearProblem own = problem();  // kernels take longest, of layers above all
   leave_out(own, dead);
-  rest.parts_->problem = std::make_shared<const SkinProblem>(std::move(own));
+  rest.parts_->problem = std::make_shared<const LinearProblem>(std::move(own));
   return rest;
 }
 

@@ -19,7 +19,7 @@ double size_of(std::span<const double> values) {
 }
 
 std::array<double, 3> errors(const std::vector<double>& tractions,
-                             const std::vector<double>& of_contacts, const SkinGrid& grid) {
+                             const std::vector<double>& of_contacts, const SurfaceGrid& grid) {
   std::array<double, 3> relative{unknown, unknown, unknown};
   const double pressed = size_of(component(of_contacts, grid, Traction::normal));
   for (std::size_t c = 0; c < relative.size(); ++c) {

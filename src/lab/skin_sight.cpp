@@ -38,7 +38,7 @@ double mean_spacing(std::span<const Site> sites) {
 
 /// Whether taxels stand all around a place, near enough for each to read what presses there: what
 /// is loaded between them cannot be much more, or elsewhere, without their seeing it.
-bool is_surrounded(double y, double z, const SkinProblem& problem) {
+bool is_surrounded(double y, double z, const LinearProblem& problem) {
   constexpr double near = 1.5 + least_difference;  // of a taxel's own depth
   constexpr double widest =
       150.0 / 180.0 * std::numbers::pi + least_difference;  // between neighbours
@@ -67,10 +67,10 @@ double sight_of(const SkinArray& skin) {
 }
 
 std::vector<bool> unseen_cells(const SkinSceneProblem& problem) {
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   const double reach = sight_of(problem.scene().sensor);
   std::vector<bool> unseen(grid.count(), true);
-  const SkinProblem& solved = problem.layout();
+  const LinearProblem& solved = problem.layout();
   // A taxel sees the cells around it; only those are looked at.
   const auto near = [](double place, double first, double spacing, double far, std::size_t count) {
     const auto clamped = [&](double index) {

@@ -10,7 +10,7 @@ namespace tactile_net::lab {
 namespace {
 
 /// How much of the contacts' force lies beyond the grid, where no traction can stand for it.
-double share_beyond(const SkinFrame& frame, const SkinGrid& grid) {
+double share_beyond(const SkinFrame& frame, const SurfaceGrid& grid) {
   const double found = resultant(std::span(frame.truth).first(grid.count()), grid).force.front();
   return frame.wrench.force[0] > 0.0 ? 1.0 - found / frame.wrench.force[0] : 0.0;
 }

@@ -59,7 +59,7 @@ double largest_response(const SkinArray& skin, const Material& material, Quantit
 /// 0 without a contact.
 double peak_skin_traction(const SkinScene& scene) {
   if (scene.contacts.empty()) return 0.0;
-  const SkinGrid cells = grid(scene);
+  const SurfaceGrid cells = grid(scene);
   const std::vector<double> means = cell_means(scene.contacts, cells);
   double peak = 0.0;
   for (std::size_t i = 0; i < cells.count(); ++i) peak = std::max(peak, std::abs(means[i]));

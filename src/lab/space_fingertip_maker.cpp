@@ -99,7 +99,7 @@ void SpaceFingertipMaker::press(SpaceFingertip& tip, const SpaceHandFinger& fing
       std::abs(wrench.torsion->value) > 2.0 * wrench.torsion->deviation)
     tip.torsion_left_out = remark::TorsionLeftOut{*wrench.torsion};
 
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   const double half_y = 0.5 * grid.spacing_y;
   const double half_z = 0.5 * grid.spacing_z;
   const double y[] = {grid.y(0) - half_y, grid.y(grid.rows - 1) + half_y};

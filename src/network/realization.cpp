@@ -4,24 +4,21 @@
 #include <stdexcept>
 #include <string>
 
-#include "inverse/stabiliser.hpp"
 #include "network/rounding.hpp"
-#include "numeric/eigen.hpp"
+#include "tactile_net/inverse/stabiliser.hpp"
 
 namespace tactile_net {
 
-NetworkProblem network_problem(const InverseProblem& problem, double alpha,
+NetworkProblem network_problem(const LinearProblem& problem, double alpha,
                                std::span<const double> readings) {
   NetworkProblem result{.matrix = normal_matrix(problem, alpha),
                         .right_side = normal_right_side(problem, readings),
                         .kernel = problem.kernel,
-                        .stabiliser = {},
+                        .stabiliser = stabiliser_matrix(problem, alpha),
                         .readings = weighted(problem, readings)};
   drop_rounding(result.matrix, 0.0);
   const auto entries = static_cast<double>(problem.kernel.values.size());
   drop_rounding(result.kernel, problem.kernel_error / std::sqrt(entries));
-  const Eigen::MatrixXd l = stabiliser(problem);
-  result.stabiliser = from_eigen(alpha * (l.transpose() * l));
   return result;
 }
 

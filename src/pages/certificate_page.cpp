@@ -198,7 +198,7 @@ Figure pad_of(const Scene& scene, std::span<const double> tractions) {
 }
 
 Figure pad_of(const SkinScene& scene, std::span<const double> tractions) {
-  const SkinGrid cells = grid(scene);
+  const SurfaceGrid cells = grid(scene);
   const std::vector<double> shown = tractions.empty()
                                         ? std::vector<double>(cells.count())
                                         : std::vector(tractions.begin(), tractions.end());

@@ -27,7 +27,7 @@ double largest_finite(std::span<const double> values) {
   return most;
 }
 
-double largest_drag(const Values& values, const SkinGrid& grid) {
+double largest_drag(const Values& values, const SurfaceGrid& grid) {
   const auto y = lab::component(values, grid, Traction::tangential_y);
   const auto z = lab::component(values, grid, Traction::tangential_z);
   double most = 0.0;
@@ -37,7 +37,7 @@ double largest_drag(const Values& values, const SkinGrid& grid) {
 
 }  // namespace
 
-void take(Scales& scales, const Values& values, const SkinGrid& grid) {
+void take(Scales& scales, const Values& values, const SurfaceGrid& grid) {
   const auto p = lab::component(values, grid, Traction::normal);
   scales.pressure = std::max(scales.pressure, largest_finite(p));
   scales.drag = std::max(scales.drag, largest_drag(values, grid));
@@ -45,7 +45,7 @@ void take(Scales& scales, const Values& values, const SkinGrid& grid) {
       scales.negative || *std::min_element(p.begin(), p.end()) < -0.03 * scales.pressure;
 }
 
-std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of, const Values& values,
+std::string traction_map(const SkinScene& scene, const SurfaceGrid& cells_of, const Values& values,
                          const std::vector<std::size_t>& cells, const Scales& scales,
                          const std::string& title) {
   const MapGrid grid = map_grid(cells_of);
@@ -158,7 +158,7 @@ std::string tractions_figure(const lab::SkinExperiment& experiment) {
 
 /// How far the pressure may be off, and where the truth is known how far it is.
 std::string errors_figure(const lab::SkinExperiment& experiment) {
-  const SkinGrid& cells = experiment.grid;
+  const SurfaceGrid& cells = experiment.grid;
   const MapGrid grid = map_grid(cells);
   const auto& units = experiment.scene.units;
   std::vector<std::string> pictures;

@@ -24,10 +24,10 @@ struct Scales {
 };
 
 /// Widens the scales so that these tractions fit.
-void take(Scales& scales, const std::vector<double>& values, const SkinGrid& grid);
+void take(Scales& scales, const std::vector<double>& values, const SurfaceGrid& grid);
 
 /// @param cells  that touch, around which a line runs, and whose drags are drawn; none: all are
-[[nodiscard]] std::string traction_map(const SkinScene& scene, const SkinGrid& cells_of,
+[[nodiscard]] std::string traction_map(const SkinScene& scene, const SurfaceGrid& cells_of,
                                        const std::vector<double>& values,
                                        const std::vector<std::size_t>& cells, const Scales& scales,
                                        const std::string& title);

@@ -103,7 +103,7 @@ std::string gradient(std::span<const Colour> stops) {
 
 }  // namespace
 
-MapGrid map_grid(const SkinGrid& grid) {
+MapGrid map_grid(const SurfaceGrid& grid) {
   return {grid.rows, grid.columns, grid.spacing_y, grid.spacing_z, grid.y(0), grid.z(0)};
 }
 

@@ -16,7 +16,8 @@
 
 namespace tactile_net::pages {
 
-/// Rectangles of one size, row after row along y, as cells of a `SkinGrid` or taxels of a lattice.
+/// Rectangles of one size, row after row along y, as cells of a `SurfaceGrid` or taxels of a
+/// lattice.
 struct MapGrid {
   std::size_t rows = 1;     ///< along y
   std::size_t columns = 1;  ///< along z
@@ -42,7 +43,7 @@ struct MapGrid {
   }
 };
 
-[[nodiscard]] MapGrid map_grid(const SkinGrid& grid);
+[[nodiscard]] MapGrid map_grid(const SurfaceGrid& grid);
 /// Of the taxels of an even skin.
 [[nodiscard]] MapGrid map_grid(const SkinArray& skin);
 

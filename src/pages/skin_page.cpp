@@ -81,7 +81,7 @@ std::string course_pictures(const lab::SkinRecordingAnswer& recording) {
 /// Every frame that is kept as a map, one at a time, by a slider.
 std::string frames_figure(const lab::SkinRecordingAnswer& recording) {
   if (recording.shown.size() < 2) return {};
-  const SkinGrid& grid = recording.grid;
+  const SurfaceGrid& grid = recording.grid;
   Scales scales;
   for (const auto& one : recording.shown) take(scales, one.tractions, grid);
   if (!(scales.pressure > 0.0)) return {};

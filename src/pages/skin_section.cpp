@@ -21,7 +21,7 @@ namespace {
 using drawing::element;
 
 /// One component along a line of cells.
-std::vector<double> along_line(const std::vector<double>& values, const SkinGrid& grid,
+std::vector<double> along_line(const std::vector<double>& values, const SurfaceGrid& grid,
                                Traction which, Axis along, const PeakCell& peak) {
   const auto all = lab::component(values, grid, which);
   std::vector<double> line;
@@ -83,7 +83,7 @@ const std::vector<double>& shown(const lab::SkinExperiment& experiment) {
 
 /// That as a load.
 SampledPatch patch_of(const lab::SkinExperiment& experiment) {
-  const SkinGrid& grid = experiment.grid;
+  const SurfaceGrid& grid = experiment.grid;
   SampledPatch patch{.rows = grid.rows,
                      .columns = grid.columns,
                      .y = grid.centre_y,
@@ -102,7 +102,7 @@ SampledPatch patch_of(const lab::SkinExperiment& experiment) {
 
 Interior interior_of(const lab::SkinExperiment& experiment, double bottom, double z) {
   const SkinScene& scene = experiment.scene;
-  const SkinGrid& grid = experiment.grid;
+  const SurfaceGrid& grid = experiment.grid;
   Interior interior{.rows = scene.material.layer ? std::size_t{8} : std::size_t{16},
                     .columns = std::min<std::size_t>(2 * grid.rows, 64)};
   const double width = grid.spacing_y * static_cast<double>(grid.rows);
@@ -124,7 +124,7 @@ Interior interior_of(const lab::SkinExperiment& experiment, double bottom, doubl
 }  // namespace
 
 PeakCell peak_of(const lab::SkinExperiment& experiment) {
-  const SkinGrid& grid = experiment.grid;
+  const SurfaceGrid& grid = experiment.grid;
   const auto& values = experiment.answer ? experiment.answer->tractions : experiment.frame.truth;
   const auto p = lab::component(values, grid, Traction::normal);
   const auto at = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
@@ -132,7 +132,7 @@ PeakCell peak_of(const lab::SkinExperiment& experiment) {
 }
 
 std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
-  const SkinGrid& grid = experiment.grid;
+  const SurfaceGrid& grid = experiment.grid;
   const PeakCell peak = peak_of(experiment);
   const auto line = [&](Traction which) {
     const auto of = [&](const std::vector<double>& values) {
@@ -176,7 +176,7 @@ std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
 
 std::string pad_picture(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
-  const SkinGrid& grid = experiment.grid;
+  const SurfaceGrid& grid = experiment.grid;
   const PeakCell peak = peak_of(experiment);
   const double deepest = [&] {
     double most = 0.0;

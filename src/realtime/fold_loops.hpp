@@ -120,8 +120,8 @@ template <int Bytes, class T>
         first += counted<Bytes>(j, centre) * without(d, lanes - fresh);
       },
       [&](std::size_t j) __attribute__((always_inline)) {
-        const double s = static_cast<double>(sums[j]);
-        const double d = static_cast<double>(differences[j]);
+        const auto s = static_cast<double>(sums[j]);
+        const auto d = static_cast<double>(differences[j]);
         y[j] = factor * (s + d);
         y[n - 1 - j] = factor * (s - d);
         rest.sum += s;

@@ -204,6 +204,7 @@ template <int Bytes>
 }  // namespace
 
 // One set of entries for each instruction set; the attribute is all that differs.
+// NOLINTBEGIN(bugprone-macro-parentheses): TARGET is an attribute.
 #define TACTILE_NET_KERNELS(NAME, BYTES, TARGET)                                                   \
   namespace {                                                                                      \
   namespace NAME {                                                                                 \
@@ -307,6 +308,7 @@ TACTILE_NET_KERNELS(avx2, 32, [[gnu::target("avx2,fma")]])
 TACTILE_NET_KERNELS(avx512, 64, [[gnu::target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma")]])
 #endif
 #undef TACTILE_NET_KERNELS
+// NOLINTEND(bugprone-macro-parentheses)
 
 const Kernels& kernels([[maybe_unused]] InstructionSet set) noexcept {
 #if defined(__x86_64__)

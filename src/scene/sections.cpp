@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "scene/calibration_section.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {

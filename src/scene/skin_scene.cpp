@@ -24,7 +24,7 @@ std::size_t components(const SkinScene& scene) {
   return scene.contacts.empty() || any_drag(scene) ? 3 : 1;
 }
 
-SkinGrid grid(const SkinScene& scene) { return grid_of(scene.sensor, scene.reconstruct.grid); }
+SurfaceGrid grid(const SkinScene& scene) { return grid_of(scene.sensor, scene.reconstruct.grid); }
 
 SkinScene of_circuit(SkinScene scene) {
   if (scene.network.spacing) scene.reconstruct.grid.spacing = scene.network.spacing;

@@ -99,7 +99,7 @@ void check_grid(const std::optional<Value>& at, const Units& units, const SkinSc
   if (!at || !is_whole(scene)) return;
   std::string cells;
   try {
-    const SkinGrid made = grid(scene);
+    const SurfaceGrid made = grid(scene);
     const std::size_t unknowns = components(scene) * made.count();
     const std::size_t most = most_tractions(scene);
     if (unknowns <= most) return;
@@ -188,7 +188,7 @@ void check_circuit_spacing(const Value& value, double spacing, const Unit& lengt
                            const SkinScene& scene) {
   if (!is_whole(scene)) return;
   try {
-    const SkinGrid own = grid(scene);
+    const SurfaceGrid own = grid(scene);
     const double cells = std::min(own.spacing_y, own.spacing_z);
     if (spacing < cells * (1.0 - 1e-9))
       value.problem(

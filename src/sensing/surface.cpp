@@ -36,6 +36,33 @@ std::vector<double> positions(const Surface& surface) {
   return places;
 }
 
+SurfaceGrid grid_of(const Surface& surface) noexcept {
+  return {.rows = surface.count,
+          .columns = 1,
+          .spacing_y = surface.spacing,
+          .spacing_z = 1.0,
+          .centre_y = surface.centre,
+          .margin_rows = surface.margin,
+          .stride_rows = surface.stride,
+          .stride_columns = 1,
+          .boundary_y =
+              surface.basis == SurfaceBasis::hats ? Boundary::zero_beyond : Boundary::neumann};
+}
+
+Surface surface_of(const SurfaceGrid& grid) noexcept {
+  return {
+      .basis = grid.boundary_y == Boundary::zero_beyond ? SurfaceBasis::hats : SurfaceBasis::taxels,
+      .count = grid.rows,
+      .spacing = grid.spacing_y,
+      .centre = grid.centre_y,
+      .margin = grid.margin_rows,
+      .stride = grid.stride_rows};
+}
+
+double measure_of(const SensorArray& array, const Surface& surface) noexcept {
+  return is_even(array) ? 1.0 / static_cast<double>(surface.stride) : surface.spacing / array.pitch;
+}
+
 double least_depth(const SensorArray& array) noexcept {
   return *std::min_element(array.depths.begin(), array.depths.end());
 }
@@ -79,7 +106,6 @@ Surface surface_of(const SensorArray& array, const SurfaceOptions& options) {
   return {.basis = options.basis,
           .count = static_cast<std::size_t>(count),
           .spacing = spacing,
-          .area = is_even(array) ? 1.0 / stride : spacing / array.pitch,
           .centre = is_even(array) ? 0.0 : first + 0.5 * length,
           .margin = static_cast<std::size_t>(margin),
           .stride = is_even(array) ? static_cast<std::size_t>(stride) : 0};

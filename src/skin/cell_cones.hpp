@@ -90,7 +90,7 @@ inline void add_free_directions(ActiveFace& face, const Eigen::VectorXd& before,
 }
 
 /// @throw std::invalid_argument  friction_limit is not > 0 and finite, or there is one component
-inline void check_cones(const SkinProblem& problem, const Constraints& constraints) {
+inline void check_cones(const LinearProblem& problem, const Constraints& constraints) {
   if (!constraints.friction_limit) return;
   if (!(*constraints.friction_limit > 0.0) || !std::isfinite(*constraints.friction_limit))
     throw std::invalid_argument("friction_limit must be > 0 and finite");

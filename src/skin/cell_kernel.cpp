@@ -8,7 +8,7 @@
 
 namespace tactile_net {
 
-CellKernel::CellKernel(const Material& material, double depth, const SkinGrid& grid)
+CellKernel::CellKernel(const Material& material, double depth, const SurfaceGrid& grid)
     : kernel_(material, depth), grid_(grid), depth_(depth) {}
 
 void CellKernel::operator()(Quantity quantity, Traction component, std::span<const double> y,
@@ -28,7 +28,7 @@ double CellKernel::error_bound(Quantity quantity) const noexcept {
 }
 
 LatticeKernel::LatticeKernel(const CellKernel& kernel, Quantity quantity, Traction component,
-                             const SkinGrid& grid)
+                             const SurfaceGrid& grid)
     : columns_(grid.columns),
       odd_y_(is_odd(quantity, component, Axis::y)),
       odd_z_(is_odd(quantity, component, Axis::z)),
@@ -43,7 +43,7 @@ LatticeKernel::LatticeKernel(const CellKernel& kernel, Quantity quantity, Tracti
   kernel(quantity, component, y, z, quadrant_);
 }
 
-bool is_lattice(const SkinArray& skin, const SkinGrid& grid) noexcept {
+bool is_lattice(const SkinArray& skin, const SurfaceGrid& grid) noexcept {
   if (!is_even(skin) || grid.stride_rows == 0 || grid.stride_columns == 0) return false;
   const auto [row, column] = cell_of(skin, grid, taxel_count(skin) - 1);
   if (row + grid.margin_rows + 1 != grid.rows || column + grid.margin_columns + 1 != grid.columns)
@@ -64,7 +64,7 @@ void check_sampled(const SkinArray& skin, const Material& material, std::size_t 
       check_quantity(quantity, skin_tractions[k], material);
 }
 
-void check_tractions(const SkinGrid& grid, std::size_t components,
+void check_tractions(const SurfaceGrid& grid, std::size_t components,
                      std::span<const double> tractions) {
   const std::size_t count = components * grid.count();
   require(tractions.size() == count, "tractions",

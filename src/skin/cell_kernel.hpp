@@ -17,7 +17,7 @@ namespace tactile_net {
 class CellKernel {
  public:
   /// @throw std::invalid_argument  as `SkinKernel`
-  CellKernel(const Material& material, double depth, const SkinGrid& grid);
+  CellKernel(const Material& material, double depth, const SurfaceGrid& grid);
 
   /// [reading per Pa] of the cell's traction, at each (y, z) from its middle.
   void operator()(Quantity quantity, Traction component, std::span<const double> y,
@@ -28,14 +28,15 @@ class CellKernel {
 
  private:
   SkinKernel kernel_;
-  SkinGrid grid_;
+  SurfaceGrid grid_;
   double depth_;
 };
 
 /// The kernels of a skin, made once for each depth.
 class CellKernels {
  public:
-  CellKernels(const Material& material, const SkinGrid& grid) : material_(material), grid_(grid) {}
+  CellKernels(const Material& material, const SurfaceGrid& grid)
+      : material_(material), grid_(grid) {}
 
   const CellKernel& operator()(double depth) {
     return made_.try_emplace(depth, material_, depth, grid_).first->second;
@@ -43,7 +44,7 @@ class CellKernels {
 
  private:
   Material material_;
-  SkinGrid grid_;
+  SurfaceGrid grid_;
   std::map<double, CellKernel> made_{};
 };
 
@@ -51,7 +52,7 @@ class CellKernels {
 class LatticeKernel {
  public:
   LatticeKernel(const CellKernel& kernel, Quantity quantity, Traction component,
-                const SkinGrid& grid);
+                const SurfaceGrid& grid);
 
   /// Of the cell (row, column) at the middle of the cell (at_row, at_column).
   [[nodiscard]] double operator()(std::size_t at_row, std::size_t at_column, std::size_t row,
@@ -74,21 +75,21 @@ struct LatticeCell {
   std::size_t row;
   std::size_t column;
 };
-[[nodiscard]] inline LatticeCell cell_of(const SkinArray& skin, const SkinGrid& grid,
+[[nodiscard]] inline LatticeCell cell_of(const SkinArray& skin, const SurfaceGrid& grid,
                                          std::size_t taxel) noexcept {
   return {grid.margin_rows + taxel / skin.columns * grid.stride_rows,
           grid.margin_columns + taxel % skin.columns * grid.stride_columns};
 }
 
 /// Whether every taxel lies on a cell's middle, by the grid's strides.
-[[nodiscard]] bool is_lattice(const SkinArray& skin, const SkinGrid& grid) noexcept;
+[[nodiscard]] bool is_lattice(const SkinArray& skin, const SurfaceGrid& grid) noexcept;
 
 /// @throw std::invalid_argument  the skin or the material is out of range, there is not one
 ///                               component or three, or a reading has no value under them
 void check_sampled(const SkinArray& skin, const Material& material, std::size_t components);
 
 /// @throw std::invalid_argument  not one value for each cell and component
-void check_tractions(const SkinGrid& grid, std::size_t components,
+void check_tractions(const SurfaceGrid& grid, std::size_t components,
                      std::span<const double> tractions);
 
 }  // namespace tactile_net

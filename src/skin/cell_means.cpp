@@ -25,7 +25,7 @@ CellRange cells_under(double from, double to, double centre, double spacing, std
 }
 
 /// `add(cell, from_y, from_z, to_y, to_z)` for the cells that the support may touch.
-void for_cells_under(const SkinSupport& support, const SkinGrid& grid, const auto& add) {
+void for_cells_under(const SkinSupport& support, const SurfaceGrid& grid, const auto& add) {
   const CellRange r =
       cells_under(support.from_y, support.to_y, grid.centre_y, grid.spacing_y, grid.rows);
   const CellRange c =
@@ -42,7 +42,7 @@ void for_cells_under(const SkinSupport& support, const SkinGrid& grid, const aut
           border(grid.centre_z, grid.spacing_z, column + 1, grid.columns));
 }
 
-void add_means(const LoadPart& part, const SkinGrid& grid, std::span<double> means) {
+void add_means(const LoadPart& part, const SurfaceGrid& grid, std::span<double> means) {
   for_cells_under(
       part.support(), grid,
       [&](std::size_t cell, double from_y, double from_z, double to_y, double to_z) {
@@ -59,7 +59,7 @@ void add_means(const LoadPart& part, const SkinGrid& grid, std::span<double> mea
       });
 }
 
-void add_means(const SkinContact& contact, const SkinGrid& grid, std::span<double> means) {
+void add_means(const SkinContact& contact, const SurfaceGrid& grid, std::span<double> means) {
   for (const LoadPart& part : parts(contact)) add_means(part, grid, means);
 }
 
@@ -68,8 +68,8 @@ double overlap(double from, double to, double low, double high) noexcept {
   return std::max(0.0, std::min(to, high) - std::max(from, low)) / (to - from);
 }
 
-void add_means(const SampledPatch& patch, const SkinGrid& grid, std::span<double> means) {
-  const SkinGrid own = grid_of(patch);
+void add_means(const SampledPatch& patch, const SurfaceGrid& grid, std::span<double> means) {
+  const SurfaceGrid own = grid_of(patch);
   for_cells_under(
       support(patch), grid,
       [&](std::size_t cell, double from_y, double from_z, double to_y, double to_z) {
@@ -85,7 +85,7 @@ void add_means(const SampledPatch& patch, const SkinGrid& grid, std::span<double
 
 }  // namespace
 
-std::vector<double> cell_means(std::span<const SkinLoad> loads, const SkinGrid& grid) {
+std::vector<double> cell_means(std::span<const SkinLoad> loads, const SurfaceGrid& grid) {
   std::vector<double> means(skin_tractions.size() * grid.count());
   for (const SkinLoad& load : loads) {
     check(load);

@@ -11,7 +11,7 @@ double constrained_alpha(AlphaRule rule, double alpha) noexcept {
   return rule == AlphaRule::rgcv || rule == AlphaRule::aicc ? 0.5 * alpha : alpha;
 }
 
-Matrix edges(const SkinProblem& problem, const ActiveFace& face) {
+Matrix edges(const LinearProblem& problem, const ActiveFace& face) {
   const std::size_t cells = problem.grid.count();
   Matrix map{problem.components * cells, face.free.size(),
              std::vector<double>(problem.components * cells * face.free.size())};
@@ -27,7 +27,7 @@ struct SkinCone::System {
   ConeSearch search;
 };
 
-SkinCone::SkinCone(const SkinProblem& problem, double alpha, const Constraints& constraints)
+SkinCone::SkinCone(const LinearProblem& problem, double alpha, const Constraints& constraints)
     : system_(std::make_unique<const System>(System{{problem, alpha, constraints}})) {}
 SkinCone::SkinCone(std::unique_ptr<const System> system) : system_(std::move(system)) {}
 SkinCone::~SkinCone() = default;

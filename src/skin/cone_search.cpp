@@ -58,7 +58,7 @@ struct ConeSearch::LeftOut {
   Cholesky metric, root;  // of M, and of S = M - R Z
 };
 
-ConeSearch::ConeSearch(const SkinProblem& problem, double alpha, const Constraints& constraints) {
+ConeSearch::ConeSearch(const LinearProblem& problem, double alpha, const Constraints& constraints) {
   check_alpha(alpha);
   system_ = std::make_shared<const ConeSystem>(
       std::make_shared<const ConeProblem>(problem, constraints), alpha);

@@ -18,7 +18,7 @@ class ConeSystem;
 class ConeSearch {
  public:
   /// @throw std::invalid_argument  as `SkinCone`
-  ConeSearch(const SkinProblem& problem, double alpha, const Constraints& constraints);
+  ConeSearch(const LinearProblem& problem, double alpha, const Constraints& constraints);
 
   /// The search with another alpha, no taxel left out: shares what does not depend on alpha; the
   /// tractions have the same bits as those of a new search.

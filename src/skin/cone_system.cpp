@@ -15,7 +15,7 @@ namespace {
 /// Over sqrt(lambda_max alpha): the fewest steps on skins of 16 x 16, for alpha 1e-3 to 1e-6.
 constexpr double penalty = 2.0;
 
-const SkinProblem& checked(const SkinProblem& problem, const Constraints& limits) {
+const LinearProblem& checked(const LinearProblem& problem, const Constraints& limits) {
   check_cones(problem, limits);
   return problem;
 }
@@ -46,12 +46,12 @@ double largest_eigenvalue(const ConeProblem& problem, const Eigen::VectorXd& smo
 
 }  // namespace
 
-ConeScales::ConeScales(const SkinProblem& problem)
+ConeScales::ConeScales(const LinearProblem& problem)
     : kernel(as_eigen(problem.kernel).cwiseAbs().maxCoeff()), drag(problem.tangential_weight) {
   if (!(kernel > 0.0)) kernel = 1.0;
 }
 
-RowMajor ConeScales::kernel_of(const SkinProblem& problem) const {
+RowMajor ConeScales::kernel_of(const LinearProblem& problem) const {
   const auto cells = static_cast<Index>(problem.grid.count());
   RowMajor scaled = as_eigen(problem.kernel);
   scaled.leftCols(cells) /= kernel;
@@ -64,19 +64,19 @@ Constraints ConeScales::applied(Constraints constraints) const {
   return constraints;
 }
 
-ConeProblem::ConeProblem(const SkinProblem& problem, const Constraints& limits)
+ConeProblem::ConeProblem(const LinearProblem& problem, const Constraints& limits)
     : scales(checked(problem, limits)),
       rows{problem.weights, problem.sites, problem.unknown_offsets},
       weighting(problem),
       cells(static_cast<Index>(problem.grid.count())),
       components(problem.components),
-      area(problem.area),
+      area(problem.measure),
       constraints(scales.applied(limits)),
       kernel(scales.kernel_of(problem)),
       waves(problem, Eigen::VectorXd::Ones(kernel.cols())),
       spectrum(stabiliser_spectrum(problem, 1.0)) {
   const Eigen::MatrixXd all = waves.sums(kernel.transpose());  // C' K'
-  for (SkinClass& part : mirror_classes(problem)) {
+  for (MirrorClass& part : mirror_classes(problem)) {
     const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
     const Eigen::MatrixXd transposed = selected * part.readings.transpose();
     if (transposed.size() == 0) continue;

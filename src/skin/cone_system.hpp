@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
+#include "inverse/coordinates.hpp"
+#include "inverse/mirror_classes.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/cholesky.hpp"
 #include "numeric/eigen.hpp"
 #include "skin/cell_cones.hpp"
-#include "skin/coordinates.hpp"
-#include "skin/mirror.hpp"
 #include "skin/rest_of_rows.hpp"
 #include "tactile_net/skin/cone.hpp"
 
@@ -20,10 +20,10 @@ namespace tactile_net {
 
 /// Factors that make numbers of K and of both tractions one size; cones stay cones.
 struct ConeScales {
-  explicit ConeScales(const SkinProblem& problem);
+  explicit ConeScales(const LinearProblem& problem);
 
   /// The problem's kernel: the only copy of it.
-  [[nodiscard]] RowMajor kernel_of(const SkinProblem& problem) const;
+  [[nodiscard]] RowMajor kernel_of(const LinearProblem& problem) const;
   [[nodiscard]] Constraints applied(Constraints constraints) const;
   [[nodiscard]] double applied(double alpha) const { return alpha / kernel / kernel; }
 
@@ -41,7 +41,7 @@ struct ConeProblem {
   };
 
   /// @throw std::invalid_argument  as `SkinCone`
-  ConeProblem(const SkinProblem& problem, const Constraints& limits);
+  ConeProblem(const LinearProblem& problem, const Constraints& limits);
 
   /// K'K c of coordinates.
   [[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& c) const;
@@ -54,7 +54,7 @@ struct ConeProblem {
   double area;
   Constraints constraints;
   RowMajor kernel;
-  CosineCoordinates waves;   // orthonormal
+  WaveCoordinates waves;     // orthonormal
   Eigen::VectorXd spectrum;  // of L'L
   std::vector<Block> blocks{};
 };

@@ -10,7 +10,7 @@ namespace tactile_net {
 namespace {
 
 /// Calls `visit` with the neighbours of a cell, and itself.
-void around(const SkinGrid& grid, std::size_t cell, const auto& visit) {
+void around(const SurfaceGrid& grid, std::size_t cell, const auto& visit) {
   const std::size_t row = cell / grid.columns;
   const std::size_t column = cell % grid.columns;
   for (std::size_t m = row - std::min(row, std::size_t{1}); m <= std::min(row + 1, grid.rows - 1);
@@ -21,7 +21,7 @@ void around(const SkinGrid& grid, std::size_t cell, const auto& visit) {
 }
 
 /// Patches of neighbours among the cells of a mask.
-std::vector<std::vector<std::size_t>> patches(const SkinGrid& grid, std::vector<bool> left) {
+std::vector<std::vector<std::size_t>> patches(const SurfaceGrid& grid, std::vector<bool> left) {
   std::vector<std::vector<std::size_t>> all;
   for (std::size_t start = 0; start < left.size(); ++start) {
     if (!left[start]) continue;
@@ -42,7 +42,7 @@ std::size_t cells_within(double reach, double spacing) {
   return static_cast<std::size_t>(std::lround(std::min(reach / spacing, 1e6)));
 }
 
-FoundContacts contacts_of(const SkinGrid& grid, std::span<const double> tractions,
+FoundContacts contacts_of(const SurfaceGrid& grid, std::span<const double> tractions,
                           std::span<const double> deviations, double rim,
                           const WindowBands* windows) {
   const std::size_t count = grid.count();
@@ -72,25 +72,25 @@ FoundContacts contacts_of(const SkinGrid& grid, std::span<const double> traction
 
 }  // namespace
 
-CellWindow window_of(const SkinGrid& grid, double reach) {
+CellWindow window_of(const SurfaceGrid& grid, double reach) {
   if (!(reach >= 0.0) || !std::isfinite(reach))
     throw std::invalid_argument("reach must be >= 0 and finite");
   return {std::min(cells_within(reach, grid.spacing_y), grid.rows - 1),
           std::min(cells_within(reach, grid.spacing_z), grid.columns - 1)};
 }
 
-std::vector<std::size_t> contact_cells(const SkinGrid& grid, std::span<const double> tractions,
+std::vector<std::size_t> contact_cells(const SurfaceGrid& grid, std::span<const double> tractions,
                                        std::span<const double> deviations, double rim) {
   return contacts_of(grid, tractions, deviations, rim, nullptr).cells;
 }
 
-FoundContacts find_contacts(const SkinGrid& grid, std::span<const double> tractions,
+FoundContacts find_contacts(const SurfaceGrid& grid, std::span<const double> tractions,
                             std::span<const double> deviations, const WindowBands& windows,
                             double rim) {
   return contacts_of(grid, tractions, deviations, rim, &windows);
 }
 
-bool is_one_line(const SkinGrid& grid, std::span<const std::size_t> cells, bool along_y) {
+bool is_one_line(const SurfaceGrid& grid, std::span<const std::size_t> cells, bool along_y) {
   const auto line = [&](std::size_t cell) {
     return along_y ? cell % grid.columns : cell / grid.columns;
   };
@@ -98,7 +98,8 @@ bool is_one_line(const SkinGrid& grid, std::span<const std::size_t> cells, bool 
                      [&](std::size_t cell) { return line(cell) == line(cells.front()); });
 }
 
-std::vector<std::size_t> with_neighbours(const SkinGrid& grid, std::span<const std::size_t> cells) {
+std::vector<std::size_t> with_neighbours(const SurfaceGrid& grid,
+                                         std::span<const std::size_t> cells) {
   std::vector<bool> taken(grid.count());
   for (const std::size_t cell : cells)
     around(grid, cell, [&](std::size_t next) { taken[next] = true; });
@@ -108,7 +109,7 @@ std::vector<std::size_t> with_neighbours(const SkinGrid& grid, std::span<const s
   return all;
 }
 
-std::vector<std::vector<std::size_t>> separate_contacts(const SkinGrid& grid,
+std::vector<std::vector<std::size_t>> separate_contacts(const SurfaceGrid& grid,
                                                         std::span<const double> tractions,
                                                         std::span<const std::size_t> cells) {
   std::vector<bool> mask(grid.count());

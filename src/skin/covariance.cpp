@@ -59,7 +59,7 @@ std::vector<double> SkinCovariance::deviations() const {
                         hidden_ == 0.0 ? Eigen::VectorXd() : factors_->coordinates->squares());
 }
 
-std::vector<double> SkinCovariance::window_deviations(const SkinGrid& grid,
+std::vector<double> SkinCovariance::window_deviations(const SurfaceGrid& grid,
                                                       const CellWindow& window) const {
   return row_deviations(
       *factors_->window_roots(grid, window), sizes_, hidden_,
@@ -134,7 +134,7 @@ std::optional<Few> few_of(std::span<const double> weights, Index cells) {
 
 std::vector<double> SkinCovariance::deviations_of(
     std::span<const std::vector<double>> weights) const {
-  const SkinCoordinates& coordinates = *factors_->coordinates;
+  const TractionCoordinates& coordinates = *factors_->coordinates;
   const Index cells = coordinates.component_size();
   const auto sizes = as_eigen(std::span(sizes_)).transpose();
   std::shared_ptr<const RowMajor> roots;  // with what follows, of sums over few
@@ -178,27 +178,6 @@ std::vector<double> SkinCovariance::deviations_of(
         places[k].second * std::hypot(sums_of_others.known.col(column).norm(), hidden);
   }
   return result;
-}
-
-double residual_norm(const SkinProblem& problem, std::span<const double> readings,
-                     std::span<const double> tractions) {
-  const std::vector<double> rows = weighted(problem, readings);
-  check_tractions(tractions, problem.kernel.columns);
-  const auto g = as_eigen(std::span(rows));
-  // Squares of what has been divided by its size are numbers in any unit.
-  const Eigen::VectorXd left = as_eigen(problem.kernel) * as_eigen(tractions) - g;
-  const double scale = left.cwiseAbs().maxCoeff();
-  return scale > 0.0 && std::isfinite(scale) ? (left / scale).norm() * scale : scale;
-}
-
-NoiseEstimate estimate_noise(const SkinProblem& problem, std::span<const double> readings,
-                             std::span<const double> tractions, double degrees_of_freedom,
-                             std::optional<double> stated_rms) {
-  const double left = residual_norm(problem, readings, tractions);
-  // Of a frame without any reading nothing is known.
-  const std::vector<double> rows = weighted(problem, readings);
-  if (as_eigen(std::span(rows)).cwiseAbs().maxCoeff() == 0.0) return {.stated_rms = stated_rms};
-  return estimate_noise(left, independent_readings(problem), degrees_of_freedom, stated_rms);
 }
 
 }  // namespace tactile_net

@@ -37,7 +37,7 @@ constexpr double far_share = 0.3;
 /// share of what is still missing: it would take ten times as many again.
 constexpr double least_gain = 0.1;
 
-double largest_square(const SkinProblem& problem) {
+double largest_square(const LinearProblem& problem) {
   const SkinFamily family(problem);
   double largest = 0.0;
   for (const double gamma : family.singular_values()) largest = std::max(largest, gamma);
@@ -53,10 +53,10 @@ bool is_far_from_contacts(double left, double all, double enough) {
 /// A problem's cones, each factored when it is first asked for, by any thread.
 class Cones {
  public:
-  Cones(std::shared_ptr<const SkinProblem> problem, const Constraints& press)
+  Cones(std::shared_ptr<const LinearProblem> problem, const Constraints& press)
       : problem_(std::move(problem)), press_(press) {}
 
-  [[nodiscard]] const SkinProblem& problem() const noexcept { return *problem_; }
+  [[nodiscard]] const LinearProblem& problem() const noexcept { return *problem_; }
   /// Whether a reading depends on any contact.
   [[nodiscard]] bool are_read() {
     const std::lock_guard lock(mutex_);
@@ -79,7 +79,7 @@ class Cones {
     return *square_;
   }
 
-  std::shared_ptr<const SkinProblem> problem_;
+  std::shared_ptr<const LinearProblem> problem_;
   Constraints press_;
   std::optional<double> square_{};  // smoothings are shares of it
   std::array<std::optional<ConeSearch>, smoothings.size()> cones_{};
@@ -88,7 +88,7 @@ class Cones {
 
 }  // namespace
 
-double frame_strain(const SkinProblem& problem, const DataLimits& limits,
+double frame_strain(const LinearProblem& problem, const DataLimits& limits,
                     std::span<const double> readings, std::span<const double> tractions) {
   double largest = 0.0;
   const auto cells = static_cast<std::ptrdiff_t>(problem.grid.count());
@@ -103,7 +103,8 @@ double frame_strain(const SkinProblem& problem, const DataLimits& limits,
   return largest;
 }
 
-std::vector<double> pressing_part(const SkinProblem& problem, std::optional<double> friction_limit,
+std::vector<double> pressing_part(const LinearProblem& problem,
+                                  std::optional<double> friction_limit,
                                   std::span<const double> tractions) {
   std::vector<double> contact(tractions.begin(), tractions.end());
   const std::size_t cells = problem.grid.count();
@@ -122,7 +123,7 @@ std::vector<double> pressing_part(const SkinProblem& problem, std::optional<doub
 }
 
 struct SkinDataJudge::Parts {
-  Parts(std::shared_ptr<const SkinProblem> found_for, std::function<SkinProblem()> sought,
+  Parts(std::shared_ptr<const LinearProblem> found_for, std::function<LinearProblem()> sought,
         DataLimits given);
 
   /// Of W (K f - g) over the noise, by the best contact found with no more friction than the limit:
@@ -135,7 +136,7 @@ struct SkinDataJudge::Parts {
   /// The same by one smoothing and to the end, which taxels are compared by: of two without which
   /// there is enough, `least_left` says where each search happened to end.
   [[nodiscard]] double left_in_full(std::span<const double> readings, std::size_t taxel) const;
-  [[nodiscard]] Eigen::VectorXd left(const SkinProblem& of, std::span<const double> readings,
+  [[nodiscard]] Eigen::VectorXd left(const LinearProblem& of, std::span<const double> readings,
                                      std::span<const double> tractions) const;
   /// P W g over the noise.
   [[nodiscard]] Eigen::VectorXd seen(std::span<const double> readings) const {
@@ -157,9 +158,9 @@ struct SkinDataJudge::Parts {
   [[nodiscard]] Cones& contacts() const;
 
   DataLimits limits;
-  std::shared_ptr<const SkinProblem> shared;  // its matrix may take most of the memory
-  const SkinProblem& problem;
-  std::function<SkinProblem()> make_contacts;
+  std::shared_ptr<const LinearProblem> shared;  // its matrix may take most of the memory
+  const LinearProblem& problem;
+  std::function<LinearProblem()> make_contacts;
   std::optional<double> friction{};  // that is stated, or else usual; absent: nothing drags
   Constraints press{};               // contacts of any friction that is likely
   double unit;                       // of all that is weighted: the noise, where it is known
@@ -170,8 +171,8 @@ struct SkinDataJudge::Parts {
   mutable std::unique_ptr<Cones> made{};
 };
 
-SkinDataJudge::Parts::Parts(std::shared_ptr<const SkinProblem> found_for,
-                            std::function<SkinProblem()> sought, DataLimits given)
+SkinDataJudge::Parts::Parts(std::shared_ptr<const LinearProblem> found_for,
+                            std::function<LinearProblem()> sought, DataLimits given)
     : limits(std::move(given)),
       shared(std::move(found_for)),
       problem(*shared),
@@ -185,7 +186,8 @@ SkinDataJudge::Parts::Parts(std::shared_ptr<const SkinProblem> found_for,
   press.friction_limit = widest_friction(limits.friction_limit);
 }
 
-Eigen::VectorXd SkinDataJudge::Parts::left(const SkinProblem& of, std::span<const double> readings,
+Eigen::VectorXd SkinDataJudge::Parts::left(const LinearProblem& of,
+                                           std::span<const double> readings,
                                            std::span<const double> tractions) const {
   const std::vector<double> g = weighted(of, readings);
   return (as_eigen(std::span(g)) - as_eigen(of.kernel) * as_eigen(tractions)) / unit;
@@ -194,8 +196,8 @@ Eigen::VectorXd SkinDataJudge::Parts::left(const SkinProblem& of, std::span<cons
 Cones& SkinDataJudge::Parts::contacts() const {
   const std::lock_guard lock(mutex);
   if (!made) {
-    std::shared_ptr<const SkinProblem> sought =
-        make_contacts ? std::make_shared<const SkinProblem>(make_contacts()) : shared;
+    std::shared_ptr<const LinearProblem> sought =
+        make_contacts ? std::make_shared<const LinearProblem>(make_contacts()) : shared;
     if (sought->weights != problem.weights || sought->components != problem.components)
       throw std::invalid_argument("contacts need the rows and components of the problem");
     made = std::make_unique<Cones>(std::move(sought), press);
@@ -343,18 +345,18 @@ std::optional<std::size_t> SkinDataJudge::Parts::bad_taxel(std::span<const doubl
   return worst;
 }
 
-SkinDataJudge::SkinDataJudge(const SkinProblem& problem, DataLimits limits)
-    : SkinDataJudge(std::make_shared<const SkinProblem>(problem), std::function<SkinProblem()>{},
-                    std::move(limits)) {}
-SkinDataJudge::SkinDataJudge(const SkinProblem& problem, const SkinProblem& contacts,
+SkinDataJudge::SkinDataJudge(const LinearProblem& problem, DataLimits limits)
+    : SkinDataJudge(std::make_shared<const LinearProblem>(problem),
+                    std::function<LinearProblem()>{}, std::move(limits)) {}
+SkinDataJudge::SkinDataJudge(const LinearProblem& problem, const LinearProblem& contacts,
                              DataLimits limits)
     : SkinDataJudge(
-          std::make_shared<const SkinProblem>(problem), [contacts] { return contacts; },
+          std::make_shared<const LinearProblem>(problem), [contacts] { return contacts; },
           std::move(limits)) {
   (void)parts_->contacts();
 }
-SkinDataJudge::SkinDataJudge(std::shared_ptr<const SkinProblem> problem,
-                             std::function<SkinProblem()> contacts, DataLimits limits)
+SkinDataJudge::SkinDataJudge(std::shared_ptr<const LinearProblem> problem,
+                             std::function<LinearProblem()> contacts, DataLimits limits)
     : parts_(std::make_unique<const Parts>(std::move(problem), std::move(contacts),
                                            std::move(limits))) {}
 SkinDataJudge::~SkinDataJudge() = default;

@@ -87,7 +87,7 @@ class ExactSkinModel::Summation {
   }
 
   void add(const SampledPatch& patch) {
-    const SkinGrid grid = grid_of(patch);
+    const SurfaceGrid grid = grid_of(patch);
     const Rectangle rectangle{patch.spacing_y, patch.spacing_z};
     for (const Traction component : skin_tractions) {
       const std::vector<double>& own = values(patch, component);

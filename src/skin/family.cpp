@@ -7,26 +7,27 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/degrees_of_freedom.hpp"
+#include "inverse/window_sums.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
+#include "skin/face_coordinates.hpp"
 #include "skin/family_factors.hpp"
-#include "skin/window_sums.hpp"
 
 namespace tactile_net {
 
 using Eigen::Index;
 
-double stabiliser_condition(const SkinProblem& problem) {
+double stabiliser_condition(const LinearProblem& problem) {
   const Eigen::VectorXd spectrum = stabiliser_spectrum(problem);
   return std::sqrt(spectrum.maxCoeff() / spectrum.minCoeff());
 }
 
-SkinFamily::Factors::Factors(const SkinProblem& problem,
-                             std::shared_ptr<const SkinCoordinates> basis,
-                             std::vector<SkinClass> classes, double condition)
+SkinFamily::Factors::Factors(const LinearProblem& problem,
+                             std::shared_ptr<const TractionCoordinates> basis,
+                             std::vector<MirrorClass> classes, double condition)
     : weighting(problem), coordinates(std::move(basis)), stabiliser_condition(condition) {
   const Eigen::MatrixXd all = coordinates->sums(as_eigen(problem.kernel).transpose());  // T' K' W
-  for (SkinClass& part : classes) {
+  for (MirrorClass& part : classes) {
     const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
     const Eigen::MatrixXd transposed = selected * part.readings.transpose();
     Block block{.part = std::move(part)};
@@ -92,7 +93,7 @@ std::shared_ptr<const RowMajor> SkinFamily::Factors::roots() const {
   return made;
 }
 
-std::shared_ptr<const RowMajor> SkinFamily::Factors::window_roots(const SkinGrid& grid,
+std::shared_ptr<const RowMajor> SkinFamily::Factors::window_roots(const SurfaceGrid& grid,
                                                                   const CellWindow& window) const {
   const std::shared_ptr<const RowMajor> cells = roots();
   const std::lock_guard lock(kept->mutex);
@@ -107,16 +108,16 @@ std::shared_ptr<const RowMajor> SkinFamily::Factors::window_roots(const SkinGrid
   return made;
 }
 
-SkinFamily::SkinFamily(const SkinProblem& problem)
+SkinFamily::SkinFamily(const LinearProblem& problem)
     : factors_(std::make_shared<const Factors>(
           problem,
-          std::make_shared<const CosineCoordinates>(problem,
-                                                    stabiliser_spectrum(problem).cwiseSqrt()),
+          std::make_shared<const WaveCoordinates>(problem,
+                                                  stabiliser_spectrum(problem).cwiseSqrt()),
           mirror_classes(problem), tactile_net::stabiliser_condition(problem))) {}
 
-SkinFamily::SkinFamily(const SkinProblem& problem, const ActiveFace& face) {
+SkinFamily::SkinFamily(const LinearProblem& problem, const ActiveFace& face) {
   auto coordinates = std::make_shared<const FaceCoordinates>(problem, face);
-  std::vector<SkinClass> whole{whole_class(problem, coordinates->count())};
+  std::vector<MirrorClass> whole{whole_class(problem, coordinates->count())};
   factors_ = std::make_shared<const Factors>(problem, std::move(coordinates), std::move(whole),
                                              tactile_net::stabiliser_condition(problem));
 }

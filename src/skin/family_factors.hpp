@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "inverse/coordinates.hpp"
+#include "inverse/mirror_classes.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/coordinates.hpp"
-#include "skin/mirror.hpp"
 #include "tactile_net/skin/family.hpp"
 
 namespace tactile_net {
@@ -20,14 +20,14 @@ namespace tactile_net {
 struct SkinFamily::Factors {
   /// readings of the class times W K T = U diag(gamma) V'.
   struct Block {
-    SkinClass part;
+    MirrorClass part;
     Eigen::MatrixXd u{}, v{};
     Eigen::VectorXd gamma{};  // descending
   };
 
   /// @param condition  of L, at most
-  Factors(const SkinProblem& problem, std::shared_ptr<const SkinCoordinates> basis,
-          std::vector<SkinClass> classes, double condition);
+  Factors(const LinearProblem& problem, std::shared_ptr<const TractionCoordinates> basis,
+          std::vector<MirrorClass> classes, double condition);
 
   /// V' of each class, applied to coordinates; one class after the other.
   [[nodiscard]] Eigen::MatrixXd components(const Eigen::MatrixXd& coordinates) const;
@@ -39,11 +39,11 @@ struct SkinFamily::Factors {
   [[nodiscard]] std::shared_ptr<const RowMajor> roots() const;
   /// Of normal tractions, summed over the window around each cell of the problem's grid. Kept as
   /// those, for the last window.
-  [[nodiscard]] std::shared_ptr<const RowMajor> window_roots(const SkinGrid& grid,
+  [[nodiscard]] std::shared_ptr<const RowMajor> window_roots(const SurfaceGrid& grid,
                                                              const CellWindow& window) const;
 
   Weighting weighting;
-  std::shared_ptr<const SkinCoordinates> coordinates;
+  std::shared_ptr<const TractionCoordinates> coordinates;
   std::vector<Block> blocks{};
   std::vector<double> gamma{};  // of all blocks
   double stabiliser_condition;
@@ -57,6 +57,6 @@ struct SkinFamily::Factors {
 };
 
 /// The most by which L stretches one traction more than another.
-[[nodiscard]] double stabiliser_condition(const SkinProblem& problem);
+[[nodiscard]] double stabiliser_condition(const LinearProblem& problem);
 
 }  // namespace tactile_net

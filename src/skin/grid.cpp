@@ -55,7 +55,7 @@ Extent extent(const SkinArray& skin, double SkinTaxel::*coordinate) {
 
 }  // namespace
 
-SkinGrid grid_of(const SkinArray& skin, const SkinGridOptions& options) {
+SurfaceGrid grid_of(const SkinArray& skin, const SkinGridOptions& options) {
   check(skin);
   if (options.spacing) require_positive("spacing", *options.spacing);
   if (options.margin)

@@ -93,7 +93,7 @@ double traction(const SampledPatch& patch, Traction component, double y, double 
 
 SkinWrench resultant(const SampledPatch& patch) noexcept {
   SkinWrench sum;
-  const SkinGrid grid = grid_of(patch);
+  const SurfaceGrid grid = grid_of(patch);
   for (std::size_t i = 0; i < patch.normal.size(); ++i) {
     const double y = grid.y(i / patch.columns);
     const double z = grid.z(i % patch.columns);
@@ -157,7 +157,7 @@ SkinWrench resultant(std::span<const SkinLoad> loads) noexcept {
   return sum;
 }
 
-SkinWrench resultant(std::span<const double> tractions, const SkinGrid& grid) noexcept {
+SkinWrench resultant(std::span<const double> tractions, const SurfaceGrid& grid) noexcept {
   const std::size_t count = grid.count();
   assert(tractions.size() == count || tractions.size() == 3 * count);
   SkinWrench sum;

@@ -75,10 +75,10 @@ struct Spectrum {
   double condition = 1.0;
 };
 
-Spectrum spectrum_of(const SkinProblem& problem) {
+Spectrum spectrum_of(const LinearProblem& problem) {
   const SkinFamily::Factors factors(
       problem,
-      std::make_shared<const CosineCoordinates>(
+      std::make_shared<const WaveCoordinates>(
           problem, Eigen::VectorXd::Ones(static_cast<Index>(problem.kernel.columns))),
       mirror_classes(problem), 1.0);
   // Of readings that are all zero there is none.

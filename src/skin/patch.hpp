@@ -17,7 +17,7 @@ namespace tactile_net {
 }
 
 /// Its rectangles as cells.
-[[nodiscard]] inline SkinGrid grid_of(const SampledPatch& patch) noexcept {
+[[nodiscard]] inline SurfaceGrid grid_of(const SampledPatch& patch) noexcept {
   return {.rows = patch.rows,
           .columns = patch.columns,
           .spacing_y = patch.spacing_y,

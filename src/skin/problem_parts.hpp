@@ -8,7 +8,7 @@ namespace tactile_net {
 
 /// All of `make_problem` but the kernel, its error and the constants, of any size.
 /// @throw std::invalid_argument  as `make_problem`, but for the kernel's size
-[[nodiscard]] SkinProblem problem_without_kernel(const SkinArray& skin, const Material& material,
-                                                 const SkinProblemOptions& options);
+[[nodiscard]] LinearProblem problem_without_kernel(const SkinArray& skin, const Material& material,
+                                                   const SkinProblemOptions& options);
 
 }  // namespace tactile_net

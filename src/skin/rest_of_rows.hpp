@@ -41,8 +41,8 @@ class RestOfRows {
 
  private:
   RestOfRows(const RowLayout& whole, std::vector<Eigen::Index> gone)
-      : gone_(std::move(gone)), rest_(without(whole, gone_)) {
-    Eigen::MatrixXd shares = Weighting(whole).constants()(gone_, Eigen::indexing::all);
+      : gone_(std::move(gone)), rest_(weighting_of(without(whole, gone_))) {
+    Eigen::MatrixXd shares = weighting_of(whole).constants()(gone_, Eigen::indexing::all);
     // Of a channel that goes as a whole no constant is left to change.
     for (Eigen::Index c = 0; c < shares.cols(); ++c)
       if (rest_.constants().col(c).squaredNorm() == 0.0) shares.col(c).setZero();
@@ -56,6 +56,9 @@ class RestOfRows {
       if (std::find(taxels.begin(), taxels.end(), whole.sites[row].taxel) != taxels.end())
         rows.push_back(static_cast<Eigen::Index>(row));
     return rows;
+  }
+  static Weighting weighting_of(const RowLayout& rows) {
+    return {rows.weights, rows.sites, rows.unknown_offsets};
   }
   static RowLayout without(RowLayout rows, const std::vector<Eigen::Index>& gone) {
     for (const Eigen::Index row : gone) rows.weights[static_cast<std::size_t>(row)] = 0.0;

@@ -17,7 +17,7 @@ using Gradient = std::vector<double>;
 /// Tractions of some cells alone, and what they amount to.
 class Contact {
  public:
-  Contact(const SkinGrid& grid, std::span<const double> tractions,
+  Contact(const SurfaceGrid& grid, std::span<const double> tractions,
           std::span<const std::size_t> cells)
       : grid_(grid), count_(grid.count()), cells_(cells), own_(tractions.size()) {
     if (tractions.size() != count_ && tractions.size() != 3 * count_)
@@ -117,7 +117,7 @@ class Contact {
     return presses_ ? SkinWrench::Centre{sum.y / all, sum.z / all} : SkinWrench::Centre{};
   }
 
-  const SkinGrid& grid_;
+  const SurfaceGrid& grid_;
   std::size_t count_;
   std::span<const std::size_t> cells_;
   std::vector<double> own_;
@@ -190,7 +190,7 @@ struct NearestToSlipping {
 
 /// One contact alone has all cells, those of nothing beside it too.
 /// @param torsion  counts too
-NearestToSlipping nearest_to_slipping(const SkinGrid& grid, std::span<const double> tractions,
+NearestToSlipping nearest_to_slipping(const SurfaceGrid& grid, std::span<const double> tractions,
                                       std::span<const std::size_t> cells, bool torsion) {
   NearestToSlipping nearest{{cells.begin(), cells.end()}, 0};
   double strongest = 0.0;
@@ -214,7 +214,7 @@ NearestToSlipping nearest_to_slipping(const SkinGrid& grid, std::span<const doub
 
 }  // namespace
 
-UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tractions,
+UncertainWrench resultant_of(const SurfaceGrid& grid, std::span<const double> tractions,
                              std::span<const std::size_t> cells, const Covariance& covariance,
                              double noise_rms) {
   const Contact contact(grid, tractions, cells);
@@ -256,7 +256,7 @@ UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tract
   return result;
 }
 
-std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const double> tractions,
+std::optional<SkinFriction> friction_of(const SurfaceGrid& grid, std::span<const double> tractions,
                                         std::span<const std::size_t> cells,
                                         const Covariance& covariance, double noise_rms,
                                         std::optional<double> limit) {
@@ -316,7 +316,7 @@ std::optional<SkinFriction> friction_of(const SkinGrid& grid, std::span<const do
   return friction;
 }
 
-std::optional<ContactEllipse> contact_ellipse(const SkinGrid& grid,
+std::optional<ContactEllipse> contact_ellipse(const SurfaceGrid& grid,
                                               std::span<const double> tractions,
                                               std::span<const std::size_t> cells,
                                               const Covariance& covariance, double noise_rms,

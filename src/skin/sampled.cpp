@@ -11,7 +11,7 @@ namespace tactile_net {
 
 struct SampledSkinModel::Kernels {
   SkinArray skin;
-  SkinGrid grid;
+  SurfaceGrid grid;
   std::size_t components;
   std::vector<LatticeKernel> lattice{};  // of each channel and component; empty: taxels anywhere
   Matrix places{};                       // readings x (components x cells) of these
@@ -20,7 +20,7 @@ struct SampledSkinModel::Kernels {
 namespace {
 
 /// Of taxels anywhere, all distances.
-Matrix kernels_of_places(const SkinArray& skin, CellKernels& kernels, const SkinGrid& grid,
+Matrix kernels_of_places(const SkinArray& skin, CellKernels& kernels, const SurfaceGrid& grid,
                          std::size_t components) {
   const std::size_t count = grid.count();
   Matrix all{.rows = reading_count(skin), .columns = components * count};
@@ -45,7 +45,7 @@ Matrix kernels_of_places(const SkinArray& skin, CellKernels& kernels, const Skin
 }  // namespace
 
 SampledSkinModel::SampledSkinModel(const SkinArray& skin, const Material& material,
-                                   const SkinGrid& grid, std::size_t components) {
+                                   const SurfaceGrid& grid, std::size_t components) {
   check_sampled(skin, material, components);
   Kernels made{.skin = skin, .grid = grid, .components = components};
   CellKernels kernels(material, grid);
@@ -88,7 +88,7 @@ std::vector<double> SampledSkinModel::readings(std::span<const double> tractions
 }
 
 std::vector<double> sampled_readings(const SkinArray& skin, const Material& material,
-                                     const SkinGrid& grid, std::span<const double> tractions) {
+                                     const SurfaceGrid& grid, std::span<const double> tractions) {
   const std::size_t count = grid.count();
   require(tractions.size() == count || tractions.size() == 3 * count, "tractions",
           "hold one value for each cell and component, " + std::to_string(count) + " or " +

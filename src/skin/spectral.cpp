@@ -8,20 +8,20 @@
 namespace tactile_net {
 
 struct SpectralSkinModel::Plan {
-  Plan(const SkinArray& skin, const Material& material, const SkinGrid& cells, std::size_t count)
+  Plan(const SkinArray& skin, const Material& material, const SurfaceGrid& cells, std::size_t count)
       : grid(cells),
         components(count),
         values(reading_count(skin)),
         products(skin, grid, count, lattice_kernels(skin, material, grid, count)) {}
 
-  SkinGrid grid;
+  SurfaceGrid grid;
   std::size_t components;
   std::size_t values;  // of a frame
   LatticeProducts products;
 };
 
 SpectralSkinModel::SpectralSkinModel(const SkinArray& skin, const Material& material,
-                                     const SkinGrid& grid, std::size_t components) {
+                                     const SurfaceGrid& grid, std::size_t components) {
   check_sampled(skin, material, components);
   if (!is_lattice(skin, grid))
     throw std::invalid_argument(

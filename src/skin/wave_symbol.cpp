@@ -78,7 +78,7 @@ LatticeLine lattice_line(const SkinArray& skin, bool along_z) {
     const std::size_t count = along_z ? skin.columns : skin.rows;
     return {count, static_cast<double>(count) * (along_z ? skin.pitch_z : skin.pitch_y)};
   }
-  const SkinGrid grid = grid_of(skin, {.spacing = skin.pitch_y, .margin = 0.0});
+  const SurfaceGrid grid = grid_of(skin, {.spacing = skin.pitch_y, .margin = 0.0});
   const std::size_t count = along_z ? grid.columns : grid.rows;
   return {count, static_cast<double>(count) * (along_z ? grid.spacing_z : grid.spacing_y)};
 }

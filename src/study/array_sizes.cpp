@@ -71,7 +71,7 @@ std::vector<Timed> timed_plans(const StudyInput& input) {
 
 /// Exchanging y and z saves bytes, and costs additions: a plan has it where it pays.
 PlannedFrame faster_frame(const EstimatorPlan& pattern, const ArraySize& size,
-                          const SkinGrid& cells, const lab::Clock& clock) {
+                          const SurfaceGrid& cells, const lab::Clock& clock) {
   const EstimatorPlan plan = shaped_plan(pattern, size, cells);
   const std::vector<double> readings(plan.readings(), 1.0);
   PlannedFrame frame = timed_frame(plan, readings, clock);
@@ -107,7 +107,7 @@ EstimatorPlan without_exchange(EstimatorPlan plan) {
   return plan;
 }
 
-EstimatorPlan shaped_plan(EstimatorPlan plan, const ArraySize& taxels, const SkinGrid& cells) {
+EstimatorPlan shaped_plan(EstimatorPlan plan, const ArraySize& taxels, const SurfaceGrid& cells) {
   plan.count = taxels.rows * taxels.columns;
   plan.values = cells.count();
   plan.cells->rows = cells.rows;
@@ -139,7 +139,7 @@ StudySection array_sizes(const StudyInput& input, const lab::Clock& clock) {
   for (const auto& [curve, pattern, spacing] : timed_plans(input))
     for (const std::size_t side : array_sides) {
       const ArraySize size = size_of(input.skin().scene(), side);
-      const SkinGrid cells = grid(with_size(input.skin().scene(), size, spacing));
+      const SurfaceGrid cells = grid(with_size(input.skin().scene(), size, spacing));
       const std::size_t numbers =
           pattern.unknowns * cells.count() * pattern.channels * size.rows * size.columns;
       const std::size_t share = pattern.reconstruction.structure == Structure::dense ? 1 : 4;

@@ -33,7 +33,7 @@ struct ArraySize {
 /// @param taxels  of the other
 /// @param cells   of the other
 [[nodiscard]] EstimatorPlan shaped_plan(EstimatorPlan plan, const ArraySize& taxels,
-                                        const SkinGrid& cells);
+                                        const SurfaceGrid& cells);
 
 /// By the four classes of the reflections alone.
 [[nodiscard]] EstimatorPlan without_exchange(EstimatorPlan plan);

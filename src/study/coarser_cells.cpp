@@ -25,8 +25,8 @@ Between between(double place, std::size_t count) {
 }
 
 /// Linear between the middles of cells, along y and z.
-std::vector<double> on_grid(std::span<const double> f, std::size_t components, const SkinGrid& from,
-                            const SkinGrid& to) {
+std::vector<double> on_grid(std::span<const double> f, std::size_t components,
+                            const SurfaceGrid& from, const SurfaceGrid& to) {
   std::vector<double> result;
   for (std::size_t u = 0; u < components; ++u) {
     const auto values = f.subspan(u * from.count(), from.count());
@@ -46,7 +46,7 @@ std::vector<double> on_grid(std::span<const double> f, std::size_t components, c
 
 /// Scenes on ever wider cells, down to one a taxel; of uneven taxels twice and four times as wide.
 std::vector<SkinScene> coarser_scenes(const lab::SkinSceneProblem& skin) {
-  const SkinGrid& own = skin.grid();
+  const SurfaceGrid& own = skin.grid();
   const double spacing = std::max(own.spacing_y, own.spacing_z);
   std::vector<SkinScene> scenes;
   std::size_t before = own.count();
@@ -73,10 +73,10 @@ bool has_coarser_cells(const lab::SkinSceneProblem& skin) { return !coarser_scen
 StudySection coarser_cells(const StudyInput& input, const lab::Clock& clock) {
   StudySection section;
   const WorkCurve curve{.family = WorkCurve::Family::coarser_surface};
-  const SkinGrid& own = input.skin().grid();
+  const SurfaceGrid& own = input.skin().grid();
   for (const SkinScene& scene : coarser_scenes(input.skin())) {
     StudyInput coarse{.problem = lab::SkinSceneProblem(scene), .alpha = input.alpha};
-    const SkinProblem& problem = coarse.skin().problem();
+    const LinearProblem& problem = coarse.skin().problem();
     const Knob knob{.kind = Knob::Kind::surface_values, .count = problem.grid.count()};
     attempt(section, curve, knob, [&] {
       // Alpha does not follow the spacing.

@@ -10,7 +10,7 @@ namespace tactile_net::study {
 
 StudySection factorisations(const StudyInput& input, const lab::Clock& clock) {
   StudySection section;
-  const InverseProblem& problem = input.line().problem();
+  const LinearProblem& problem = input.line().problem();
   const WorkCurve explicit_inverse{.family = WorkCurve::Family::closed_form};
   attempt(section, explicit_inverse, {}, [&] {
     const Reconstruction inverse = closed_form(problem, input.alpha);

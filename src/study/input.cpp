@@ -12,7 +12,6 @@
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/numeric/comparison.hpp"
-#include "tactile_net/skin/direct.hpp"
 
 namespace tactile_net::study {
 namespace {

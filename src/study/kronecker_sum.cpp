@@ -103,8 +103,8 @@ struct KroneckerTerms::Blocks {
   std::vector<Svd> blocks{};
 };
 
-KroneckerTerms::KroneckerTerms(const SkinProblem& problem, const Reconstruction& inverse) {
-  const SkinGrid& grid = problem.grid;
+KroneckerTerms::KroneckerTerms(const LinearProblem& problem, const Reconstruction& inverse) {
+  const SurfaceGrid& grid = problem.grid;
   if (grid.stride_rows == 0)
     throw std::invalid_argument("Kronecker products need taxels in rows and columns");
   if (inverse.readings() != problem.weights.size() ||

@@ -55,7 +55,7 @@ class KroneckerTerms {
   /// @throw std::invalid_argument  the taxels are not in rows and columns, the inverse is of
   ///                               another problem, or a side of a rearranged block is longer than
   ///                               `longest_side`
-  KroneckerTerms(const SkinProblem& problem, const Reconstruction& inverse);
+  KroneckerTerms(const LinearProblem& problem, const Reconstruction& inverse);
   ~KroneckerTerms();
 
   /// Of rearranged blocks: 16 x 16 taxels over cells of half their pitch have 560.

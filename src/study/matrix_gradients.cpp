@@ -6,26 +6,26 @@
 #include <vector>
 
 #include "inverse/checks.hpp"
+#include "inverse/coordinates.hpp"
 #include "numeric/conjugate_gradients.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/coordinates.hpp"
 
 namespace tactile_net::study {
 
 struct SkinMatrixGradients::System {
-  System(const SkinProblem& given, double weight)
+  System(const LinearProblem& given, double weight)
       : problem(given),
         alpha(weight),
         waves(problem, stabiliser_spectrum(problem).cwiseSqrt()),
         kernel(waves.sums(as_eigen(problem.kernel).transpose()).transpose()) {}
 
-  SkinProblem problem;
+  LinearProblem problem;
   double alpha;
-  CosineCoordinates waves;
+  WaveCoordinates waves;
   RowMajor kernel;  // W K L^-1
 };
 
-SkinMatrixGradients::SkinMatrixGradients(const SkinProblem& problem, double alpha) {
+SkinMatrixGradients::SkinMatrixGradients(const LinearProblem& problem, double alpha) {
   check_alpha(alpha);
   system_ = std::make_unique<const System>(problem, alpha);
 }

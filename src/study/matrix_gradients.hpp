@@ -21,7 +21,7 @@ class SkinMatrixGradients {
  public:
   /// O(readings x tractions).
   /// @throw std::invalid_argument  alpha is not > 0 and finite
-  SkinMatrixGradients(const SkinProblem& problem, double alpha);
+  SkinMatrixGradients(const LinearProblem& problem, double alpha);
   ~SkinMatrixGradients();
   SkinMatrixGradients(SkinMatrixGradients&&) noexcept;
   SkinMatrixGradients& operator=(SkinMatrixGradients&&) noexcept;

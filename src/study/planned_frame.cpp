@@ -13,7 +13,7 @@ PlannedEstimator plan_of(const StudyInput& input, PlannerOptions options) {
   options.diagnostics = false;
   if (!input.is_skin()) return plan_estimator(input.line().problem(), input.alpha, options);
   const lab::SkinSceneProblem& skin = input.skin();
-  std::optional<SkinProblem> whole;
+  std::optional<LinearProblem> whole;
   if (!skin.scene().dead_taxels.empty()) whole = skin.without({}).problem();
   return plan_estimator(skin.problem(), skin.family(), input.alpha, options,
                         whole ? &*whole : nullptr);
@@ -34,7 +34,7 @@ PlannedFrame timed_frame(const EstimatorPlan& plan, std::span<const double> read
   return frame;
 }
 
-PlannedFrame planned_frame(const InverseProblem& problem, double alpha,
+PlannedFrame planned_frame(const LinearProblem& problem, double alpha,
                            std::span<const double> readings, const lab::Clock& clock) {
   PlannerOptions options;
   options.diagnostics = false;

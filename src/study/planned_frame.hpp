@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/study/input.hpp"
 
@@ -27,7 +27,7 @@ struct PlannedFrame {
                                        const lab::Clock& clock);
 
 /// @throw std::invalid_argument, std::domain_error  as `plan_estimator`
-[[nodiscard]] PlannedFrame planned_frame(const InverseProblem& problem, double alpha,
+[[nodiscard]] PlannedFrame planned_frame(const LinearProblem& problem, double alpha,
                                          std::span<const double> readings, const lab::Clock& clock);
 
 }  // namespace tactile_net::study

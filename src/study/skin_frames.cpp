@@ -3,7 +3,7 @@
 #include "study/digital.hpp"
 #include "study/kronecker_sum.hpp"
 #include "study/points.hpp"
-#include "tactile_net/skin/direct.hpp"
+#include "tactile_net/inverse/reconstruction.hpp"
 
 namespace tactile_net::study {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 /// A QR of every frame that takes more additions than this takes seconds, and is left out.
 constexpr double most_additions = 5e8;
 
-double additions_of_qr(const SkinProblem& problem) {
+double additions_of_qr(const LinearProblem& problem) {
   const auto rows = static_cast<double>(problem.kernel.rows);
   const auto columns = static_cast<double>(problem.kernel.columns);
   const double least = std::min(rows, columns);
@@ -22,7 +22,7 @@ double additions_of_qr(const SkinProblem& problem) {
 
 StudySection skin_factorisations(const StudyInput& input, const lab::Clock& clock) {
   StudySection section;
-  const SkinProblem& problem = input.skin().problem();
+  const LinearProblem& problem = input.skin().problem();
   const WorkCurve every_alpha{.family = WorkCurve::Family::singular_values};
   attempt(section, every_alpha, {}, [&] {
     const SkinFamily& family = input.skin().family();

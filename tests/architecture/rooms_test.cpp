@@ -93,8 +93,8 @@ const std::vector<Rule> rules{
      {"Eigen/", "unsupported/Eigen/"},
      {},
      {"src/numeric/", "src/calibration/press_design.hpp", "src/control/grid_classes.cpp",
-      "src/grasp/two_fingers.cpp", "src/skin/coordinates.hpp", "src/skin/mirror.hpp",
-      "src/skin/sparse_stabiliser.hpp"},
+      "src/grasp/two_fingers.cpp", "src/inverse/mirror_classes.hpp",
+      "src/inverse/sparse_stabiliser.hpp", "src/skin/face_coordinates.hpp"},
      library},
     {"Boost's tables of Gauss' rules",
      {"boost/math/quadrature/gauss.hpp"},
@@ -291,7 +291,8 @@ TEST_CASE("the table of the rooms has no circle: each names rooms above it only"
 }
 
 TEST_CASE("an include upwards is found, by the public path and by the private one", "[rooms]") {
-  CHECK_FALSE(allows("src/elasticity/layer.cpp", "#include \"tactile_net/inverse/problem.hpp\""));
+  CHECK_FALSE(
+      allows("src/elasticity/layer.cpp", "#include \"tactile_net/inverse/line_problem.hpp\""));
   CHECK_FALSE(allows("src/elasticity/layer.cpp", "#include \"inverse/stacked.hpp\""));
   CHECK_FALSE(
       allows("include/tactile_net/lab/run.hpp", "#include <tactile_net/report/words/table.hpp>"));
@@ -311,9 +312,9 @@ TEST_CASE("what one place alone may know is found elsewhere", "[rooms]") {
   CHECK_FALSE(allows("src/lab/run.cpp", "#include <toml++/toml.h>"));
   CHECK_FALSE(allows("src/drawing/html.cpp", "run_process({\"gnuplot\"});"));
   CHECK_FALSE(allows("src/drawing/html.cpp", "#include \"tactile_net/scene/reader.hpp\""));
-  CHECK_FALSE(allows("include/tactile_net/inverse/problem.hpp", "#include <Eigen/Core>"));
+  CHECK_FALSE(allows("include/tactile_net/inverse/line_problem.hpp", "#include <Eigen/Core>"));
   CHECK_FALSE(allows("src/inverse/problem.cpp", "#include <Eigen/Core>"));
-  CHECK_FALSE(allows("src/inverse/problem.hpp", "#include <Eigen/Dense>"));
+  CHECK_FALSE(allows("src/inverse/line_problem.hpp", "#include <Eigen/Dense>"));
   CHECK(allows("src/numeric/orthogonal.cpp", "#include <Eigen/QR>"));
   CHECK_FALSE(allows("src/sensing/aperture.cpp", "#include <boost/math/quadrature/gauss.hpp>"));
   CHECK_FALSE(allows("src/lab/run.cpp", "std::cerr << \"note\";"));

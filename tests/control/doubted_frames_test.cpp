@@ -1,5 +1,6 @@
 // Frames that cannot be true, as a controller with a planned estimator meets them.
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
@@ -16,7 +17,7 @@ const SensorArray pad_array{
     .count = 41, .pitch = 0.5, .depths = {1.5}, .reads = {Quantity::stress_x}};
 
 EstimatorPlan plan_with(const PlannerOptions& options) {
-  const InverseProblem problem = make_problem(pad_array, pad, {.smoothing_length = 1.5});
+  const LinearProblem problem = make_problem(pad_array, pad, {.smoothing_length = 1.5});
   return plan_estimator(problem, pad_alpha, options).plan;
 }
 
@@ -119,7 +120,7 @@ TEST_CASE("what presses at the outermost taxels may press beyond them", "[planne
 
 TEST_CASE("a baseline that moved presses, and is doubted", "[planner]") {
   const EstimatorPlan plan = whole_plan();
-  const InverseProblem with_offsets =
+  const LinearProblem with_offsets =
       make_problem(pad_array, pad, {.smoothing_length = 1.5, .unknown_offsets = true});
   const EstimatorPlan freed =
       plan_estimator(with_offsets, pad_alpha, {.noise_rms = noise_rms, .judge_baseline = true})

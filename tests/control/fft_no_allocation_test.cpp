@@ -96,8 +96,8 @@ TEST_CASE("nor with plans that were measured, for the sizes that the planner tak
 TEST_CASE("a frame of a plan by FFT allocates nothing, nor does a dead taxel",
           "[fft][no_allocation]") {
   using enum Quantity;
-  const InverseProblem problem = make_problem({96, 0.125, {1.5}, {stress_x, shear_xy}}, {1.0, 0.45},
-                                              {.unknowns = 2, .smoothing_length = 1.0});
+  const LinearProblem problem = make_problem({96, 0.125, {1.5}, {stress_x, shear_xy}}, {1.0, 0.45},
+                                             {.unknowns = 2, .smoothing_length = 1.0});
   PlannerOptions options{.structure = Structure::fft};
   ContactEstimator estimator(plan_estimator(problem, 1e-4, options).plan, fft_convolutions());
   const std::vector<double> g = random_values(192, 1);

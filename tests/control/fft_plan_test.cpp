@@ -19,13 +19,13 @@ using namespace tactile_net;
 namespace {
 
 /// Fixed pitch: the longer, the more taxels.
-InverseProblem long_array(std::size_t count, std::vector<Quantity> reads = {Quantity::stress_x}) {
+LinearProblem long_array(std::size_t count, std::vector<Quantity> reads = {Quantity::stress_x}) {
   const std::size_t unknowns = reads.size();
   return make_problem({count, 0.125, {1.5}, std::move(reads)}, pad,
                       {.unknowns = unknowns, .smoothing_length = 1.0});
 }
 
-PlannedEstimator fft_plan(const InverseProblem& problem, double accuracy = 1e-7,
+PlannedEstimator fft_plan(const LinearProblem& problem, double accuracy = 1e-7,
                           bool diagnostics = false) {
   PlannerOptions options{.accuracy = accuracy, .structure = Structure::fft};
   options.diagnostics = diagnostics;
@@ -40,9 +40,9 @@ std::vector<double> solved(ContactEstimator& estimator, const std::vector<double
 }
 
 /// Readings of one round contact, `centre` in taxels.
-std::vector<double> round_contact(const InverseProblem& problem, double centre) {
+std::vector<double> round_contact(const LinearProblem& problem, double centre) {
   std::vector<double> f(problem.kernel.columns, 0.0);
-  for (std::size_t i = 0; i < problem.surface.count; ++i) {
+  for (std::size_t i = 0; i < problem.grid.count(); ++i) {
     const double z = (static_cast<double>(i) - centre) / 16.0;
     if (std::abs(z) < 1.0) f[i] = std::sqrt(1.0 - z * z);
   }
@@ -75,7 +75,7 @@ ProductPlan small_convolution() {
 
 TEST_CASE("the convolution alone is percents off at the array's end, and right with its correction",
           "[fft]") {
-  const InverseProblem problem = long_array(256);
+  const LinearProblem problem = long_array(256);
   const Reconstruction dense = tikhonov(problem, pad_alpha);
   const PlannedEstimator planned = fft_plan(problem);
   EstimatorPlan bare = planned.plan;
@@ -115,7 +115,7 @@ TEST_CASE("a plan by FFT keeps its accuracy, proven and measured, on long arrays
   const bool two = GENERATE(false, true);
   const double accuracy = GENERATE(1e-3, 1e-6, 1e-9);
   CAPTURE(count, two, accuracy);
-  const InverseProblem problem =
+  const LinearProblem problem =
       two ? long_array(count, {Quantity::stress_x, Quantity::shear_xy}) : long_array(count);
   const Reconstruction dense = tikhonov(problem, pad_alpha);
   const PlannedEstimator planned = fft_plan(problem, accuracy);
@@ -225,7 +225,7 @@ TEST_CASE("without a convolution a plan by FFT is refused, and the library with 
 
 TEST_CASE("fft is offered only where it is allowed and the array is symmetric, and why not is said",
           "[fft]") {
-  const InverseProblem problem = long_array(256);
+  const LinearProblem problem = long_array(256);
   const auto offered = [](const PlannedEstimator& planned) {
     for (const Candidate& candidate : planned.candidates)
       if (candidate.structure == Structure::fft) return true;
@@ -246,8 +246,8 @@ TEST_CASE("fft is offered only where it is allowed and the array is symmetric, a
   CHECK(offered(short_array));
   CHECK(short_array.plan.reconstruction.structure != Structure::fft);
 
-  const InverseProblem dead = make_problem({40, 0.125, {1.5}, {Quantity::stress_x}}, pad,
-                                           {.smoothing_length = 1.0, .dead_taxels = {3}});
+  const LinearProblem dead = make_problem({40, 0.125, {1.5}, {Quantity::stress_x}}, pad,
+                                          {.smoothing_length = 1.0, .dead_taxels = {3}});
   const PlannedEstimator asymmetric = plan_estimator(dead, pad_alpha, options);
   CHECK_FALSE(offered(asymmetric));
   CHECK_THAT(asymmetric.why(), ContainsSubstring("no fft: the array is not mirror symmetric"));
@@ -262,7 +262,7 @@ TEST_CASE("fft is offered only where it is allowed and the array is symmetric, a
 TEST_CASE("residual and dead taxels are those of the dense plan", "[fft]") {
   const bool two = GENERATE(false, true);
   CAPTURE(two);
-  const InverseProblem problem =
+  const LinearProblem problem =
       two ? long_array(96, {Quantity::stress_x, Quantity::shear_xy}) : long_array(320);
   const EstimatorPlan plan = fft_plan(problem, 1e-9, true).plan;
   if (!two) REQUIRE(plan.prediction->structure == Structure::fft);
@@ -289,7 +289,7 @@ TEST_CASE("residual and dead taxels are those of the dense plan", "[fft]") {
     }
     REQUIRE(estimator.set_dead(50));
     REQUIRE(reference.set_dead(50));
-    for (std::size_t i = 50; i < g.size(); i += problem.surface.count) g[i] = std::nan("");
+    for (std::size_t i = 50; i < g.size(); i += problem.grid.count()) g[i] = std::nan("");
   }
 }
 

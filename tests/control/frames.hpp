@@ -14,7 +14,7 @@ namespace tactile_net {
 
 /// |f| + |M W^-1| |W (g - K f)|, the unit of a plan's accuracy, with the largest column of M W^-1
 /// for its norm, which is smaller: a stricter check.
-inline double unit_of_error(const InverseProblem& problem, const Reconstruction& inverse,
+inline double unit_of_error(const LinearProblem& problem, const Reconstruction& inverse,
                             std::span<const double> g, std::span<const double> f) {
   double norm = 0.0;
   for (std::size_t i = 0; i < g.size(); ++i)
@@ -34,8 +34,8 @@ inline std::vector<double> difference(std::vector<double> a, std::span<const dou
 }
 
 /// Readings of random tractions, some of them at the very edge of the array.
-inline std::vector<double> contact_readings(const InverseProblem& problem, unsigned seed) {
-  const std::size_t n = problem.surface.count;
+inline std::vector<double> contact_readings(const LinearProblem& problem, unsigned seed) {
+  const std::size_t n = problem.grid.count();
   std::vector<double> f(problem.kernel.columns, 0.0);
   const std::vector<double> where = random_values(6, seed);
   for (std::size_t k = 0; k < 3; ++k) {

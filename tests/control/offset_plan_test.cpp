@@ -19,7 +19,7 @@ namespace {
 
 constexpr double sigma = 1e-3;
 
-InverseProblem problem_without(std::vector<std::size_t> dead) {
+LinearProblem problem_without(std::vector<std::size_t> dead) {
   using enum Quantity;
   return make_problem({31, 0.5, {1.0}, {stress_x, shear_xy}}, {1.0, 0.45},
                       {.unknowns = 2,
@@ -41,7 +41,7 @@ Estimate estimated(ContactEstimator& estimator, const std::vector<double>& g) {
 }
 
 /// A contact with noise, and offsets of many times its size.
-std::vector<double> frame(const InverseProblem& problem, double offset) {
+std::vector<double> frame(const LinearProblem& problem, double offset) {
   std::vector<double> g = contact_readings(problem, 2);
   std::mt19937 generator(9);
   std::normal_distribution<double> normal(0.0, sigma);
@@ -54,7 +54,7 @@ std::vector<double> frame(const InverseProblem& problem, double offset) {
 
 TEST_CASE("a controller with unknown offsets answers and judges as if there were none",
           "[planner][offset]") {
-  const InverseProblem problem = problem_without({});
+  const LinearProblem problem = problem_without({});
   const PlannedEstimator planned =
       plan_estimator(problem, 1e-6, {.accuracy = 1e-9, .noise_rms = sigma});
   ContactEstimator estimator(planned.plan);
@@ -72,15 +72,15 @@ TEST_CASE("a controller with unknown offsets answers and judges as if there were
   }
 
   // By a plan that takes offsets for known the same frame is nothing that a contact explains.
-  InverseProblem known = make_problem({31, 0.5, {1.0}, {Quantity::stress_x, Quantity::shear_xy}},
-                                      {1.0, 0.45}, {.unknowns = 2, .smoothing_length = 1.0});
+  LinearProblem known = make_problem({31, 0.5, {1.0}, {Quantity::stress_x, Quantity::shear_xy}},
+                                     {1.0, 0.45}, {.unknowns = 2, .smoothing_length = 1.0});
   ContactEstimator other(plan_estimator(known, 1e-6, {.noise_rms = sigma}).plan);
   CHECK(relative_l2_error(estimated(other, frame(problem, offset)).tractions, plain.tractions) >
         0.1);
 }
 
 TEST_CASE("one bad reading is told from its channel's offset", "[planner][offset]") {
-  const InverseProblem problem = problem_without({});
+  const LinearProblem problem = problem_without({});
   ContactEstimator estimator(
       plan_estimator(problem, 1e-6, {.accuracy = 1e-9, .noise_rms = sigma}).plan);
   std::vector<double> g = frame(problem, 5.0);
@@ -115,7 +115,7 @@ Skin skin_without(std::vector<std::size_t> dead) {
 
 /// A contact that drags, with noise, and offsets of so many times its peak.
 std::vector<double> skin_frame(const Skin& skin, double offset) {
-  const SkinProblem known = make_problem(skin.array, skin.material);
+  const LinearProblem known = make_problem(skin.array, skin.material);
   const std::size_t cells = known.grid.count();
   std::vector<double> f(known.kernel.columns);
   for (std::size_t i = 0; i < cells; ++i) {
@@ -211,7 +211,7 @@ TEST_CASE("a skin's taxel that dies later leaves its channels' offsets to the ot
 TEST_CASE("a whole skin whose offsets are known is no part of one whose are not",
           "[skin_plan][offset]") {
   const Skin skin = skin_without({14});
-  const SkinProblem known = make_problem(skin.array, skin.material);
+  const LinearProblem known = make_problem(skin.array, skin.material);
   CHECK_THROWS_AS(plan_estimator(skin.problem, SkinFamily(skin.problem), 1e-4, {}, &known),
                   std::invalid_argument);
 }

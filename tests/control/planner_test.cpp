@@ -32,7 +32,7 @@ TEST_CASE("every planned path keeps its accuracy, on random readings and on cont
         planned = plan_estimator(problem, alpha, options);
       } catch (const std::invalid_argument&) {
         const bool dead = name == "weighted, a dead taxel" || name.starts_with("a finer surface");
-        const bool square = problem.surface.count == problem.taxels;
+        const bool square = problem.grid.count() == problem.taxels;
         REQUIRE(((has_reflections(structure) && dead) || (structure == Structure::fft && !square)));
         continue;
       }
@@ -78,7 +78,7 @@ TEST_CASE("contacts on a line that are dragged apart have the margin of one of t
                           .pitch = 1e-3,
                           .depths = {2e-3},
                           .reads = {Quantity::stress_x, Quantity::shear_xy}};
-  const InverseProblem problem = make_problem(array, silicone, {.unknowns = 2});
+  const LinearProblem problem = make_problem(array, silicone, {.unknowns = 2});
   ContactEstimator estimator(
       plan_estimator(problem, 1e-4,
                      {.structure = structure, .noise_rms = 10.0, .friction_coefficient = mu})

@@ -15,13 +15,13 @@ using namespace tactile_net;
 namespace {
 
 /// Counts per reading that differ from reading to reading, or from channel to channel alone.
-Calibration calibration_of(const InverseProblem& problem, bool per_reading) {
+Calibration calibration_of(const LinearProblem& problem, bool per_reading) {
   Calibration calibration;
   for (std::size_t i = 0; i < problem.weights.size(); ++i) {
-    const auto channel = static_cast<double>(i / problem.surface.count);
-    const auto taxel = static_cast<double>(i % problem.surface.count);
+    const auto channel = static_cast<double>(i / problem.grid.count());
+    const auto taxel = static_cast<double>(i % problem.grid.count());
     const double size = per_reading ? 0.01 * (1.0 + 0.3 * std::sin(7.0 * taxel)) : 0.01;
-    calibration.gain.push_back((i / problem.surface.count % 2 == 1 ? -1.0 : 1.0) * size /
+    calibration.gain.push_back((i / problem.grid.count() % 2 == 1 ? -1.0 : 1.0) * size /
                                (1.0 + channel));
     calibration.baseline.push_back(512.0 + 3.0 * taxel);
     calibration.offset.push_back(0.01 * taxel);
@@ -65,7 +65,7 @@ TEST_CASE("a plan for raw numbers finds in them what the plan for readings finds
   for (unsigned seed = 0; seed < 4; ++seed) {
     std::vector<double> readings =
         seed % 2 == 0 ? contact_readings(problem, seed) : random_values(estimator.readings(), seed);
-    if (seed == 2) readings[problem.surface.count / 2] += 5.0;  // an outlier
+    if (seed == 2) readings[problem.grid.count() / 2] += 5.0;  // an outlier
     std::vector<double> raw = readings;
     uncalibrate(calibration, raw);
     const Found expected = update(estimator, readings);
@@ -83,7 +83,7 @@ TEST_CASE("a plan for raw numbers finds in them what the plan for readings finds
 }
 
 TEST_CASE("a dead taxel at run time is left out of raw numbers too", "[planner][calibration]") {
-  const InverseProblem problem = sample_problems().at(6).problem;
+  const LinearProblem problem = sample_problems().at(6).problem;
   const Calibration calibration = calibration_of(problem, true);
   ContactEstimator estimator(plan_estimator(problem, 1e-4, {.accuracy = 1e-10}).plan);
   ContactEstimator raw_estimator(
@@ -102,7 +102,7 @@ TEST_CASE("a dead taxel at run time is left out of raw numbers too", "[planner][
 
 TEST_CASE("a baseline set at run time takes the place of the calibration's and its offset",
           "[planner][calibration]") {
-  const InverseProblem problem = sample_problems().at(1).problem;
+  const LinearProblem problem = sample_problems().at(1).problem;
   const Calibration calibration = calibration_of(problem, true);
   ContactEstimator estimator(plan_estimator(problem, 1e-3, {.calibration = calibration}).plan);
   std::vector<double> unloaded(problem.weights.size(), 0.3);
@@ -113,7 +113,7 @@ TEST_CASE("a baseline set at run time takes the place of the calibration's and i
 }
 
 TEST_CASE("plans for raw numbers refuse what they cannot do", "[planner][calibration]") {
-  const InverseProblem problem = sample_problems().at(1).problem;
+  const LinearProblem problem = sample_problems().at(1).problem;
   Calibration calibration = calibration_of(problem, true);
   CHECK_THROWS_WITH(
       plan_estimator(problem, 1e-3,

@@ -17,8 +17,8 @@ struct Skin {
   std::string name{};
   SkinArray array{};
   Material material{.youngs_modulus = 0.25e6, .poisson_ratio = 0.48};
-  SkinProblem problem{};
-  std::optional<SkinProblem> whole{};  ///< where taxels are dead
+  LinearProblem problem{};
+  std::optional<LinearProblem> whole{};  ///< where taxels are dead
 };
 
 inline Skin skin_of(const std::string& name, const SkinArray& array,
@@ -87,7 +87,7 @@ inline Skin uneven(std::size_t count, double depth = 3e-3) {
 }
 
 /// What a few cells press and drag, and noise of a thousandth; seed 3: noise alone.
-inline std::vector<double> frame_of(const SkinProblem& problem, unsigned seed) {
+inline std::vector<double> frame_of(const LinearProblem& problem, unsigned seed) {
   std::mt19937 generator(seed + 1);
   std::normal_distribution<double> noise;
   std::vector<double> f(problem.kernel.columns);

@@ -24,7 +24,7 @@ SensorArray strip() {
   return uneven_array(std::move(taxels));
 }
 
-InverseProblem problem_of(std::vector<std::size_t> dead = {}) {
+LinearProblem problem_of(std::vector<std::size_t> dead = {}) {
   return make_problem(strip(), silicone,
                       {.unknowns = 2,
                        .smoothing_length = 1.5e-3,
@@ -36,7 +36,7 @@ InverseProblem problem_of(std::vector<std::size_t> dead = {}) {
 
 TEST_CASE("a plan of an uneven array answers as the problem does, before and after its file",
           "[planner][uneven]") {
-  const InverseProblem problem = problem_of();
+  const LinearProblem problem = problem_of();
   const PlannedEstimator planned = plan_estimator(problem, 1e-3, {.accuracy = 1e-9});
   CHECK(planned.plan.taxels.size() == problem.sites.size());
   const EstimatorPlan read = decode_plan(encode_plan(planned.plan));
@@ -72,7 +72,7 @@ TEST_CASE("a taxel that dies at run time takes its own readings with it", "[plan
 }
 
 TEST_CASE("a range may be of each reading", "[planner][uneven]") {
-  const InverseProblem problem = problem_of();
+  const LinearProblem problem = problem_of();
   PlannerOptions options;
   options.ranges.assign(problem.sites.size(), {-1.0, 1.0});
   options.ranges[4] = {-1.0, 0.1};

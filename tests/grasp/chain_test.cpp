@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tactile_net/grasp/measured_grasp.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/resultant.hpp"
@@ -51,7 +52,7 @@ TEST_CASE("a traction field's resultant has its force, and no moment about its c
 }
 
 TEST_CASE("noise of the readings reaches the torques as the covariance says", "[grasp][property]") {
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(array, pad_material, {.unknowns = 2, .smoothing_length = 1.0});
   constexpr double alpha = 1e-3;
   constexpr double noise = 2e-3;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net::hard {
@@ -14,7 +14,7 @@ struct Case {
   std::string name;
   SensorArray array;
   Material material;
-  ProblemOptions options;
+  LineProblemOptions options;
   double alpha = 1e-4;
   std::vector<double> readings;
 };

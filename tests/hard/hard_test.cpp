@@ -84,9 +84,9 @@ TEST_CASE("large arrays stay within their bounds", "[hard]") {
 TEST_CASE("constrained answers are optimal in 50 digits", "[hard]") {
   for (const Case& hard_case : cases()) {
     if (hard_case.material.layer) continue;  // whose kernels take their time in 50 digits
-    const InverseProblem problem =
+    const LinearProblem problem =
         make_problem(hard_case.array, hard_case.material, hard_case.options);
-    const bool two = problem.unknowns == 2;
+    const bool two = problem.components == 2;
     const Constraints constraints{.friction_limit = two ? std::optional(0.5) : std::nullopt};
     CAPTURE(hard_case.name);
     ConstrainedSolution solution;
@@ -103,12 +103,12 @@ TEST_CASE("constrained answers are optimal in 50 digits", "[hard]") {
     for (std::size_t i = 0; i < hard_case.readings.size(); ++i)
       right.push_back(Real(problem.weights[i]) * Real(hard_case.readings[i]));
     const Reals f(solution.tractions.begin(), solution.tractions.end());
-    const double ratio = problem.smoothing_length / problem.surface.spacing;
+    const double ratio = problem.smoothing_length / problem.grid.spacing_y;
     const Reals gradient =
-        reference_gradient(kernel, right, hard_case.alpha, ratio, problem.surface.count, f);
+        reference_gradient(kernel, right, hard_case.alpha, ratio, problem.grid.count(), f);
     // Along every edge of the cone the functional must not fall, nor may it fall along f itself.
     const Reals start = reference_gradient(kernel, right, hard_case.alpha, ratio,
-                                           problem.surface.count, Reals(f.size(), 0));
+                                           problem.grid.count(), Reals(f.size(), 0));
     const double bound = forward_bound(problem, hard_case.alpha, hard_case.readings,
                                        solution.tractions, std::max(solution.condition, 1.0));
     const Real slack = norm(start) * Real(1e-9 + (f.empty() || norm(f) == 0 ? 0.0 : bound));

@@ -143,7 +143,7 @@ void check(FrameStatus status) {
 
 void matrix_methods(const Case& c, Judge& judge) {
   const Exact exact(c, false, c.alpha);
-  const InverseProblem problem = make_problem(c.array, c.material, c.options);
+  const LinearProblem problem = make_problem(c.array, c.material, c.options);
   const double kernel_error = c.material.layer ? problem.kernel_error : 0.0;
   const auto bound = [&](const std::vector<double>& f, double condition) {
     return forward_bound(problem, c.alpha, c.readings, f, condition);
@@ -214,7 +214,7 @@ void circular_methods(const Case& c, Judge& judge) {
 /// residuals in 50 digits, until a step is below 1e-25.
 Reals refined_minimiser(const Case& c, const RealMatrix& kernel, const Reals& right) {
   const double ratio = c.options.smoothing_length / c.array.pitch;
-  const InverseProblem problem = make_problem(c.array, c.material, c.options);
+  const LinearProblem problem = make_problem(c.array, c.material, c.options);
   const Matrix p = normal_matrix(problem, c.alpha);
   const auto n = static_cast<Eigen::Index>(p.rows);
   const Eigen::LLT<Eigen::MatrixXd> factors(view(p));
@@ -249,7 +249,7 @@ std::vector<Outcome> outcomes(const Case& hard_case) {
 }
 
 std::vector<Outcome> large_outcomes(const Case& c) {
-  const InverseProblem problem = make_problem(c.array, c.material, c.options);
+  const LinearProblem problem = make_problem(c.array, c.material, c.options);
   const Matrix p = normal_matrix(problem, c.alpha);
   const auto n = static_cast<Eigen::Index>(p.rows);
   const Eigen::VectorXd squares =

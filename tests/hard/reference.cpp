@@ -217,7 +217,7 @@ Reals layer_hats(const Site& site, Traction load, const Material& material, cons
 }  // namespace
 
 RealMatrix reference_hat_matrix(const SensorArray& array, const Material& material,
-                                const ProblemOptions& options, const Surface& surface) {
+                                const LineProblemOptions& options, const Surface& surface) {
   const std::vector<Site> all = sites(array);
   const std::size_t n = surface.count;
   RealMatrix matrix{all.size(), options.unknowns * n, {}};
@@ -254,7 +254,7 @@ Reals reference_kernel(const Channel& channel, Traction load, const Material& ma
 }
 
 RealMatrix reference_matrix(const SensorArray& array, const Material& material,
-                            const ProblemOptions& options, bool circular) {
+                            const LineProblemOptions& options, bool circular) {
   const std::size_t n = array.count;
   const std::vector<Channel> all = channels(array);
   RealMatrix matrix{all.size() * n, options.unknowns * n, {}};
@@ -344,17 +344,17 @@ Reals reference_minimiser(const RealMatrix& kernel, const Reals& right, double a
 }
 
 Reals reference_hat_minimiser(const RealMatrix& kernel, const Reals& right, double alpha,
-                              double smoothing_length, const Surface& surface) {
+                              const LinearProblem& problem) {
   const std::size_t n = kernel.columns;
-  const Real weight = Real(alpha) * surface.area;
-  const Real ratio = Real(smoothing_length) / surface.spacing;
+  const Real weight = Real(alpha) * problem.measure;
+  const Real ratio = Real(problem.smoothing_length) / problem.grid.spacing_y;
   const Real coupling = weight * ratio * ratio;
   RealMatrix p{n, n, Reals(n * n, 0)};
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = 0; i <= j; ++i)
       for (std::size_t r = 0; r < kernel.rows; ++r) p(i, j) += kernel(r, i) * kernel(r, j);
     p(j, j) += weight + 2 * coupling;  // the outermost hats fall to 0 too
-    if (j % surface.count != 0) p(j - 1, j) -= coupling;
+    if (j % problem.grid.rows != 0) p(j - 1, j) -= coupling;
   }
   return solved(std::move(p), transposed_times(kernel, right));
 }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/sensing/array.hpp"
 #include "tactile_net/sensing/surface.hpp"
 
@@ -35,14 +35,14 @@ struct RealMatrix {
 
 /// W K, of the true Toeplitz blocks or of the circular ones.
 [[nodiscard]] RealMatrix reference_matrix(const SensorArray& array, const Material& material,
-                                          const ProblemOptions& options, bool circular);
+                                          const LineProblemOptions& options, bool circular);
 
 /// The x of p x = f by U'D U, of p's upper triangle alone.
 ///
 /// @throws std::domain_error if p is not positive definite
 [[nodiscard]] Reals solved(RealMatrix p, Reals f);
 
-/// The minimiser of problem.hpp's functional.
+/// The minimiser of linear_problem.hpp's functional.
 ///
 /// @param ratio     l / D
 /// @param circular  the stabiliser's differences close around the circle
@@ -50,13 +50,12 @@ struct RealMatrix {
                                         double ratio, std::size_t count, bool circular);
 
 /// W K of tractions that are hats on a surface, for taxels anywhere, and the minimiser of
-/// problem.hpp's functional there. Taxels are points.
+/// linear_problem.hpp's functional there. Taxels are points.
 [[nodiscard]] RealMatrix reference_hat_matrix(const SensorArray& array, const Material& material,
-                                              const ProblemOptions& options,
+                                              const LineProblemOptions& options,
                                               const Surface& surface);
 [[nodiscard]] Reals reference_hat_minimiser(const RealMatrix& kernel, const Reals& right,
-                                            double alpha, double smoothing_length,
-                                            const Surface& surface);
+                                            double alpha, const LinearProblem& problem);
 
 /// P f - b for the true blocks.
 [[nodiscard]] Reals reference_gradient(const RealMatrix& kernel, const Reals& right, double alpha,

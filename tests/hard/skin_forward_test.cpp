@@ -196,8 +196,8 @@ TEST_CASE("units of any size scale exact and sampled readings and nothing else",
         CAPTURE(unit, has_base, name(contact.shape));
         check(exact_readings(skin, material, std::span(&load, 1)),
               exact_readings(scaled, other, std::span(&large_load, 1)));
-        const SkinGrid grid = grid_of(skin);
-        const SkinGrid large_grid = grid_of(scaled);
+        const SurfaceGrid grid = grid_of(skin);
+        const SurfaceGrid large_grid = grid_of(scaled);
         const auto cells = cell_means(std::span(&load, 1), grid);
         const auto large_cells = cell_means(std::span(&large_load, 1), large_grid);
         check(sampled_readings(skin, material, grid, cells),

@@ -18,11 +18,11 @@ using hard::Reals;
 namespace {
 
 /// alpha A/P w_u^2 (f_u^2 + l^2 |grad f_u|^2) of every cell, as docs/internals/skin.md has it.
-void add_stabiliser(RealMatrix& matrix, const SkinProblem& problem, double alpha) {
-  const SkinGrid& grid = problem.grid;
+void add_stabiliser(RealMatrix& matrix, const LinearProblem& problem, double alpha) {
+  const SurfaceGrid& grid = problem.grid;
   for (std::size_t u = 0; u < problem.components; ++u) {
     const Real weight = u == 0 ? Real(1) : Real(problem.tangential_weight);
-    const Real size = Real(alpha) * Real(problem.area) * weight * weight;
+    const Real size = Real(alpha) * Real(problem.measure) * weight * weight;
     const auto at = [&](std::size_t row, std::size_t column) {
       return u * grid.count() + row * grid.columns + column;
     };
@@ -44,7 +44,7 @@ void add_stabiliser(RealMatrix& matrix, const SkinProblem& problem, double alpha
 }
 
 /// The least of the functional, for the kernel as the problem has it.
-Reals least(const SkinProblem& problem, const std::vector<double>& readings, double alpha) {
+Reals least(const LinearProblem& problem, const std::vector<double>& readings, double alpha) {
   const Matrix& kernel = problem.kernel;
   const std::size_t n = kernel.columns;
   RealMatrix normal{n, n, Reals(n * n)};
@@ -101,10 +101,10 @@ TEST_CASE("skins of any shape are solved to their condition, against 50 digits",
   };
   for (const Material& material : materials)
     for (const OddSkin& shape : odd_skins(reads)) {
-      const SkinProblem problem = make_problem(shape.skin, material,
-                                               {.tangential_weight = 2.0,
-                                                .dead_taxels = shape.dead,
-                                                .grid = {.spacing = 1.25, .margin = 1.0}});
+      const LinearProblem problem = make_problem(shape.skin, material,
+                                                 {.tangential_weight = 2.0,
+                                                  .dead_taxels = shape.dead,
+                                                  .grid = {.spacing = 1.25, .margin = 1.0}});
       const SkinFamily family(problem);
       for (const auto& [place, alpha, unit] :
            {Frame{0.0, 1e-8, 1.0}, Frame{1.5, 1e-2, 1e-150}, Frame{6.0, 1e-6, 1e150}}) {

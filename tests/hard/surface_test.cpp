@@ -82,12 +82,13 @@ void check_bounds(const std::vector<SurfaceCase>& cases) {
   const std::vector<Contact> contacts{
       RigidContact{.center = 0.2, .half_width = 1.0, .force = 3.0, .friction = 0.3}};
   for (const SurfaceCase& c : cases) {
-    const ProblemOptions options{
+    const LineProblemOptions options{
         .unknowns = c.unknowns, .smoothing_length = 1.5, .surface = c.surface};
-    const InverseProblem problem = make_problem(c.array, c.material, options);
+    const LinearProblem problem = make_problem(c.array, c.material, options);
     const std::vector<double> readings = exact_readings(c.array, c.material, contacts);
-    const RealMatrix kernel = reference_hat_matrix(c.array, c.material, options, problem.surface);
-    CAPTURE(c.name, problem.surface.count);
+    const RealMatrix kernel =
+        reference_hat_matrix(c.array, c.material, options, surface_of(c.array, c.surface));
+    CAPTURE(c.name, problem.grid.count());
 
     Real off = 0;  // of K, in the Frobenius norm
     for (std::size_t i = 0; i < kernel.values.size(); ++i) {
@@ -98,7 +99,7 @@ void check_bounds(const std::vector<SurfaceCase>& cases) {
     CHECK(problem.kernel_error <= 1e-12 * static_cast<double>(norm(kernel.values)));
 
     const Reals right(readings.begin(), readings.end());
-    const Reals exact = reference_hat_minimiser(kernel, right, c.alpha, 1.5, problem.surface);
+    const Reals exact = reference_hat_minimiser(kernel, right, c.alpha, problem);
     const TikhonovFamily family(problem);
     const auto judge = [&](const std::string& method, const std::vector<double>& f) {
       const double bound =

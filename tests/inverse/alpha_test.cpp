@@ -56,7 +56,7 @@ class RandomContacts {
 
 SensorArray array_of(Quantity quantity) { return {81, 0.25, {1.5}, {quantity}}; }
 
-FilterFrame frame_of(const InverseProblem& problem, const std::vector<double>& readings) {
+FilterFrame frame_of(const LinearProblem& problem, const std::vector<double>& readings) {
   return TikhonovFamily(problem).analyse(readings);
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("rules come near the best alpha on contacts nobody chose, or say that 
   std::vector<std::vector<double>> ratios(alpha_rules.size());
   std::vector<double> caught;  // of gcv, what its verdict lets pass
   for (const Quantity quantity : {Quantity::stress_x, Quantity::strain_x}) {
-    const InverseProblem problem = make_problem(array_of(quantity), pad, {.smoothing_length = 1.0});
+    const LinearProblem problem = make_problem(array_of(quantity), pad, {.smoothing_length = 1.0});
     const TikhonovFamily family(problem);
     RandomContacts contacts(array_of(quantity), pad, 11);
     for (int i = 0; i < 60; ++i) {
@@ -122,7 +122,7 @@ TEST_CASE("rules come near the best alpha on contacts nobody chose, or say that 
 TEST_CASE("rules find the least of what they are defined by", "[alpha]") {
   // From P itself, between the 200 values: a change of 1 % in alpha is worse on either side.
   const Material pad{1.0, 0.45};
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem({31, 0.5, {1.5}, {Quantity::stress_x}}, pad, {.smoothing_length = 1.0});
   const std::vector<Contact> contacts = {RigidContact{.half_width = 2.5}};
   std::vector<double> g =
@@ -169,7 +169,7 @@ TEST_CASE("the answer is the same in any units", "[alpha][property]") {
         RigidContact{.center = unit, .half_width = 3.0 * unit, .force = 0.1 * e * unit}};
     std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
     add_noise(g, 3e-4, 7, 0);
-    const InverseProblem problem = make_problem(array, pad, {.smoothing_length = unit});
+    const LinearProblem problem = make_problem(array, pad, {.smoothing_length = unit});
     const TikhonovFamily family(problem);
     const FilterFrame frame = family.analyse(g);
     std::vector<double> f = family.solve(frame, choose_alpha(frame, rule, 3e-4).alpha);
@@ -184,7 +184,7 @@ TEST_CASE("the answer is the same in any units", "[alpha][property]") {
 
 TEST_CASE("the discrepancy's residual is as large as the noise", "[alpha]") {
   const Material pad{1.0, 0.45};
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(array_of(Quantity::stress_x), pad, {.smoothing_length = 1.0});
   const TikhonovFamily family(problem);
   const RandomContact contact = RandomContacts(array_of(Quantity::stress_x), pad, 5).next();
@@ -201,7 +201,7 @@ TEST_CASE("the discrepancy's residual is as large as the noise", "[alpha]") {
 }
 
 TEST_CASE("no rule answers without a signal, or beyond its bracket, in silence", "[alpha]") {
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(array_of(Quantity::stress_x), {1.0, 0.45}, {.smoothing_length = 1.0});
   const FilterFrame silent = frame_of(problem, std::vector<double>(81));
   for (const AlphaSweep::Curve& curve : sweep_alpha(silent, 1e-3).curves)
@@ -217,7 +217,7 @@ TEST_CASE("no rule answers without a signal, or beyond its bracket, in silence",
 }
 
 TEST_CASE("readings without noise are smoothed by what rounding asks for", "[alpha]") {
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(array_of(Quantity::stress_x), {1.0, 0.45}, {.smoothing_length = 1.0});
   std::vector<double> f(81);
   for (std::size_t i = 30; i < 50; ++i) f[i] = 1.0;
@@ -232,7 +232,7 @@ TEST_CASE("readings without noise are smoothed by what rounding asks for", "[alp
 
 TEST_CASE("denormal and huge readings get the alpha of ordinary ones", "[alpha]") {
   const Material pad{1.0, 0.45};
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(array_of(Quantity::stress_x), pad, {.smoothing_length = 1.0});
   const RandomContact contact = RandomContacts(array_of(Quantity::stress_x), pad, 6).next();
   const double alpha = choose_alpha(frame_of(problem, contact.readings), AlphaRule::rgcv).alpha;

@@ -20,7 +20,7 @@ namespace {
 
 const SensorArray array_of_both{31, 0.5, {1.0}, {Quantity::stress_x, Quantity::shear_xy}};
 
-InverseProblem problem_of_both() {
+LinearProblem problem_of_both() {
   return make_problem(array_of_both, pad, {.unknowns = 2, .smoothing_length = 1.0});
 }
 
@@ -37,7 +37,7 @@ std::vector<double> dragged(double noise) {
 TEST_CASE("the constraints hold, and the rest is optimal", "[constrained][property]") {
   const double alpha = GENERATE(1e-9, 1e-6, 1e-3, 1.0);
   const double limit = GENERATE(0.05, 0.3, 0.8, 1e6);
-  const InverseProblem problem = problem_of_both();
+  const LinearProblem problem = problem_of_both();
   const Constraints constraints{.friction_limit = limit};
   const bool random = GENERATE(false, true);
   const std::vector<double> g = random ? random_values(62, 12) : dragged(1e-3);
@@ -63,7 +63,7 @@ TEST_CASE("the constraints hold, and the rest is optimal", "[constrained][proper
 }
 
 TEST_CASE("constraints that do not bind change nothing", "[constrained]") {
-  const InverseProblem problem = problem_of_both();
+  const LinearProblem problem = problem_of_both();
   std::vector<double> f(62, 1.0);  // everywhere inside the cone
   for (std::size_t i = 31; i < 62; ++i) f[i] = 0.1;
   const Eigen::VectorXd readings = view(problem.kernel) * view(f);
@@ -76,7 +76,7 @@ TEST_CASE("constraints that do not bind change nothing", "[constrained]") {
 
 TEST_CASE("a normal traction alone is kept from pulling", "[constrained]") {
   const SensorArray array{31, 0.5, {1.0}, {Quantity::stress_x}};
-  const InverseProblem problem = make_problem(array, pad, {.smoothing_length = 1.0});
+  const LinearProblem problem = make_problem(array, pad, {.smoothing_length = 1.0});
   const Contact contact = RigidContact{.half_width = 2.0};
   std::vector<double> g = exact_readings(array, pad, std::array{contact});
   add_noise(g, 5e-3, 3, 0);
@@ -141,10 +141,10 @@ TEST_CASE("zero, tiny and huge frames are solved like others", "[constrained]") 
 }
 
 TEST_CASE("what cannot be asked is refused", "[constrained]") {
-  const InverseProblem one =
+  const LinearProblem one =
       make_problem({31, 0.5, {1.0}, {Quantity::stress_x}}, pad, {.smoothing_length = 1.0});
   CHECK_THROWS_AS(ConstrainedTikhonov(one, 1e-3, {.friction_limit = 0.5}), std::invalid_argument);
-  const InverseProblem two = problem_of_both();
+  const LinearProblem two = problem_of_both();
   CHECK_THROWS_AS(ConstrainedTikhonov(two, 1e-3, {.friction_limit = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(ConstrainedTikhonov(two, 0.0, {}), std::invalid_argument);
   CHECK(ConstrainedTikhonov(two, 1e-3, {}).solve(std::vector<double>(31)).status ==

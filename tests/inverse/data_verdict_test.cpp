@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "src/inverse/single_liar.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
@@ -34,7 +35,7 @@ struct Bench {
     return bench;
   }
 
-  [[nodiscard]] InverseProblem problem() const {
+  [[nodiscard]] LinearProblem problem() const {
     return make_problem(
         array, pad,
         {.unknowns = unknowns, .smoothing_length = 1.5, .surface = {.basis = SurfaceBasis::hats}});
@@ -52,7 +53,7 @@ struct Bench {
     return readings;
   }
   [[nodiscard]] DataVerdict judge(const std::vector<double>& readings) const {
-    const InverseProblem p = problem();
+    const LinearProblem p = problem();
     return DataJudge(p, limits()).judge(readings, tikhonov_solve(p, 1e-5, readings));
   }
 };
@@ -80,7 +81,7 @@ TEST_CASE("frames of contacts are consistent, wherever they press", "[data_verdi
 
 TEST_CASE("noise alone is consistent", "[data_verdict]") {
   const Bench bench = GENERATE(Bench{}, Bench::two_tractions());
-  const InverseProblem p = bench.problem();
+  const LinearProblem p = bench.problem();
   const DataJudge judge(p, bench.limits());
   int doubted = 0;
   for (std::size_t k = 0; k < (bench.unknowns == 2 ? 8U : 40U); ++k) {
@@ -127,7 +128,7 @@ TEST_CASE("a lie that a narrow contact takes up is told, and by no honest frame"
           "[data_verdict]") {
   Bench bench = Bench::two_tractions();
   bench.array.depths = {1.0};
-  const InverseProblem p = bench.problem();
+  const LinearProblem p = bench.problem();
   DataLimits limits = bench.limits();
   limits.friction_limit = 0.5;
   const DataJudge judge(p, limits);
@@ -178,7 +179,7 @@ TEST_CASE("a taxel that is found to lie is one that a bound on its gain let be s
 TEST_CASE("where more friction than the limit explains a frame the limit is doubted, and no taxel",
           "[data_verdict]") {
   const Bench bench = Bench::two_tractions();
-  const InverseProblem p = bench.problem();
+  const LinearProblem p = bench.problem();
   const auto judged = [&](const std::vector<double>& readings, std::optional<double> limit) {
     DataLimits limits = bench.limits();
     limits.friction_limit = limit;
@@ -207,7 +208,7 @@ TEST_CASE("where more friction than the limit explains a frame the limit is doub
 
 TEST_CASE("noise alone is told from a contact", "[data_verdict]") {
   Bench bench;
-  const InverseProblem p = bench.problem();
+  const LinearProblem p = bench.problem();
   const std::vector<double> nothing(p.kernel.columns);
   std::vector<double> noise(reading_count(bench.array));
   add_noise(noise, bench.noise, 4, 0);
@@ -292,7 +293,7 @@ TEST_CASE("the mirrored frame has the mirrored verdict", "[data_verdict][propert
 
 TEST_CASE("what a dead taxel reads does not matter", "[data_verdict]") {
   const Bench bench;
-  const InverseProblem p = make_problem(
+  const LinearProblem p = make_problem(
       bench.array, bench.pad,
       {.smoothing_length = 1.5, .dead_taxels = {10}, .surface = {.basis = SurfaceBasis::hats}});
   const DataJudge judge(p, bench.limits());
@@ -308,8 +309,8 @@ TEST_CASE("contacts narrower than the tractions' grid are sought on a finer one"
   Bench bench;
   bench.array = {.count = 41, .pitch = 0.7, .depths = {1.5}, .reads = {Quantity::stress_x}};
   bench.noise = 3e-4;
-  const InverseProblem coarse = make_problem(bench.array, bench.pad, {.smoothing_length = 1.5});
-  const InverseProblem fine = make_problem(
+  const LinearProblem coarse = make_problem(bench.array, bench.pad, {.smoothing_length = 1.5});
+  const LinearProblem fine = make_problem(
       bench.array, bench.pad,
       {.smoothing_length = 1.5, .surface = {.basis = SurfaceBasis::hats, .spacing = 0.375}});
   const std::vector<double> readings =
@@ -321,7 +322,7 @@ TEST_CASE("contacts narrower than the tractions' grid are sought on a finer one"
 
 TEST_CASE("a frame without a reading is consistent, one beyond doubles is not", "[data_verdict]") {
   const Bench bench;
-  const InverseProblem p = bench.problem();
+  const LinearProblem p = bench.problem();
   const std::vector<double> nothing(p.kernel.columns);
   const DataJudge judge(p, {.noise_rms = bench.noise});
   CHECK(judge.judge(std::vector<double>(21), nothing).consistent());
@@ -330,7 +331,7 @@ TEST_CASE("a frame without a reading is consistent, one beyond doubles is not", 
 }
 
 TEST_CASE("limits out of range and sizes that do not fit are refused", "[data_verdict]") {
-  const InverseProblem p = Bench{}.problem();
+  const LinearProblem p = Bench{}.problem();
   const auto refused = [&](const DataLimits& limits) {
     CHECK_THROWS_AS(DataJudge(p, limits), std::invalid_argument);
   };
@@ -350,7 +351,7 @@ TEST_CASE("limits out of range and sizes that do not fit are refused", "[data_ve
 
 TEST_CASE("a memory of the frames before changes no doubt", "[data_verdict]") {
   const Bench bench;
-  const InverseProblem p = bench.problem();
+  const LinearProblem p = bench.problem();
   const DataJudge judge(p, bench.limits());
   DataMemory memory;
   std::size_t doubted = 0;

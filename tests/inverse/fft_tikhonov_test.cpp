@@ -23,8 +23,8 @@ TEST_CASE("conjugate gradients solve P f = b, boundaries included", "[fft_tikhon
       n, 0.25, {1.0}, both ? std::vector{stress_x, shear_xy} : std::vector{strain_x}};
   Material material{1.0, 0.45};
   if (layered) material.layer = Layer{1.0, Base::bonded};
-  ProblemOptions options{.unknowns = both ? std::size_t{2} : std::size_t{1},
-                         .smoothing_length = 1.0};
+  LineProblemOptions options{.unknowns = both ? std::size_t{2} : std::size_t{1},
+                             .smoothing_length = 1.0};
   if (n > 3) options.dead_taxels = {1};
   if (both) options.channel_rms = {1.0, 0.3};
   if (both) options.tangential_weight = n == 20 ? 0.3 : 2.5;
@@ -44,11 +44,11 @@ TEST_CASE("conjugate gradients know a surface between and beyond the taxels", "[
   const double pitch = GENERATE(0.5, 3.0);
   const double alpha = GENERATE(1e-4, 1e-2);
   const SensorArray array{20, pitch, {1.5}, {stress_x, shear_xy}};
-  const ProblemOptions options{.unknowns = 2,
-                               .smoothing_length = 1.0,
-                               .dead_taxels = {4},
-                               .surface = {.basis = SurfaceBasis::hats}};
-  const InverseProblem problem = make_problem(array, pad, options);
+  const LineProblemOptions options{.unknowns = 2,
+                                   .smoothing_length = 1.0,
+                                   .dead_taxels = {4},
+                                   .surface = {.basis = SurfaceBasis::hats}};
+  const LinearProblem problem = make_problem(array, pad, options);
   const std::vector<double> g = random_values(problem.kernel.rows, 3);
   FftTikhonov inverse(array, pad, options, alpha);
   REQUIRE(inverse.tractions() == problem.kernel.columns);

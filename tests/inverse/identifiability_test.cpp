@@ -18,7 +18,7 @@ SensorArray array_of(std::size_t count, std::vector<Quantity> reads,
 }
 
 Identifiability studied(const SensorArray& array, double nu, std::size_t unknowns = 2) {
-  ProblemOptions options{.unknowns = unknowns};
+  LineProblemOptions options{.unknowns = unknowns};
   for (const Channel& channel : channels(array))  // about equal parts of the noise
     options.channel_rms.push_back(is_strain(channel.quantity) ? 0.5 : 1.0);
   return identifiability(make_problem(array, {1.0, nu}, options));
@@ -154,7 +154,7 @@ TEST_CASE("what is hidden can be asked for alone", "[identifiability][property]"
     CHECK(known.dimension == whole.dimension);
     CHECK(known.longest == whole.longest);
   }
-  const InverseProblem strains =
+  const LinearProblem strains =
       make_problem(array_of(21, {strain_x, strain_y}), {1.0, 0.5}, {.unknowns = 2});
   CHECK(hidden_modes(strains).dimension == 21);
   CHECK(hidden_modes(strains).modes.size() == 1);
@@ -163,7 +163,7 @@ TEST_CASE("what is hidden can be asked for alone", "[identifiability][property]"
 TEST_CASE("a space of nothing but waves is described by them, the longest first",
           "[identifiability]") {
   // No reading at all but one: every traction orthogonal to a row is a null mode.
-  InverseProblem problem = make_problem(array_of(16, {stress_x}), {1.0, 0.3});
+  LinearProblem problem = make_problem(array_of(16, {stress_x}), {1.0, 0.3});
   for (std::size_t i = 0; i < 16; ++i)
     for (std::size_t j = 0; j < 16; ++j)
       problem.kernel(i, j) = i == 0 ? (j % 2 == 0 ? 1.0 : -1.0) : 0.0;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double windows_alpha = 1e-3;
 
-InverseProblem coarse_problem() {
+LinearProblem coarse_problem() {
   return make_problem(coarse_array, pad,
                       {.smoothing_length = 1.0, .surface = {.basis = SurfaceBasis::hats}});
 }
@@ -32,21 +32,21 @@ std::vector<double> readings_of(double centre, double half_width = 1.0) {
   return readings;
 }
 
-std::vector<double> tikhonov_of(const InverseProblem& problem, std::span<const double> readings) {
+std::vector<double> tikhonov_of(const LinearProblem& problem, std::span<const double> readings) {
   const TikhonovFamily family(problem);
   return family.solve(family.analyse(readings), windows_alpha);
 }
 
 /// Of the force on the whole surface.
-std::vector<double> force_weights(const Surface& surface) {
-  return std::vector<double>(surface.count, surface.spacing);
+std::vector<double> force_weights(const SurfaceGrid& grid) {
+  return std::vector<double>(grid.count(), grid.area());
 }
 
 }  // namespace
 
 TEST_CASE("with one window the bands are those of every amplitude, as likely as it is",
           "[load_windows]") {
-  const InverseProblem problem = coarse_problem();
+  const LinearProblem problem = coarse_problem();
   const LoadWindows windows(problem, 100.0);
   REQUIRE(windows.count() == 1);
   const std::vector<double> readings = readings_of(1.3);
@@ -84,15 +84,15 @@ TEST_CASE("with one window the bands are those of every amplitude, as likely as 
   const std::vector<double> deviations = covariance.deviations();
   for (Eigen::Index i = 0; i < n; ++i)
     CHECK_THAT(deviations[static_cast<std::size_t>(i)], WithinRel(std::sqrt(c(i, i)), 0.01));
-  CHECK_THAT(covariance.deviation(force_weights(problem.surface)),
-             WithinRel(problem.surface.spacing * std::sqrt(c.sum()), 0.01));
+  CHECK_THAT(covariance.deviation(force_weights(problem.grid)),
+             WithinRel(problem.grid.spacing_y * std::sqrt(c.sum()), 0.01));
   CHECK_THAT(covariance.degrees_of_freedom(),
              WithinRel((k * normal(windows_alpha).inverse() * k.transpose()).trace(), 1e-9));
 }
 
 TEST_CASE("a contact in the middle leaves the ends certain, one at the end does not",
           "[load_windows]") {
-  const InverseProblem problem = coarse_problem();
+  const LinearProblem problem = coarse_problem();
   const LoadWindows windows(problem, 3.0);
   const auto deviation_at_end = [&](double centre) {
     const std::vector<double> readings = readings_of(centre);
@@ -106,7 +106,7 @@ TEST_CASE("a contact in the middle leaves the ends certain, one at the end does 
 }
 
 TEST_CASE("bands of load windows follow the unit and the mirror", "[load_windows]") {
-  const InverseProblem problem = coarse_problem();
+  const LinearProblem problem = coarse_problem();
   const LoadWindows windows(problem, 3.0);
   const std::vector<double> readings = readings_of(1.3);
   const std::vector<double> f = tikhonov_of(problem, readings);
@@ -132,14 +132,14 @@ TEST_CASE("bands of load windows follow the unit and the mirror", "[load_windows
 TEST_CASE("an estimate that is off by more has wider bands by as much", "[load_windows]") {
   // E (f - a)^2 = E (f - b)^2 + (a - b)^2 - 2 (a - b) E (f - b): quadratic in a with unit
   // curvature.
-  const InverseProblem problem = coarse_problem();
+  const LinearProblem problem = coarse_problem();
   const LoadWindows windows(problem, 3.0);
   const std::vector<double> readings = readings_of(1.3);
   std::vector<double> f = tikhonov_of(problem, readings);
-  const auto weights = force_weights(problem.surface);
+  const auto weights = force_weights(problem.grid);
   const auto square = [&](double shift) {
     std::vector<double> shifted = f;
-    shifted[40] += shift / problem.surface.spacing;
+    shifted[40] += shift / problem.grid.spacing_y;
     const double one =
         windows.covariance(readings, shifted, windows_alpha, pad_noise).deviation(weights);
     return one * one * pad_noise * pad_noise;
@@ -150,10 +150,10 @@ TEST_CASE("an estimate that is off by more has wider bands by as much", "[load_w
 }
 
 TEST_CASE("load windows take any frame and no other size", "[load_windows]") {
-  const InverseProblem problem = coarse_problem();
+  const LinearProblem problem = coarse_problem();
   const LoadWindows windows(problem, 3.0);
   const std::vector<double> none(9);
-  const std::vector<double> f(problem.surface.count);
+  const std::vector<double> f(problem.grid.count());
   for (const double size : {0.0, 1e-200, 1e150}) {
     std::vector<double> readings(9, size);
     CAPTURE(size);

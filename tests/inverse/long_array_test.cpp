@@ -23,7 +23,7 @@ namespace {
 struct Case {
   std::string name;
   SensorArray array;
-  ProblemOptions options;
+  LineProblemOptions options;
   std::size_t sections;  // at least
 };
 
@@ -76,7 +76,7 @@ double rms_of(const Case& one) { return one.options.channel_rms.empty() ? pad_no
 
 TEST_CASE("a short array is one section: nothing is approximated", "[long_array]") {
   const SensorArray array{41, 0.5, {1.5}, {stress_x}};
-  const ProblemOptions options{.smoothing_length = 1.5, .dead_taxels = {7}};
+  const LineProblemOptions options{.smoothing_length = 1.5, .dead_taxels = {7}};
   const LongArrayFamily sections(array, pad, options);
   REQUIRE(sections.sections() == 1);
   const TikhonovFamily whole(make_problem(array, pad, options));
@@ -154,7 +154,7 @@ TEST_CASE("bands, force and degrees of freedom are those of the whole", "[long_a
   for (const Case& one : cases()) {
     CAPTURE(one.name);
     const Material material = material_of(one);
-    const InverseProblem problem = make_problem(one.array, material, one.options);
+    const LinearProblem problem = make_problem(one.array, material, one.options);
     const TikhonovFamily whole(problem);
     const std::vector<double> g = readings_of(one);
     const FilterFrame frame = whole.analyse(g);
@@ -172,7 +172,7 @@ TEST_CASE("bands, force and degrees of freedom are those of the whole", "[long_a
     CHECK(worst < 1e-4);
     CHECK_THAT(covariance.degrees_of_freedom(), WithinRel(expected.degrees_of_freedom(), 1e-5));
     const std::vector<double> f = whole.solve(frame, alpha);
-    const UncertainResultant x = resultant_of(problem.surface, f, covariance, pad_noise);
+    const UncertainResultant x = resultant_of(problem, f, covariance, pad_noise);
     const UncertainResultant y = resultant_of(problem, f, expected, pad_noise);
     for (std::size_t i = 0; i < 9; ++i) {
       const double size = std::sqrt(y.covariance[i / 3 * 4] * y.covariance[i % 3 * 4]);
@@ -188,7 +188,7 @@ TEST_CASE("the residual by FFT is the residual", "[long_array]") {
   for (const Case& one : cases()) {
     CAPTURE(one.name);
     const Material material = material_of(one);
-    const InverseProblem problem = make_problem(one.array, material, one.options);
+    const LinearProblem problem = make_problem(one.array, material, one.options);
     FftTikhonov products(one.array, material, one.options, 0.7);
     const std::vector<double> g = readings_of(one);
     const std::vector<double> f = random_values(problem.kernel.columns, 4);
@@ -210,7 +210,7 @@ TEST_CASE("sections refuse what they cannot take", "[long_array]") {
   bad[3] = NAN;
   CHECK_THROWS_AS(sections.analyse(bad), std::invalid_argument);
   CHECK_THROWS_AS(sections.deviations(0.0, 1.0), std::invalid_argument);
-  ProblemOptions blind = one.options;
+  LineProblemOptions blind = one.options;
   for (std::size_t i = 0; i < 80; ++i) blind.dead_taxels.push_back(i);
   CHECK_THROWS_AS(LongArrayFamily(one.array, pad, blind), std::invalid_argument);
 }

@@ -11,9 +11,9 @@
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/load_windows.hpp"
 #include "tactile_net/inverse/long_array_family.hpp"
-#include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/thesis/closed_form.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
@@ -35,13 +35,13 @@ std::vector<double> listed(const Eigen::VectorXd& values) { return {values.begin
 /// The same problem with its offsets known to be 0, and with them to be found.
 struct Pair {
   std::string name;
-  InverseProblem known;
-  InverseProblem unknown;
+  LinearProblem known;
+  LinearProblem unknown;
 };
 
-Pair pair_of(const std::string& name, const SensorArray& array, ProblemOptions options) {
+Pair pair_of(const std::string& name, const SensorArray& array, LineProblemOptions options) {
   options.unknown_offsets = false;
-  InverseProblem known = make_problem(array, pad, options);
+  LinearProblem known = make_problem(array, pad, options);
   options.unknown_offsets = true;
   return {name, std::move(known), make_problem(array, pad, options)};
 }
@@ -72,7 +72,7 @@ std::vector<Pair> pairs() {
 }
 
 /// W 1 of every channel that is read.
-Eigen::MatrixXd constants(const InverseProblem& problem) {
+Eigen::MatrixXd constants(const LinearProblem& problem) {
   const auto rows = static_cast<Eigen::Index>(problem.sites.size());
   Eigen::MatrixXd all =
       Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(problem.sites.back().channel) + 1);
@@ -82,13 +82,13 @@ Eigen::MatrixXd constants(const InverseProblem& problem) {
   return all;
 }
 
-Eigen::MatrixXd penalty(InverseProblem problem) {
+Eigen::MatrixXd penalty(LinearProblem problem) {
   std::fill(problem.kernel.values.begin(), problem.kernel.values.end(), 0.0);
   return view(normal_matrix(problem, 1.0));
 }
 
 /// The unknowns of [W K, W 1; sqrt(alpha) L, 0] by one QR: tractions, then offsets.
-std::vector<double> augmented(const InverseProblem& known, double alpha,
+std::vector<double> augmented(const LinearProblem& known, double alpha,
                               const std::vector<double>& g) {
   const Eigen::MatrixXd k = view(known.kernel);
   const Eigen::MatrixXd c = constants(known);
@@ -103,7 +103,7 @@ std::vector<double> augmented(const InverseProblem& known, double alpha,
 }
 
 /// g and a constant of its own in each channel.
-std::vector<double> moved(const InverseProblem& problem, std::vector<double> g, double size) {
+std::vector<double> moved(const LinearProblem& problem, std::vector<double> g, double size) {
   for (std::size_t i = 0; i < g.size(); ++i)
     g[i] += problem.sites[i].channel == 0 ? size : -0.7 * size;
   return g;
@@ -144,8 +144,8 @@ TEST_CASE("a constant in each channel changes nothing", "[offset][property]") {
   for (const auto& [name, known, unknown] : pairs()) {
     CAPTURE(name, offset);
     std::vector<double> pressed(known.kernel.columns);
-    for (std::size_t i = 0; i < unknown.surface.count; ++i)
-      pressed[i] = std::exp(-std::pow(unknown.surface.position(i) / 1.5, 2));
+    for (std::size_t i = 0; i < unknown.grid.count(); ++i)
+      pressed[i] = std::exp(-std::pow(unknown.grid.y(i) / 1.5, 2));
     const Eigen::VectorXd rows = view(known.kernel) * view(pressed);
     std::vector<double> g(known.sites.size());
     const std::vector<double> noise = random_values(g.size(), 8);
@@ -217,8 +217,8 @@ TEST_CASE("evidence is that of readings whose offsets may be anything", "[offset
     CAPTURE(name);
     const double sigma = 0.3;
     std::vector<double> pressed(known.kernel.columns);
-    for (std::size_t i = 0; i < unknown.surface.count; ++i)
-      pressed[i] = 5.0 * std::exp(-std::pow(unknown.surface.position(i) / 1.5, 2));
+    for (std::size_t i = 0; i < unknown.grid.count(); ++i)
+      pressed[i] = 5.0 * std::exp(-std::pow(unknown.grid.y(i) / 1.5, 2));
     const Eigen::VectorXd rows = view(known.kernel) * view(pressed);
     std::vector<double> g(known.sites.size());
     const std::vector<double> noise = random_values(g.size(), 5);
@@ -260,12 +260,12 @@ TEST_CASE("where offsets are unknown the mean may hide, and the band says so", "
 TEST_CASE("taxels left out later are as if dead from the start", "[offset]") {
   using enum Quantity;
   const SensorArray array{31, 0.5, {1.0}, {stress_x, shear_xy}};
-  ProblemOptions options{
+  LineProblemOptions options{
       .unknowns = 2, .smoothing_length = 1.0, .channel_rms = {2.0, 0.5}, .unknown_offsets = true};
-  InverseProblem later = make_problem(array, pad, options);
+  LinearProblem later = make_problem(array, pad, options);
   leave_out(later, std::vector<std::size_t>{4, 30});
   options.dead_taxels = {4, 30};
-  const InverseProblem fresh = make_problem(array, pad, options);
+  const LinearProblem fresh = make_problem(array, pad, options);
   CHECK(later.weights == fresh.weights);
   CHECK((view(later.kernel) - view(fresh.kernel)).norm() <= 1e-14 * view(fresh.kernel).norm());
   const std::vector<double> g = random_values(62, 3);

@@ -1,5 +1,4 @@
-#include "tactile_net/inverse/problem.hpp"
-
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,8 @@
 #include <stdexcept>
 
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
+#include "tactile_net/inverse/stabiliser.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
@@ -24,7 +25,7 @@ const SensorArray stress_array{21, 0.5, {1.5}, {Quantity::stress_x}};
 
 TEST_CASE("K times the tractions is the forward model", "[problem]") {
   const SensorArray several{17, 0.5, {1.0, 2.0}, {Quantity::stress_x, Quantity::stress_y}};
-  const InverseProblem problem = make_problem(several, pad);
+  const LinearProblem problem = make_problem(several, pad);
   const TractionField field{.normal = random_values(17, 1), .tangential = {}};
   const std::vector<double> readings = sampled_readings(several, pad, field);
   const Eigen::VectorXd product =
@@ -45,7 +46,7 @@ TEST_CASE("P is symmetric, and positive definite by at least alpha", "[problem]"
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense, Eigen::EigenvaluesOnly)
             .eigenvalues()(0);
     const double lighter = std::min(1.0, problem.tangential_weight);
-    CHECK(smallest >= lighter * lighter * alpha * problem.surface.area - 1e-14 * dense.norm());
+    CHECK(smallest >= lighter * lighter * alpha * problem.measure - 1e-14 * dense.norm());
   }
 }
 
@@ -62,8 +63,21 @@ TEST_CASE("P is the second derivative of the functional", "[problem]") {
   }
 }
 
+TEST_CASE("the prior's deviation of a sum is by waves what it is by the stabiliser's inverse",
+          "[problem]") {
+  const double alpha = 1e-2;
+  for (const auto& [name, problem] : sample_problems()) {
+    CAPTURE(name);
+    const Matrix stabiliser = stabiliser_matrix(problem, alpha);
+    const std::vector<double> sum = random_values(problem.kernel.columns, 6);
+    const Eigen::Map<const Eigen::VectorXd> s(sum.data(), std::ssize(sum));
+    const Eigen::VectorXd solved = Eigen::MatrixXd(view(stabiliser)).llt().solve(s);
+    CHECK_THAT(prior_deviation(problem, sum, alpha), WithinRel(std::sqrt(s.dot(solved)), 1e-11));
+  }
+}
+
 TEST_CASE("a dead taxel's reading does not matter", "[problem]") {
-  const InverseProblem problem = make_problem(stress_array, pad, {.dead_taxels = {4}});
+  const LinearProblem problem = make_problem(stress_array, pad, {.dead_taxels = {4}});
   std::vector<double> readings = random_values(21, 3);
   const std::vector<double> before = normal_right_side(problem, readings);
   readings[4] = 1e9;
@@ -75,7 +89,7 @@ TEST_CASE("without a smoothing length tractions are kept small, not smooth", "[p
 }
 
 TEST_CASE("an impossible problem is refused with its reason", "[problem]") {
-  const auto refused = [&](const SensorArray& a, const ProblemOptions& options,
+  const auto refused = [&](const SensorArray& a, const LineProblemOptions& options,
                            const char* reason) {
     CHECK_THROWS_WITH(make_problem(a, pad, options), ContainsSubstring(reason));
   };
@@ -83,13 +97,13 @@ TEST_CASE("an impossible problem is refused with its reason", "[problem]") {
   refused(stress_array, {.smoothing_length = std::nan("")}, "smoothing_length must be >= 0");
   refused(stress_array, {.channel_rms = {1.0, 2.0}}, "one value per channel");
   refused(stress_array, {.channel_rms = {0.0}}, "channel_rms must be > 0");
-  refused(stress_array, {.dead_taxels = {21}}, "dead taxel 21 is not < count");
+  refused(stress_array, {.dead_taxels = {21}}, "dead taxel 21 is not < 21");
   refused({2, 0.5, {1.5}, {Quantity::stress_x}}, {.dead_taxels = {0, 1}}, "every taxel is dead");
   refused({21, 0.5, {1.5}, {Quantity::stress_x, Quantity::strain_x}}, {}, "has no unit");
   CHECK_THROWS_AS(make_problem({1, 0.5, {1.5}, {Quantity::stress_x}}, pad), std::invalid_argument);
   CHECK_THROWS_AS(make_problem(stress_array, {1.0, 0.6}), std::invalid_argument);
 
-  const InverseProblem problem = make_problem(stress_array, pad);
+  const LinearProblem problem = make_problem(stress_array, pad);
   CHECK_THROWS_AS(normal_matrix(problem, 0.0), std::invalid_argument);
   CHECK_THROWS_AS(normal_matrix(problem, std::numeric_limits<double>::infinity()),
                   std::invalid_argument);
@@ -99,7 +113,7 @@ TEST_CASE("an impossible problem is refused with its reason", "[problem]") {
 TEST_CASE("where no reading depends on the tractions no rule finds an alpha, and none is made up",
           "[problem]") {
   // One taxel is left, and what it reads is its offset.
-  InverseProblem problem =
+  LinearProblem problem =
       make_problem({5, 1.0, {1.0}, {Quantity::stress_x}}, pad, {.unknown_offsets = true});
   leave_out(problem, std::vector<std::size_t>{0, 1, 3, 4});
   CHECK(problem.kernel.values == std::vector<double>(25, 0.0));
@@ -115,7 +129,7 @@ TEST_CASE("where no reading depends on the tractions no rule finds an alpha, and
 
 TEST_CASE("a matrix that no memory should be asked for is refused before it is", "[problem]") {
   const SensorArray long_array{20000, 0.5, {1.5}, {Quantity::stress_x}};
-  const ProblemOptions hats{.surface = {.basis = SurfaceBasis::hats}};
+  const LineProblemOptions hats{.surface = {.basis = SurfaceBasis::hats}};
   CHECK_THROWS_AS(make_problem(long_array, pad, hats), std::invalid_argument);
   CHECK_THROWS_WITH(make_problem(long_array, pad, hats), ContainsSubstring("20000 readings"));
 }

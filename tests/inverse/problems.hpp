@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 
 namespace tactile_net {
 
 struct NamedProblem {
   std::string name;
-  InverseProblem problem;
+  LinearProblem problem;
 };
 
 /// One and several quantities and depths, weights, a dead taxel, even and odd counts, surfaces,
@@ -22,7 +22,7 @@ inline std::vector<NamedProblem> sample_problems() {
   using enum Quantity;
   const Material material{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
   const auto make = [&](std::size_t count, double pitch, std::vector<double> depths,
-                        std::vector<Quantity> reads, const ProblemOptions& options) {
+                        std::vector<Quantity> reads, const LineProblemOptions& options) {
     return make_problem({count, pitch, std::move(depths), std::move(reads)}, material, options);
   };
   return {
@@ -70,24 +70,24 @@ inline std::vector<NamedProblem> sample_problems() {
   };
 }
 
-/// |L f|^2 as problem.hpp has it, term by term.
-inline double smoothness(const InverseProblem& problem, const std::vector<double>& f) {
-  const std::size_t n = problem.surface.count;
-  const double ratio = problem.smoothing_length / problem.surface.spacing;
+/// |L f|^2 as linear_problem.hpp has it, term by term.
+inline double smoothness(const LinearProblem& problem, const std::vector<double>& f) {
+  const std::size_t n = problem.grid.count();
+  const double ratio = problem.smoothing_length / problem.grid.spacing_y;
   double all = 0.0;
   for (std::size_t j = 0; j < f.size(); ++j) {
     double sum = f[j] * f[j];
     if ((j + 1) % n != 0) sum += std::pow(ratio * (f[j + 1] - f[j]), 2);
     // Hats fall to 0 beyond both ends.
     const bool ends = j % n == 0 || (j + 1) % n == 0;
-    if (ends && problem.surface.basis == SurfaceBasis::hats) sum += std::pow(ratio * f[j], 2);
+    if (ends && problem.grid.boundary_y == Boundary::zero_beyond) sum += std::pow(ratio * f[j], 2);
     all += j < n ? sum : std::pow(problem.tangential_weight, 2) * sum;
   }
-  return problem.surface.area * all;
+  return problem.measure * all;
 }
 
 /// |W (K f - g)|^2 + alpha |L f|^2, term by term.
-inline double functional_of(const InverseProblem& problem, double alpha,
+inline double functional_of(const LinearProblem& problem, double alpha,
                             const std::vector<double>& readings, const std::vector<double>& f) {
   double misfit = 0.0;
   for (std::size_t i = 0; i < problem.kernel.rows; ++i) {

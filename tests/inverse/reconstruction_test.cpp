@@ -35,7 +35,7 @@ TEST_CASE("the answer solves P f = b", "[tikhonov][property]") {
 TEST_CASE("the matrix loses kappa, not its square, of the readings' digits",
           "[tikhonov][closed_form]") {
   // Against the direct solve, which is backward stable, down to kappa = 1e10.
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem({41, 0.25, {3.0}, {Quantity::stress_x, Quantity::shear_xy}}, {1.0, 0.5},
                    {.unknowns = 2, .smoothing_length = 3.0});
   const std::vector<double> smooth = [&] {
@@ -75,7 +75,7 @@ TEST_CASE("two tractions are told apart by the pairs that determine them", "[tik
     const Material pad{1.0, pair.nu, layer};
     CAPTURE(base, pair.reads.size(), pair.nu, name(pair.reads.back()));
     const std::vector<double> g = exact_readings(array, pad, std::array{contact});
-    const InverseProblem problem =
+    const LinearProblem problem =
         make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.5});
     const std::vector<double> f = tikhonov_solve(problem, 1e-10, g);
     const TractionField truth = sample(std::array{contact}, array);
@@ -129,7 +129,7 @@ TEST_CASE("units scale the answer and change nothing else", "[tikhonov][property
   CAPTURE(length, modulus);
   const std::vector<double> g = random_values(41, 11);
   const auto answer = [&](double metre, double pascal) {
-    const InverseProblem problem =
+    const LinearProblem problem =
         make_problem({41, 0.25 * metre, {1.5 * metre}, {Quantity::strain_x}}, {pascal, 0.3},
                      {.smoothing_length = metre});
     std::vector<double> f = solved(tikhonov(problem, 1e-4 / (pascal * pascal)), g);
@@ -140,7 +140,7 @@ TEST_CASE("units scale the answer and change nothing else", "[tikhonov][property
 }
 
 TEST_CASE("a mirrored frame gives the mirrored answer", "[tikhonov][property]") {
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem({41, 0.25, {1.5}, {Quantity::stress_x}}, {1.0, 0.3}, {.smoothing_length = 1.0});
   const Reconstruction inverse = tikhonov(problem, 1e-5);
   std::vector<double> g = random_values(41, 12);
@@ -181,7 +181,7 @@ TEST_CASE("an unusable matrix or alpha is refused", "[reconstruction]") {
   CHECK_THROWS_AS(Reconstruction({1, 2, {1.0}}, 1.0), std::invalid_argument);
   CHECK_THROWS_AS(Reconstruction({1, 1, {std::nan("")}}, 1.0), std::invalid_argument);
 
-  const InverseProblem problem = sample_problems().front().problem;
+  const LinearProblem problem = sample_problems().front().problem;
   for (const double alpha : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
     CHECK_THROWS_AS(tikhonov(problem, alpha), std::invalid_argument);
     CHECK_THROWS_AS(closed_form(problem, alpha), std::invalid_argument);
@@ -193,13 +193,13 @@ TEST_CASE("an unusable matrix or alpha is refused", "[reconstruction]") {
 }
 
 TEST_CASE("what double precision cannot resolve is said to be rank deficient", "[tikhonov]") {
-  const InverseProblem deep = make_problem({81, 0.25, {10.0}, {Quantity::stress_x}}, {1.0, 0.45},
-                                           {.smoothing_length = 1.0});
+  const LinearProblem deep = make_problem({81, 0.25, {10.0}, {Quantity::stress_x}}, {1.0, 0.45},
+                                          {.smoothing_length = 1.0});
   CHECK_THROWS_WITH(tikhonov(deep, 1e-40), ContainsSubstring("rank deficient in double precision"));
 }
 
 TEST_CASE("the condition number bounds what a change of the readings can do", "[tikhonov]") {
-  const InverseProblem problem = sample_problems().front().problem;
+  const LinearProblem problem = sample_problems().front().problem;
   const Reconstruction strong = tikhonov(problem, 1e-2);
   const Reconstruction weak = tikhonov(problem, 1e-6);
   CHECK(strong.condition() >= 1.0);

@@ -108,8 +108,8 @@ TEST_CASE("amplitudes scatter as predicted, in the sampled problem of a long arr
   const Eigen::Index size = 2 * static_cast<Eigen::Index>(n);
   const SensorArray array{n, 0.5, {0.75}, {stress_x, shear_xy}};
   const Material pad{3.0, 0.3};
-  const ProblemOptions options{.unknowns = 2, .channel_rms = {2.0, 2.0}};
-  const InverseProblem problem = make_problem(array, pad, options);
+  const LineProblemOptions options{.unknowns = 2, .channel_rms = {2.0, 2.0}};
+  const LinearProblem problem = make_problem(array, pad, options);
   const auto predicted = resolutions(array, pad, options);
   const auto kernel = view(problem.kernel);
 

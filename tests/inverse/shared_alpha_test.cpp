@@ -27,7 +27,7 @@ class Stream {
       rms_.push_back(0.01 * peak);
     }
   }
-  [[nodiscard]] InverseProblem problem() const {
+  [[nodiscard]] LinearProblem problem() const {
     return make_problem(array_, pad_,
                         {.unknowns = 2, .smoothing_length = 1.5, .channel_rms = rms_});
   }
@@ -202,7 +202,7 @@ TEST_CASE("frames that are not whole, or of another family, are refused", "[shar
 
 TEST_CASE("a frame's periodogram outlives its family, and is that of another one of the problem",
           "[shared_alpha][alpha]") {
-  const InverseProblem problem = Stream().problem();
+  const LinearProblem problem = Stream().problem();
   const std::vector<double> readings = Stream().frame(0);
   const FilterFrame left = TikhonovFamily(problem).analyse(readings);
   const TikhonovFamily family(problem);

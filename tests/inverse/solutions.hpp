@@ -25,7 +25,7 @@ struct EvidenceAnswer {
 };
 
 /// By the evidence, with the band of its own prior.
-inline EvidenceAnswer solve_by_evidence(const InverseProblem& problem,
+inline EvidenceAnswer solve_by_evidence(const LinearProblem& problem,
                                         std::span<const double> readings, double sigma) {
   const TikhonovFamily family(problem);
   const FilterFrame frame = family.analyse(readings);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/alpha.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/sensing/exact.hpp"
@@ -61,7 +61,7 @@ SensorArray array_with_pitch(double pitch_over_depth) {
           .reads = {Quantity::stress_x}};
 }
 
-ProblemOptions on_hats(std::optional<double> spacing = {}) {
+LineProblemOptions on_hats(std::optional<double> spacing = {}) {
   return {.smoothing_length = 1.5e-3, .surface = {.basis = SurfaceBasis::hats, .spacing = spacing}};
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("a coarse array tells a contact's force, and how well", "[surface]") {
   };
   for (const Row& row : {Row{0.5, 0.035, 0.08}, Row{1.0, 0.02, 0.05}, Row{2.0, 0.045, 0.18}}) {
     const SensorArray array = array_with_pitch(row.ratio);
-    const InverseProblem problem = make_problem(array, silicone, on_hats());
+    const LinearProblem problem = make_problem(array, silicone, on_hats());
     Contacts contacts(array);
     std::vector<double> errors;
     int within = 0;
@@ -116,12 +116,12 @@ TEST_CASE("a coarse array tells a contact's force, and how well", "[surface]") {
 TEST_CASE("what no reading shows is as uncertain as the prior says", "[surface]") {
   // Far beyond the last taxel nothing is known: the band there is that of the prior alone.
   const SensorArray array = array_with_pitch(1.0);
-  ProblemOptions options = on_hats();
+  LineProblemOptions options = on_hats();
   options.surface.margin = 60e-3;
-  const InverseProblem problem = make_problem(array, silicone, options);
+  const LinearProblem problem = make_problem(array, silicone, options);
   const double prior = 1e-3;
   const std::vector<double> deviations = TractionCovariance(problem, prior, prior).deviations();
-  InverseProblem blind = problem;
+  LinearProblem blind = problem;
   for (double& value : blind.kernel.values) value = 0.0;
   const std::vector<double> none = TractionCovariance(blind, prior, prior).deviations();
   CHECK_THAT(deviations.front(), WithinRel(none.front(), 1e-3));

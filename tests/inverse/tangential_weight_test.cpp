@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/constrained.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
@@ -26,7 +26,7 @@ namespace {
 const SensorArray both_stresses{
     .count = 21, .pitch = 0.5, .depths = {1.0}, .reads = {Quantity::stress_x, Quantity::shear_xy}};
 
-InverseProblem weighed(double weight, double smoothing_length = 1.0) {
+LinearProblem weighed(double weight, double smoothing_length = 1.0) {
   return make_problem(
       both_stresses, pad,
       {.unknowns = 2, .smoothing_length = smoothing_length, .tangential_weight = weight});
@@ -81,7 +81,7 @@ TEST_CASE("a heavy tangential traction goes to zero as its weight squared", "[we
   CHECK_THAT(heavier, WithinRel(heavy / 100.0, 0.01));
 
   // What is left is the answer of the normal traction alone.
-  const InverseProblem alone =
+  const LinearProblem alone =
       make_problem(both_stresses, pad, {.unknowns = 1, .smoothing_length = 1.0});
   const std::vector<double> normal = tikhonov_solve(alone, 1e-4, g);
   std::vector<double> found = tikhonov_solve(weighed(1e4), 1e-4, g);
@@ -95,14 +95,14 @@ TEST_CASE(
   const double weight = GENERATE(0.25, 3.0, 40.0);
   CAPTURE(weight);
   const std::vector<double> g = dragged();
-  InverseProblem scaled = weighed(1.0);
+  LinearProblem scaled = weighed(1.0);
   for (std::size_t row = 0; row < scaled.kernel.rows; ++row)
     for (std::size_t i = both_stresses.count; i < 2 * both_stresses.count; ++i)
       scaled.kernel(row, i) /= weight;
   std::vector<double> expected = tikhonov_solve(scaled, 1e-4, g);
   for (std::size_t i = both_stresses.count; i < 2 * both_stresses.count; ++i) expected[i] /= weight;
 
-  const InverseProblem problem = weighed(weight);
+  const LinearProblem problem = weighed(weight);
   const TikhonovFamily family(problem);
   CHECK(relative_l2_error(tikhonov_solve(problem, 1e-4, g), expected) < 1e-11);
   CHECK(relative_l2_error(family.solve(family.analyse(g), 1e-4), expected) < 1e-11);
@@ -121,7 +121,7 @@ TEST_CASE("a family's condition bounds that of the weighed stacked matrix", "[we
   const double weight = GENERATE(0.1, 1.0, 10.0);
   const double alpha = GENERATE(1e-8, 1e-3);
   CAPTURE(weight, alpha);
-  const InverseProblem problem = weighed(weight);
+  const LinearProblem problem = weighed(weight);
   CHECK(TikhonovFamily(problem).stacked_condition(alpha) >=
         tikhonov(problem, alpha).condition() * (1.0 - 1e-9));
 }
@@ -140,16 +140,16 @@ TEST_CASE("neither the weighed answer nor the evidence follows the surface's spa
                          .surface = {.basis = SurfaceBasis::hats, .spacing = spacing}});
   };
   const double noise = 1e-2 * largest(g);
-  const auto value = [&](const InverseProblem& problem) {
+  const auto value = [&](const LinearProblem& problem) {
     const TikhonovFamily family(problem);
     return negative_log_evidence(family.analyse(g), AlphaTables(family.singular_values(), g.size()),
                                  noise);
   };
-  const auto sum = [&](const InverseProblem& problem, std::size_t unknown) {
+  const auto sum = [&](const LinearProblem& problem, std::size_t unknown) {
     const std::vector<double> f = tikhonov_solve(problem, 1e-4, g);
-    const auto first = f.begin() + static_cast<std::ptrdiff_t>(unknown * problem.surface.count);
-    return problem.surface.spacing *
-           std::accumulate(first, first + static_cast<std::ptrdiff_t>(problem.surface.count), 0.0);
+    const auto first = f.begin() + static_cast<std::ptrdiff_t>(unknown * problem.grid.count());
+    return problem.grid.spacing_y *
+           std::accumulate(first, first + static_cast<std::ptrdiff_t>(problem.grid.count()), 0.0);
   };
   CHECK_THAT(value(on(0.125)), WithinAbs(value(on(0.25)), 0.05));
   for (const std::size_t unknown : {0U, 1U})
@@ -162,7 +162,7 @@ TEST_CASE("readings drawn from the prior tell its weight", "[weights][property]"
   CAPTURE(weight, noise_known);
   constexpr double noise = 1e-3;
   const Estimator estimator;  // l = 0: the prior is white
-  const InverseProblem problem = weighed(1.0, 0.0);
+  const LinearProblem problem = weighed(1.0, 0.0);
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   std::vector<double> logs;
@@ -241,7 +241,7 @@ TEST_CASE("negative_log_evidence is what the rule evidence minimises, at its lea
 
 TEST_CASE("a face has the constrained tractions as its family's own", "[weights][constrained]") {
   const double weight = GENERATE(1.0, 4.0);
-  const InverseProblem problem = weighed(weight);
+  const LinearProblem problem = weighed(weight);
   const Constraints constraints{.friction_limit = 0.6};
   const std::vector<double> g = dragged();
   const ConstrainedSolution solution = ConstrainedTikhonov(problem, 1e-4, constraints).solve(g);

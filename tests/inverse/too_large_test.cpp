@@ -24,7 +24,7 @@ constexpr double tiny_alpha = 1e-12;
 const SensorArray one_channel{array_length, 0.25, {1.5}, {Quantity::stress_x}};
 const SensorArray two_channels{array_length, 0.25, {1.5}, {Quantity::stress_x, Quantity::shear_xy}};
 const Material rubber{.youngs_modulus = 2e6, .poisson_ratio = 0.5};
-const ProblemOptions two_tractions{.unknowns = 2, .smoothing_length = 1.5};
+const LineProblemOptions two_tractions{.unknowns = 2, .smoothing_length = 1.5};
 
 using Solve = std::function<FrameStatus(std::span<const double>, std::span<double>)>;
 
@@ -55,7 +55,7 @@ FrameStatus copy(const auto& solution, std::span<double> f) {
 }
 
 std::vector<Solver> solvers() {
-  const InverseProblem problem = make_problem(two_channels, rubber, two_tractions);
+  const LinearProblem problem = make_problem(two_channels, rubber, two_tractions);
   const auto plain = [](auto& inverse, auto g, auto f) { return inverse.solve(g, f); };
   return {
       {"tikhonov", 2 * array_length, 2 * array_length,

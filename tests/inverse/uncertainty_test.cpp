@@ -57,7 +57,7 @@ TEST_CASE("the error's covariance is noise and what is smoothed away", "[uncerta
 }
 
 TEST_CASE("held variables are certain, and more freedom is less certainty", "[uncertainty]") {
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem({21, 0.5, {1.0}, {Quantity::stress_x}}, {1.0, 0.45}, {.smoothing_length = 1.0});
   const std::vector<std::size_t> free = {8, 9, 10, 11};
   const auto some = TractionCovariance(problem, 1e-3, 1e-3, {}, free).deviations();
@@ -75,7 +75,7 @@ TEST_CASE("bands hold the truth at about their stated rate, forces too", "[uncer
   using enum Quantity;
   const SensorArray array{41, 0.4, {1.5}, {stress_x, shear_xy}};
   const Material pad{1.0, 0.45};
-  const InverseProblem problem = make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.5});
+  const LinearProblem problem = make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.5});
   const TikhonovFamily family(problem);
   std::mt19937 generator(3);
   const auto uniform = [&](double low, double high) {
@@ -138,7 +138,7 @@ TEST_CASE("an error of the model is told from the noise", "[uncertainty]") {
   std::vector<double> g = sampled_readings(array, thin, sample(contacts, array));
   add_noise(g, 1e-5, 1, 0);
   const auto model_rms = [&](const Material& pad) {
-    const InverseProblem problem =
+    const LinearProblem problem =
         make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.5});
     const double alpha = 1e-8;
     const TractionCovariance covariance(problem, alpha, alpha);
@@ -151,7 +151,7 @@ TEST_CASE("an error of the model is told from the noise", "[uncertainty]") {
 }
 
 TEST_CASE("without a force there is neither centre nor angle", "[uncertainty]") {
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem({21, 0.5, {1.0}, {Quantity::stress_x}}, {1.0, 0.45}, {.smoothing_length = 1.0});
   const TractionCovariance covariance(problem, 1e-3, 1e-3);
   const UncertainResultant none = resultant_of(problem, std::vector<double>(21), covariance, 1e-3);

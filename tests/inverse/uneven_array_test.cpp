@@ -8,7 +8,7 @@
 
 #include "tactile_net/elasticity/hat_kernel.hpp"
 #include "tactile_net/inverse/alpha.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/sensing/exact.hpp"
@@ -50,7 +50,7 @@ SensorArray palm() {
   return uneven_array(std::move(taxels));
 }
 
-ProblemOptions on_grid(std::size_t unknowns, std::optional<double> spacing = {}) {
+LineProblemOptions on_grid(std::size_t unknowns, std::optional<double> spacing = {}) {
   return {.unknowns = unknowns,
           .smoothing_length = taxel_depth,
           .surface = {.basis = SurfaceBasis::hats, .spacing = spacing}};
@@ -70,10 +70,10 @@ TEST_CASE("an even array taxel by taxel has the same readings and the same K", "
       .center = 0.7e-3, .half_width = taxel_depth, .force = 20.0, .friction = 0.4};
   const std::vector<double> g = pressed(even, contact);
   const std::vector<double> same = pressed(listed, contact);
-  const InverseProblem one = make_problem(even, silicone, on_grid(2));
-  const InverseProblem other = make_problem(listed, silicone, on_grid(2, one.surface.spacing));
-  REQUIRE(other.surface.count == one.surface.count);
-  CHECK_THAT(other.surface.area, WithinRel(one.surface.area, 1e-12));
+  const LinearProblem one = make_problem(even, silicone, on_grid(2));
+  const LinearProblem other = make_problem(listed, silicone, on_grid(2, one.grid.spacing_y));
+  REQUIRE(other.grid.count() == one.grid.count());
+  CHECK_THAT(other.measure, WithinRel(one.measure, 1e-12));
   const double peak = largest(one.kernel.values);
   for (std::size_t i = 0; i < g.size(); ++i)
     CHECK_THAT(same[i], WithinAbs(g[i], 1e-12 * largest(g)));
@@ -90,21 +90,21 @@ TEST_CASE("K of wide taxels is the mean of the hats' readings across them", "[un
   wide.width = width;
   std::vector<Taxel> taxels = taxels_of(even);
   for (Taxel& taxel : taxels) taxel.width = width;
-  const InverseProblem one = make_problem(wide, silicone, on_grid(2));
-  const InverseProblem listed =
-      make_problem(uneven_array(taxels), silicone, on_grid(2, one.surface.spacing));
+  const LinearProblem one = make_problem(wide, silicone, on_grid(2));
+  const LinearProblem listed =
+      make_problem(uneven_array(taxels), silicone, on_grid(2, one.grid.spacing_y));
   const double peak = largest(one.kernel.values);
   for (const std::size_t row : {0UL, 3UL, 13UL}) {
     const Site& site = one.sites[row];
     for (std::size_t column = 0; column < one.kernel.columns; ++column) {
-      const std::size_t i = column % one.surface.count;
-      const HatKernel hat(site.quantity, line_tractions[column / one.surface.count], silicone,
-                          taxel_depth, one.surface.spacing);
+      const std::size_t i = column % one.grid.count();
+      const HatKernel hat(site.quantity, line_tractions[column / one.grid.count()], silicone,
+                          taxel_depth, one.grid.spacing_y);
       double mean = 0.0;
       for (int part = 0; part <= parts; ++part) {
         const double weight = part == 0 || part == parts ? 1.0 : part % 2 == 1 ? 4.0 : 2.0;
         const double y = site.y + width * (static_cast<double>(part) / parts - 0.5);
-        mean += weight / (3.0 * parts) * hat(y - one.surface.position(i));
+        mean += weight / (3.0 * parts) * hat(y - one.grid.y(i));
       }
       REQUIRE_THAT(one.kernel(row, column), WithinAbs(mean, 1e-9 * peak));
       REQUIRE_THAT(listed.kernel(row, column), WithinAbs(one.kernel(row, column), 1e-12 * peak));
@@ -117,9 +117,8 @@ TEST_CASE("tractions on the grid are read by wide taxels as K says", "[uneven][a
   for (std::size_t i = 0; i < taxels.size(); ++i)
     taxels[i].width = taxel_depth * (i % 3 == 0 ? 2.0 : 0.4 * static_cast<double>(i % 3));
   const SensorArray wide = uneven_array(taxels);
-  const InverseProblem problem = make_problem(wide, silicone, on_grid(2));
-  SampledTractions tractions{.first = problem.surface.position(0),
-                             .pitch = problem.surface.spacing};
+  const LinearProblem problem = make_problem(wide, silicone, on_grid(2));
+  SampledTractions tractions{.first = problem.grid.y(0), .pitch = problem.grid.spacing_y};
   std::vector<double> f(problem.kernel.columns);
   for (std::size_t i = 0; i < f.size(); ++i) f[i] = std::cos(0.37 * static_cast<double>(i * i));
   const auto half = f.begin() + std::ssize(f) / 2;
@@ -138,8 +137,8 @@ TEST_CASE("a taxel that does not read a quantity is a row less, and nothing else
   taxels[2].reads = {Quantity::shear_xy};
   taxels[5].reads = {Quantity::stress_x};
   const SensorArray mixed = uneven_array(taxels);
-  const InverseProblem whole = make_problem(uneven_array(taxels_of(even)), silicone, on_grid(2));
-  const InverseProblem part = make_problem(mixed, silicone, on_grid(2));
+  const LinearProblem whole = make_problem(uneven_array(taxels_of(even)), silicone, on_grid(2));
+  const LinearProblem part = make_problem(mixed, silicone, on_grid(2));
   REQUIRE(part.sites.size() == 16);
   for (std::size_t row = 0; row < part.sites.size(); ++row) {
     const Site& site = part.sites[row];
@@ -192,9 +191,9 @@ TEST_CASE("a mirrored array sees the mirror image", "[uneven]") {
 
 TEST_CASE("a dead taxel takes all that it reads with it", "[uneven]") {
   const SensorArray array = palm();
-  ProblemOptions options = on_grid(2);
+  LineProblemOptions options = on_grid(2);
   options.dead_taxels = {1, 6};
-  const InverseProblem problem = make_problem(array, silicone, options);
+  const LinearProblem problem = make_problem(array, silicone, options);
   for (std::size_t row = 0; row < problem.sites.size(); ++row) {
     const std::size_t taxel = problem.sites[row].taxel;
     CHECK((problem.weights[row] == 0.0) == (taxel == 1 || taxel == 6));
@@ -207,7 +206,7 @@ TEST_CASE("an uneven array tells forces within its bands", "[uneven]") {
     if (unknowns == 1)
       for (Taxel& taxel : taxels) taxel.reads = {Quantity::stress_x};
     const SensorArray array = uneven_array(taxels);
-    const InverseProblem problem = make_problem(array, silicone, on_grid(unknowns));
+    const LinearProblem problem = make_problem(array, silicone, on_grid(unknowns));
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     std::vector<double> errors;
@@ -286,7 +285,7 @@ TEST_CASE("arrays at the edge of sense give finite, stable answers", "[uneven][h
     const RigidContact contact{.center = middle, .half_width = taxel_depth, .force = 20.0};
     const std::vector<double> g = pressed(array, contact, one.material);
     const double sigma = 0.01 * largest(g);
-    const InverseProblem problem =
+    const LinearProblem problem =
         make_problem(array, one.material,
                      {.unknowns = one.unknowns,
                       .smoothing_length = taxel_depth,

@@ -261,7 +261,7 @@ TEST_CASE("what presses on a large skin is what was put on it", "[lab][skin][lar
   }();
   const lab::SkinSceneProblem problem = without_matrix(scene);
   const lab::SkinAnswer answer = lab::solve(problem, readings);
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   const auto sum = [&](Traction which) {
     const auto f = lab::component(answer.tractions, grid, which);
     return std::accumulate(f.begin(), f.end(), 0.0) * grid.area();

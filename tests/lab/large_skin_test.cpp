@@ -180,7 +180,7 @@ TEST_CASE("loads that mirror each other have answers that do", "[lab][skin][larg
   const std::vector<double> readings = lab::simulate(scene).readings;
   const lab::SkinSceneProblem problem = without_matrix(scene);
   const lab::SkinAnswer answer = lab::solve(problem, readings);
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   const std::size_t cells = grid.count();
   double peak = 0.0;
   for (std::size_t i = 0; i < cells; ++i) peak = std::max(peak, answer.tractions[i]);

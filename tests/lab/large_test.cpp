@@ -43,7 +43,7 @@ TEST_CASE("a large array is answered as a decomposition would", "[lab][large]") 
   CHECK(result.verdict == Verdict::ok);
   const FrameUncertainty bands = uncertainty(frame, f, result);
 
-  const InverseProblem& whole = problem.problem();
+  const LinearProblem& whole = problem.problem();
   const TikhonovFamily family(whole);
   const FilterFrame analysed = family.analyse(frame.readings());
   const AlphaTables tables(analysed.gamma, analysed.rows);

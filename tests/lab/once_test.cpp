@@ -23,15 +23,16 @@ extern "C" {
     ++made[label];                                            \
     return __real_##symbol arguments;                         \
   }
-COUNTED(InverseProblem,
-        _ZN11tactile_net12make_problemERKNS_11SensorArrayERKNS_8MaterialERKNS_14ProblemOptionsE,
-        "problem", (const SensorArray& a, const Material& m, const ProblemOptions& o), (a, m, o))
-COUNTED(void, _ZN11tactile_net14TikhonovFamilyC1ERKNS_14InverseProblemE, "family",
-        (void* self, const InverseProblem& p), (self, p))
+COUNTED(LinearProblem,
+        _ZN11tactile_net12make_problemERKNS_11SensorArrayERKNS_8MaterialERKNS_18LineProblemOptionsE,
+        "problem", (const SensorArray& a, const Material& m, const LineProblemOptions& o),
+        (a, m, o))
+COUNTED(void, _ZN11tactile_net14TikhonovFamilyC1ERKNS_13LinearProblemE, "family",
+        (void* self, const LinearProblem& p), (self, p))
 COUNTED(void, _ZN11tactile_net18TractionCovarianceC1ERKNS_14TikhonovFamilyEdd, "covariance",
         (void* self, const TikhonovFamily& f, double a, double b), (self, f, a, b))
-COUNTED(ModeSpace, _ZN11tactile_net12hidden_modesERKNS_14InverseProblemERKNS_14TikhonovFamilyE,
-        "modes", (const InverseProblem& p, const TikhonovFamily& f), (p, f))
+COUNTED(ModeSpace, _ZN11tactile_net12hidden_modesERKNS_13LinearProblemERKNS_14TikhonovFamilyE,
+        "modes", (const LinearProblem& p, const TikhonovFamily& f), (p, f))
 COUNTED(void, _ZN11tactile_net11AlphaTablesC1ESt4spanIKdLm18446744073709551615EEmS3_, "tables",
         (void* self, std::span<const double> gamma, std::size_t rows,
          std::span<const double> shares),
@@ -46,15 +47,16 @@ COUNTED(
     (f, t, r, n))
 COUNTED(
     void,
-    _ZN11tactile_net15LongArrayFamilyC1ERKNS_11SensorArrayERKNS_8MaterialERKNS_14ProblemOptionsE,
-    "sections", (void* self, const SensorArray& a, const Material& m, const ProblemOptions& o),
+    _ZN11tactile_net15LongArrayFamilyC1ERKNS_11SensorArrayERKNS_8MaterialERKNS_18LineProblemOptionsE,
+    "sections", (void* self, const SensorArray& a, const Material& m, const LineProblemOptions& o),
     (self, a, m, o))
-COUNTED(void,
-        _ZN11tactile_net11FftTikhonovC1ERKNS_11SensorArrayERKNS_8MaterialERKNS_14ProblemOptionsEd,
-        "gradients",
-        (void* self, const SensorArray& a, const Material& m, const ProblemOptions& o,
-         double alpha),
-        (self, a, m, o, alpha))
+COUNTED(
+    void,
+    _ZN11tactile_net11FftTikhonovC1ERKNS_11SensorArrayERKNS_8MaterialERKNS_18LineProblemOptionsEd,
+    "gradients",
+    (void* self, const SensorArray& a, const Material& m, const LineProblemOptions& o,
+     double alpha),
+    (self, a, m, o, alpha))
 #undef COUNTED
 }
 // NOLINTEND

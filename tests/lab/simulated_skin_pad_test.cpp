@@ -31,7 +31,7 @@ std::shared_ptr<const SkinPadModel> skin_pad_model(const std::string& effects) {
 
 /// The contacts' means over the model's cells.
 SampledPatch patch_of(const SkinPadModel& model, double time) {
-  const SkinGrid& grid = model.grid();
+  const SurfaceGrid& grid = model.grid();
   const std::vector<double> means = cell_means(contacts_at(model.scene(), time), grid);
   const auto field = [&](std::size_t c) {
     const auto first = means.begin() + static_cast<std::ptrdiff_t>(c * grid.count());
@@ -97,7 +97,7 @@ TEST_CASE("a skin in a simulation has its noise, quantity by quantity", "[lab][p
 
 TEST_CASE("loads beyond the table read as loads within it do", "[lab][pad][skin]") {
   const auto shared = skin_pad_model("");
-  const SkinGrid& grid = shared->grid();
+  const SurfaceGrid& grid = shared->grid();
   std::vector<double> found(reading_count(shared->scene().sensor));
   for (const double beyond : {0.0, 1.0, 3.0}) {
     const double y = grid.y(grid.rows - 1) + beyond * grid.spacing_y;

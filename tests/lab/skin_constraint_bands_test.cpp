@@ -265,7 +265,7 @@ TEST_CASE("taxels here and there see what lies among them", "[lab][skin][edge]")
   SkinScene scene = square_skin("8", "2.0", 0.0, 0.0, "tangential = false\n");
   scene.sensor = uneven_skin(taxels);
   const lab::SkinSceneProblem problem(scene);
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   int beyond_nearest = 0;
   int outside = 0;
   for (std::size_t cell = 0; cell < grid.count(); ++cell) {
@@ -292,7 +292,7 @@ TEST_CASE("a gap that taxels stand around is seen, one at the end is not", "[lab
   SkinScene scene = square_skin("8", "2.0", 0.0, 0.0, "tangential = false\nspacing = 0.4\n");
   const auto unseen_at = [&](double y, double z) {
     const lab::SkinSceneProblem problem(scene);
-    const SkinGrid& grid = problem.grid();
+    const SurfaceGrid& grid = problem.grid();
     std::size_t nearest = 0;
     double least = 1e9;
     for (std::size_t cell = 0; cell < grid.count(); ++cell)

@@ -17,9 +17,9 @@ namespace {
 constexpr double edge = 1e-3;
 
 /// Cells of half a millimetre whose middles are at whole halves.
-const SkinGrid cells{.rows = 41, .columns = 41, .spacing_y = 0.5e-3, .spacing_z = 0.5e-3};
+const SurfaceGrid cells{.rows = 41, .columns = 41, .spacing_y = 0.5e-3, .spacing_z = 0.5e-3};
 
-SampledPatch only_patch(const std::vector<ContactPoint>& points, const SkinGrid& grid = cells) {
+SampledPatch only_patch(const std::vector<ContactPoint>& points, const SurfaceGrid& grid = cells) {
   const std::vector<SampledPatch> found = skin_patches(points, silicone, edge, grid);
   REQUIRE(found.size() == 1);
   check(found.front());

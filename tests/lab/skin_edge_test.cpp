@@ -102,7 +102,7 @@ TEST_CASE("what is seen is what lies near a live taxel", "[lab][skin][edge][long
   const SkinScene scene = touched_skin(0.0, 0.0, 2.0, "[dead_taxels]\nindices = [27]\n");
   const lab::SkinSceneProblem problem(scene);
   const std::vector<bool>& unseen = problem.unseen();
-  const SkinGrid& grid = problem.grid();
+  const SurfaceGrid& grid = problem.grid();
   for (std::size_t i = 0; i < grid.count(); ++i) {
     const double y = grid.y(i / grid.columns);
     const double z = grid.z(i % grid.columns);

@@ -128,7 +128,7 @@ TEST_CASE("what presses beyond all taxels is cut off, whatever alpha says", "[la
 }
 
 TEST_CASE("the place of a contact of one row of cells is not certain", "[lab][skin]") {
-  const SkinGrid grid = grid_of(pressed_skin(0.0, 0.0).sensor, {});
+  const SurfaceGrid grid = grid_of(pressed_skin(0.0, 0.0).sensor, {});
   const std::vector<std::size_t> column = {grid.columns + 2, 2 * grid.columns + 2};
   const std::vector<std::size_t> row = {3, 4, 5};
   CHECK(is_one_line(grid, column, true));

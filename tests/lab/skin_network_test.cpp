@@ -49,7 +49,7 @@ struct Small {
                                        const RealizationOptions& options = {}) const {
     return {realization,
             std::make_shared<const NetworkProblem>(
-                lab::network_problem(problem.problem(), alpha, readings)),
+                lab::skin_network_problem(problem.problem(), alpha, readings)),
             options};
   }
 
@@ -62,8 +62,8 @@ struct Small {
 TEST_CASE("a skin's P is K'K and its stabiliser, of which few entries are not zero",
           "[lab][skin_network]") {
   const Small small("spacing = 0.6\ntangential = true\n");
-  const SkinProblem& problem = small.problem.problem();
-  const NetworkProblem network = lab::network_problem(problem, alpha, small.readings);
+  const LinearProblem& problem = small.problem.problem();
+  const NetworkProblem network = lab::skin_network_problem(problem, alpha, small.readings);
   const std::size_t n = network.matrix.rows;
   double largest = 0.0;
   double off = 0.0;

@@ -40,7 +40,7 @@ SkinScene weighed(SkinScene scene, std::optional<double> weight) {
 }
 
 /// What pressed the finite-element pad in one frame, over the cells of a grid.
-std::vector<double> truth_of_pad(std::size_t wanted, const SkinGrid& grid) {
+std::vector<double> truth_of_pad(std::size_t wanted, const SurfaceGrid& grid) {
   constexpr double step = 0.25e-3;
   SampledPatch patch{.rows = 65, .columns = 65, .spacing_y = step, .spacing_z = step};
   const std::size_t count = patch.rows * patch.columns;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/realization.hpp"
@@ -32,7 +33,7 @@ inline ArrayNetwork array_network(std::size_t count, double alpha, std::size_t u
   if (unknowns == 2) contact.friction = 0.4;
   const std::vector<double> g =
       sampled_readings(array, pad, sample(std::vector<Contact>{contact}, array));
-  const InverseProblem inverse =
+  const LinearProblem inverse =
       make_problem(array, pad, {.unknowns = unknowns, .smoothing_length = 1.0});
   return {network_problem(inverse, alpha, g), tikhonov_solve(inverse, alpha, g)};
 }

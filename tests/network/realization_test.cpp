@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/reduction.hpp"
@@ -75,7 +76,7 @@ TEST_CASE("what is only rounding becomes no resistor", "[realization][property]"
   // On a slipping layer one quantity does not answer to every taxel; dead ones leave rows of zeros.
   const SensorArray array{9, 0.3, {0.4, 1.1}, {Quantity::shear_xy}};
   const Material pad{2.0, 0.3, Layer{1.1, Base::frictionless}};
-  const InverseProblem inverse =
+  const LinearProblem inverse =
       make_problem(array, pad, {.unknowns = 2, .smoothing_length = 0.4, .dead_taxels = {0, 4}});
   const std::vector<double> readings(18, 0.25);
   const NetworkProblem problem = network_problem(inverse, 3e-4, readings);

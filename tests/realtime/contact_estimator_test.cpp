@@ -31,7 +31,7 @@ TEST_CASE("the resultant, the margin and the residual are those of the tractions
   const std::size_t which = GENERATE(range(std::size_t{0}, std::size_t{10}));
   const auto& [name, problem] = problems.at(which);
   CAPTURE(name);
-  const std::size_t n = problem.surface.count;
+  const std::size_t n = problem.grid.count();
   ContactEstimator estimator(
       plan_estimator(problem, 1e-4, {.accuracy = 1e-12, .friction_coefficient = 0.7}).plan);
   bool pressed = false;
@@ -43,8 +43,8 @@ TEST_CASE("the resultant, the margin and the residual are those of the tractions
     const std::span<const double> normal = found.tractions.first(n);
     const std::span<const double> tangential = found.tractions.subspan(n);
     CHECK(found.time == 12.25);
-    const double size = problem.surface.spacing * static_cast<double>(n) * l2_norm(found.tractions);
-    CHECK_THAT(found.normal_force, WithinAbs(problem.surface.spacing * sum(normal), 1e-15 * size));
+    const double size = problem.grid.spacing_y * static_cast<double>(n) * l2_norm(found.tractions);
+    CHECK_THAT(found.normal_force, WithinAbs(problem.grid.spacing_y * sum(normal), 1e-15 * size));
     CHECK(found.contact == (found.normal_force > 0.0));
     (found.contact ? pressed : pulled) = true;
     if (found.contact) {
@@ -52,16 +52,16 @@ TEST_CASE("the resultant, the margin and the residual are those of the tractions
       for (std::size_t j = 0; j < n; ++j)
         moment += (static_cast<long double>(j) - 0.5L * static_cast<long double>(n - 1)) *
                   static_cast<long double>(normal[j]);
-      const double centre = problem.surface.spacing * problem.surface.spacing *
+      const double centre = problem.grid.spacing_y * problem.grid.spacing_y *
                             static_cast<double>(moment) / found.normal_force;
       CHECK_THAT(found.centre, WithinAbs(centre, 1e-13 * size * size / found.normal_force));
     } else {
       CHECK(std::isnan(found.centre));
       CHECK(std::isnan(found.angle));
     }
-    if (problem.unknowns == 2) {
+    if (problem.components == 2) {
       CHECK_THAT(found.tangential_force,
-                 WithinAbs(problem.surface.spacing * sum(tangential), 1e-15 * size));
+                 WithinAbs(problem.grid.spacing_y * sum(tangential), 1e-15 * size));
       if (found.contacts < 2)  // else that of the one nearest to slipping
         CHECK_THAT(found.friction_margin,
                    WithinRel(0.7 * found.normal_force - std::abs(found.tangential_force), 1e-14));

@@ -19,11 +19,11 @@ namespace {
 struct Case {
   std::string name;
   SensorArray array;
-  ProblemOptions options;
+  LineProblemOptions options;
   double alpha = 1e-3;
 
   [[nodiscard]] EstimatorPlan plan(const std::vector<std::size_t>& dead = {}) const {
-    ProblemOptions with = options;
+    LineProblemOptions with = options;
     with.dead_taxels.insert(with.dead_taxels.end(), dead.begin(), dead.end());
     PlannerOptions planner{.accuracy = 1e-12, .structure = Structure::dense};
     planner.friction_coefficient = 0.5;
@@ -124,7 +124,7 @@ TEST_CASE("a dead taxel in float32 and in every structure, as accurate as the pl
           "[dead_taxels]") {
   const auto all = cases();
   const Case& one = all.at(GENERATE(range(std::size_t{0}, std::size_t{5})));
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(one.array, {.youngs_modulus = 1.0, .poisson_ratio = 0.45}, one.options);
   ContactEstimator without(one.plan({12}));
   for (const Structure structure :

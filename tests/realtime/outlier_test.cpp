@@ -5,6 +5,7 @@
 
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -23,7 +24,7 @@ struct Sensor {
   SensorArray array;
   std::size_t unknowns = 1;
 
-  [[nodiscard]] InverseProblem problem() const {
+  [[nodiscard]] LinearProblem problem() const {
     return make_problem(array, material,
                         {.unknowns = unknowns, .smoothing_length = array.depths.front()});
   }
@@ -80,7 +81,7 @@ TEST_CASE("contacts are no outliers: every shape, with and without noise, up to 
   const Sensor& sensor = all.at(GENERATE(range(std::size_t{0}, std::size_t{5})));
   const double alpha = GENERATE(1e-2, 1e-4, 1e-6, 1e-8);
   CAPTURE(sensor.name, alpha);
-  const InverseProblem problem = sensor.problem();
+  const LinearProblem problem = sensor.problem();
   std::mt19937 generator(1);
   for (const double accuracy : {1e-3, 1e-7}) {
     ContactEstimator estimator(plan_estimator(problem, alpha, {.accuracy = accuracy}).plan);
@@ -120,8 +121,8 @@ TEST_CASE("a faulty reading is named: shifted, stuck or alone, in contact with n
   const auto all = sensors();
   const Sensor& sensor = all.at(GENERATE(range(std::size_t{0}, std::size_t{5})));
   CAPTURE(sensor.name);
-  const InverseProblem problem = sensor.problem();
-  const std::size_t count = problem.surface.count;
+  const LinearProblem problem = sensor.problem();
+  const std::size_t count = problem.grid.count();
   std::mt19937 generator(3);
   const Contact contact = RigidContact{.center = 0.3, .half_width = 2.0};
   const std::vector<double> clean = exact_readings(sensor.array, material, std::span(&contact, 1));

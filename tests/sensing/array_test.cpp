@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net;

@@ -30,7 +30,7 @@ TEST_CASE("tractions at the taxels are a surface too", "[surface]") {
   const Surface surface = surface_of(array);
   CHECK(positions(surface) == positions(array));
   CHECK(surface.spacing == array.pitch);
-  CHECK(surface.area == 1.0);
+  CHECK(measure_of(array, surface) == 1.0);
 }
 
 TEST_CASE("every taxel lies on a value's place, and the margin reaches as far as asked",
@@ -53,7 +53,16 @@ TEST_CASE("every taxel lies on a value's place, and the margin reaches as far as
         const double wanted = margin < 0.0 ? 3.0 : margin;
         CHECK(reach >= wanted * (1.0 - 1e-12));
         CHECK(reach < std::max(wanted, surface.spacing * 1e-9) + surface.spacing);
-        CHECK_THAT(surface.area, WithinRel(surface.spacing / pitch, 1e-14));
+        const SurfaceGrid column = grid_of(surface);
+        REQUIRE(column.count() == surface.count);
+        CHECK(column.area() == surface.spacing);
+        for (std::size_t i = 0; i < surface.count; ++i) CHECK(column.y(i) == surface.position(i));
+        const Surface back = surface_of(column);
+        CHECK(back.basis == surface.basis);
+        CHECK(positions(back) == positions(surface));
+        CHECK(back.margin == surface.margin);
+        CHECK(back.stride == surface.stride);
+        CHECK_THAT(measure_of(array, surface), WithinRel(surface.spacing / pitch, 1e-14));
       }
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <sstream>
 
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/motion.hpp"
@@ -170,7 +171,7 @@ TEST_CASE("ngspice is as far behind a moving contact as the certificate's state 
   constexpr double rest = 5e-6;
   const SensorArray array{count, 0.5, {1.5}, {Quantity::strain_x}};
   const Material pad{1.0, 0.45};
-  const InverseProblem inverse = make_problem(array, pad, {.unknowns = 1, .smoothing_length = 1.0});
+  const LinearProblem inverse = make_problem(array, pad, {.unknowns = 1, .smoothing_length = 1.0});
   const auto at = [&](double y) {
     const std::vector<Contact> contacts = {RigidContact{.center = y, .half_width = 2.0}};
     return network_problem(inverse, 1e-3, exact_readings(array, pad, contacts));

@@ -23,7 +23,7 @@ TEST_CASE("a search without taxels is that of the problem which never had them",
   CAPTURE(offsets, gone);
   const SkinFrame frame =
       dragged_frame(5, 23, {.channel_rms = {1.0, 0.5, 2.0}, .unknown_offsets = offsets});
-  SkinProblem rest = frame.problem;
+  LinearProblem rest = frame.problem;
   leave_out(rest, gone);
   double largest = 0.0;
   for (const double entry : frame.problem.kernel.values)

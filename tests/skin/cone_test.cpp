@@ -213,7 +213,7 @@ TEST_CASE("a dense array's cone is found within the steps that were promised", "
 
 TEST_CASE("the constraints take away half of the error", "[skin][cone][alpha]") {
   const SkinArray skin = square_skin(10, 2e-3);
-  const SkinProblem problem = make_problem(skin, silicone);
+  const LinearProblem problem = make_problem(skin, silicone);
   const SkinFamily family(problem);
   std::mt19937 random(31);
   double without = 0.0;
@@ -256,7 +256,7 @@ TEST_CASE("a frame that stops early, is none, or is empty, is said to be so", "[
   CHECK_THROWS_WITH(SkinCone(frame.problem, 1.0, {.friction_limit = 0.0}),
                     ContainsSubstring("friction_limit"));
   CHECK_THROWS_WITH(SkinCone(frame.problem, 0.0, {}), ContainsSubstring("alpha"));
-  const SkinProblem one = make_problem(square_skin(4, 2e-3), silicone, {.components = 1});
+  const LinearProblem one = make_problem(square_skin(4, 2e-3), silicone, {.components = 1});
   CHECK_THROWS_WITH(SkinCone(one, 1.0, {.friction_limit = 1.0}), ContainsSubstring("tangential"));
   CHECK(SkinCone(one, 1.0, {}).solve(std::vector<double>(48, 1.0)).status == FrameStatus::ok);
 }

@@ -34,7 +34,7 @@ class Bench {
   }
 
  private:
-  SkinProblem problem_ = make_problem(square_skin(8, 2e-3), silicone);
+  LinearProblem problem_ = make_problem(square_skin(8, 2e-3), silicone);
   SkinFamily family_;
   std::mt19937 random_{17};
 };
@@ -70,7 +70,7 @@ TEST_CASE("a skin's single liar is found, and a sign turned round", "[skin][data
 TEST_CASE("a lie that a narrow contact takes up is told of a skin, and by no honest frame",
           "[skin][data]") {
   const SkinArray skin = square_skin(6, 2e-3);
-  const SkinProblem problem = make_problem(skin, silicone);
+  const LinearProblem problem = make_problem(skin, silicone);
   const SkinContact contact{
       .y = 0.4e-3, .z = -0.3e-3, .radius = 3e-3, .force = 0.05, .friction = 0.3};
   std::mt19937 random(3);
@@ -95,7 +95,7 @@ TEST_CASE("a lie that a narrow contact takes up is told of a skin, and by no hon
 
 TEST_CASE("a skin's limit of friction that is too low is doubted, and no taxel", "[skin][data]") {
   const SkinArray skin = square_skin(8, 2e-3);
-  const SkinProblem problem = make_problem(skin, silicone);
+  const LinearProblem problem = make_problem(skin, silicone);
   const SkinContact contact{.y = 0.4e-3,
                             .z = -0.3e-3,
                             .radius = 2.5e-3,
@@ -141,7 +141,7 @@ TEST_CASE("a skin of another depth fits nothing, and a strain beyond 1 is no rea
 }
 
 TEST_CASE("limits of a skin's judge that are none are refused", "[skin][data]") {
-  const SkinProblem problem = make_problem(square_skin(3, 2e-3), silicone);
+  const LinearProblem problem = make_problem(square_skin(3, 2e-3), silicone);
   const auto refused = [&](const DataLimits& limits, const std::string& rule) {
     CHECK_THROWS_WITH(SkinDataJudge(problem, limits), ContainsSubstring(rule));
   };
@@ -161,7 +161,7 @@ TEST_CASE("limits of a skin's judge that are none are refused", "[skin][data]") 
 TEST_CASE("constants that are not known change no verdict of a skin", "[skin][data][offset]") {
   std::mt19937 random(5);
   const SkinArray skin = square_skin(6, 2e-3);
-  const SkinProblem problem = make_problem(skin, silicone, {.unknown_offsets = true});
+  const LinearProblem problem = make_problem(skin, silicone, {.unknown_offsets = true});
   const SkinFamily family(problem);
   std::vector<double> readings = exact_readings(skin, silicone, random_contacts(random, 3e-3));
   const double rms = add_noise(readings, 0.01, random);
@@ -187,8 +187,8 @@ TEST_CASE("constants that are not known change no verdict of a skin", "[skin][da
 
 TEST_CASE("readings that depend on no traction are judged, and nothing explains them",
           "[skin][data]") {
-  const SkinProblem problem = make_problem(square_skin(1, 2e-3, {Quantity::shear_xy}), silicone,
-                                           {.components = 1, .grid = {.margin = 0.0}});
+  const LinearProblem problem = make_problem(square_skin(1, 2e-3, {Quantity::shear_xy}), silicone,
+                                             {.components = 1, .grid = {.margin = 0.0}});
   REQUIRE(problem.kernel.columns == 1);
   const SkinDataJudge judge(problem, {.noise_rms = 1.0});
   const std::vector<double> none{0.0};

@@ -1,9 +1,8 @@
 // One frame by a QR of everything: against the functional itself, and against the classes.
-#include "tactile_net/skin/direct.hpp"
-
 #include <limits>
 #include <stdexcept>
 
+#include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tests/catch.hpp"
@@ -16,7 +15,7 @@ namespace {
 constexpr Material firm_silicone{.youngs_modulus = 0.25e6, .poisson_ratio = 0.48};
 constexpr double direct_alpha = 1e-4;
 
-SkinProblem problem_of(std::size_t rows, std::size_t columns, const SkinProblemOptions& options) {
+LinearProblem problem_of(std::size_t rows, std::size_t columns, const SkinProblemOptions& options) {
   return make_problem({.rows = rows,
                        .columns = columns,
                        .pitch_y = 2e-3,
@@ -27,14 +26,14 @@ SkinProblem problem_of(std::size_t rows, std::size_t columns, const SkinProblemO
 }
 
 /// Fewer readings than tractions, more, a dead taxel, offsets that are not known.
-std::vector<SkinProblem> small_problems() {
+std::vector<LinearProblem> small_problems() {
   return {problem_of(4, 5, {}), problem_of(5, 4, {.components = 1, .grid = {.margin = 0.0}}),
           problem_of(3, 4, {.dead_taxels = {5}, .grid = {.margin = 0.0}}),
           problem_of(4, 4, {.tangential_weight = 2.0, .unknown_offsets = true})};
 }
 
 /// P f - b over b.
-double gradient(const SkinProblem& problem, const std::vector<double>& readings,
+double gradient(const LinearProblem& problem, const std::vector<double>& readings,
                 const std::vector<double>& f) {
   const Matrix matrix = normal_matrix(problem, direct_alpha);
   const std::vector<double> right = normal_right_side(problem, readings);
@@ -48,7 +47,7 @@ double gradient(const SkinProblem& problem, const std::vector<double>& readings,
 
 TEST_CASE("the frame by a QR satisfies the normal equations, and is the classes' answer",
           "[skin][direct]") {
-  for (const SkinProblem& problem : small_problems()) {
+  for (const LinearProblem& problem : small_problems()) {
     CAPTURE(problem.kernel.rows, problem.kernel.columns);
     const std::vector<double> readings = random_numbers(problem.weights.size(), 3);
     const std::vector<double> f = tikhonov_solve(problem, direct_alpha, readings);
@@ -59,7 +58,7 @@ TEST_CASE("the frame by a QR satisfies the normal equations, and is the classes'
 }
 
 TEST_CASE("one frame by a QR: bad input is refused", "[skin][direct]") {
-  const SkinProblem problem = problem_of(3, 3, {});
+  const LinearProblem problem = problem_of(3, 3, {});
   std::vector<double> readings = random_numbers(problem.weights.size(), 3);
   CHECK_THROWS_AS(tikhonov_solve(problem, 0.0, readings), std::invalid_argument);
   CHECK_THROWS_AS(tikhonov_solve(problem, direct_alpha, std::vector<double>(2)),

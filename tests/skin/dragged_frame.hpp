@@ -10,7 +10,7 @@
 namespace tactile_net {
 
 struct SkinFrame {
-  SkinProblem problem;
+  LinearProblem problem;
   std::vector<double> readings;
 };
 

@@ -271,7 +271,7 @@ TEST_CASE("readings add up, and a skin's are its taxels' one by one", "[skin]") 
 }
 
 TEST_CASE("a patch that holds a contact's cells reads as the contact", "[skin]") {
-  const SkinGrid grid{.rows = 120, .columns = 120, .spacing_y = 0.03, .spacing_z = 0.03};
+  const SurfaceGrid grid{.rows = 120, .columns = 120, .spacing_y = 0.03, .spacing_z = 0.03};
   const SkinLoad load = turned;
   const auto means = cell_means(std::span(&load, 1), grid);
   const auto part = [&](std::size_t k) {

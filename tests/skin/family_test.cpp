@@ -10,7 +10,6 @@
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/covariance.hpp"
-#include "tactile_net/skin/tangential_weight.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -21,7 +20,7 @@ namespace {
 
 struct Named {
   std::string name;
-  SkinProblem problem;
+  LinearProblem problem;
   std::size_t classes;
 };
 
@@ -102,7 +101,7 @@ TEST_CASE("a family's tractions solve the normal equations, in every class", "[s
 TEST_CASE("classes are parts of one decomposition: the same frame, filters and traces",
           "[skin][family][property]") {
   // A reading's weight a rounding away from its mirror's leaves nothing to mirror.
-  SkinProblem problem = make_problem(square_skin(6, 2e-3), silicone);
+  LinearProblem problem = make_problem(square_skin(6, 2e-3), silicone);
   const SkinFamily apart(problem);
   problem.weights[0] *= 1.0 + std::numeric_limits<double>::epsilon();
   const SkinFamily whole(problem);
@@ -143,9 +142,9 @@ TEST_CASE("neither alpha, nor tractions, nor bands follow the grid's spacing",
     std::array<double, 3> deviations;
   };
   const auto solve = [&](double spacing) {
-    const SkinProblem problem =
+    const LinearProblem problem =
         make_problem(skin, silicone, {.grid = {.spacing = spacing, .margin = 4e-3}});
-    const SkinGrid& grid = problem.grid;
+    const SurfaceGrid& grid = problem.grid;
     const SkinFamily family(problem);
     const FilterFrame frame = family.analyse(readings);
     const double alpha = choose_alone(frame, AlphaRule::evidence, rms).alpha;
@@ -177,7 +176,7 @@ TEST_CASE("units do not matter, however large or small", "[skin][family][propert
   // Lengths times 1e150 or 1e-150, tractions times 1e100 or 1e-100.
   const SkinArray skin = square_skin(4, 2e-3);
   const std::vector<double> readings = random_numbers(48, 7);
-  const SkinProblem problem = make_problem(skin, silicone);
+  const LinearProblem problem = make_problem(skin, silicone);
   const SkinFamily family(problem);
   const FilterFrame frame = family.analyse(readings);
   const double alpha = choose_alone(frame, AlphaRule::rgcv).alpha;
@@ -193,7 +192,7 @@ TEST_CASE("units do not matter, however large or small", "[skin][family][propert
       scaled.depths[0] *= length;
       std::vector<double> read = readings;
       for (double& one : read) one *= pressure;
-      const SkinProblem other = make_problem(scaled, silicone);
+      const LinearProblem other = make_problem(scaled, silicone);
       const SkinFamily large(other);
       const FilterFrame seen = large.analyse(read);
       const double chosen = choose_alone(seen, AlphaRule::rgcv).alpha;
@@ -216,7 +215,7 @@ TEST_CASE("units do not matter, however large or small", "[skin][family][propert
 }
 
 TEST_CASE("a frame without a signal has no tractions", "[skin][family]") {
-  const SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone);
+  const LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone);
   const SkinFamily family(problem);
   const FilterFrame frame = family.analyse(std::vector<double>(48));
   CHECK(frame.scale == 0.0);
@@ -239,11 +238,11 @@ TEST_CASE("frames and alphas that are none are refused", "[skin][family]") {
 TEST_CASE("the default rule's alpha is near the best one on contacts that nobody saw",
           "[skin][family][alpha]") {
   const SkinArray skin = square_skin(10, 2e-3);
-  const SkinProblem problem = make_problem(skin, silicone);
+  const LinearProblem problem = make_problem(skin, silicone);
   const SkinFamily family(problem);
   const AlphaTables tables(family.singular_values(), independent_readings(problem));
   // Readings by another grid, three times as fine.
-  const SkinGrid fine = grid_of(skin, {.spacing = 1e-3 / 3.0, .margin = 4e-3});
+  const SurfaceGrid fine = grid_of(skin, {.spacing = 1e-3 / 3.0, .margin = 4e-3});
   std::mt19937 random(20);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::vector<double> ratios;
@@ -270,7 +269,7 @@ TEST_CASE("no reading is lost: what no traction explains is left outside", "[ski
                       .pitch_z = 1.0,
                       .depths = {1.0},
                       .reads = {Quantity::stress_x, Quantity::shear_xz}};
-  const SkinProblem problem =
+  const LinearProblem problem =
       make_problem(row, Material{}, {.components = 1, .grid = {.spacing = 1.0, .margin = 0.0}});
   std::vector<double> readings(12);
   for (std::size_t i = 0; i < readings.size(); ++i)
@@ -286,29 +285,29 @@ TEST_CASE("no reading is lost: what no traction explains is left outside", "[ski
 
 TEST_CASE("the readings know whether anything drags", "[skin][family][alpha]") {
   const SkinArray skin = square_skin(8, 2e-3);
-  const SkinProblem problem = make_problem(skin, silicone);
+  const LinearProblem problem = make_problem(skin, silicone);
   std::mt19937 random(8);
   const auto weight = [&](double friction) {
     const std::vector<SkinLoad> loads{
         SkinContact{.radius = 3e-3, .force = 0.5, .friction = friction, .direction = 0.7}};
     std::vector<double> readings = exact_readings(skin, silicone, loads);
     const double rms = add_noise(readings, 0.01, random);
-    return likeliest_tangential_weight(problem, readings, rms);
+    return likeliest_tangential_weight<SkinFamily>(problem, readings, rms);
   };
   const double pressed = weight(0.0);
   const double dragged = weight(0.8);
   CHECK(pressed >= 4.0);
   CHECK(dragged < pressed);
   CHECK(std::count(tangential_weights.begin(), tangential_weights.end(), dragged) == 1);
-  const SkinProblem one = make_problem(skin, silicone, {.components = 1});
-  CHECK(likeliest_tangential_weight(one, std::vector<double>(192, 1.0)) == 1.0);
+  const LinearProblem one = make_problem(skin, silicone, {.components = 1});
+  CHECK(likeliest_tangential_weight<SkinFamily>(one, std::vector<double>(192, 1.0)) == 1.0);
 }
 
 TEST_CASE("where no reading depends on the tractions the family says so, and nothing is made up",
           "[skin][family]") {
   // Shear is odd about the taxel, and the one cell over it is even.
-  const SkinProblem problem = make_problem(square_skin(1, 2e-3, {shear_xy}), silicone,
-                                           {.components = 1, .grid = {.margin = 0.0}});
+  const LinearProblem problem = make_problem(square_skin(1, 2e-3, {shear_xy}), silicone,
+                                             {.components = 1, .grid = {.margin = 0.0}});
   REQUIRE(problem.kernel.columns == 1);
   CHECK(problem.kernel.values == std::vector{0.0});
   const SkinFamily family(problem);
@@ -324,7 +323,7 @@ TEST_CASE("where no reading depends on the tractions the family says so, and not
   const double prior = 4e-4;
   const SkinCovariance covariance(family, 1e-3, prior);
   CHECK_THAT(covariance.deviations().front(),
-             WithinRel(1.0 / std::sqrt(prior * problem.area), 1e-12));
+             WithinRel(1.0 / std::sqrt(prior * problem.measure), 1e-12));
   for (const AlphaSweep::Curve& curve : sweep_alpha(frame, 1.0).curves)
     CHECK(curve.choice.verdict == AlphaVerdict::no_root);
   const double alpha = choose_alone(frame, AlphaRule::aicc).alpha;
@@ -335,9 +334,9 @@ TEST_CASE("an offset that takes all that two taxels read of one cell leaves noth
           "[skin][family][offset]") {
   SkinArray two = square_skin(1, 2e-3, {stress_x});
   two.rows = 2;
-  const SkinProblem both = make_problem(
+  const LinearProblem both = make_problem(
       two, silicone, {.components = 1, .grid = {.margin = 0.0}, .unknown_offsets = true});
-  SkinProblem problem = both;
+  LinearProblem problem = both;
   leave_out(problem, std::vector<std::size_t>{1});  // one taxel, less its offset
   CHECK(*std::max_element(problem.kernel.values.begin(), problem.kernel.values.end()) == 0.0);
   CHECK(*std::min_element(problem.kernel.values.begin(), problem.kernel.values.end()) == 0.0);

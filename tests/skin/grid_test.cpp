@@ -30,7 +30,7 @@ TEST_CASE("taxels of a lattice lie on cells' middles, and the margin is kept", "
                         Case{1, 1, 0.0, 0.0, 1.0, {}}, Case{4, 1, 1e-150, 0.0, 2e-150, {}},
                         Case{4, 4, 1e150, 1e150, 2e150, {}}}) {
     const SkinArray skin = even(c.rows, c.columns, c.pitch_y, c.pitch_z, c.depth);
-    const SkinGrid grid = grid_of(skin, c.options);
+    const SurfaceGrid grid = grid_of(skin, c.options);
     CAPTURE(c.rows, c.columns, c.depth);
     for (const Site& site : sites(skin)) {
       const std::size_t row = grid.margin_rows + site.taxel / c.columns * grid.stride_rows;
@@ -51,11 +51,11 @@ TEST_CASE("taxels of a lattice lie on cells' middles, and the margin is kept", "
 }
 
 TEST_CASE("cells are as wide as half of the depth, or as the pitch", "[skin]") {
-  const SkinGrid coarse = grid_of(even(4, 4, 3.0, 2.0, 1.0));
+  const SurfaceGrid coarse = grid_of(even(4, 4, 3.0, 2.0, 1.0));
   CHECK(coarse.spacing_y == 0.5);
   CHECK(coarse.stride_rows == 6);
   CHECK(coarse.stride_columns == 4);
-  const SkinGrid dense = grid_of(even(4, 4, 0.25, 0.25, 1.0));
+  const SurfaceGrid dense = grid_of(even(4, 4, 0.25, 0.25, 1.0));
   CHECK(dense.spacing_y == 0.25);
   CHECK(dense.stride_rows == 1);
   CHECK(dense.rows == 4 + 2 * 4);
@@ -74,7 +74,7 @@ TEST_CASE("the grid of an uneven skin reaches around all of it", "[skin]") {
   const SkinArray skin = uneven_skin({{"", 1.0, -2.0, 0.5, {Quantity::stress_x}},
                                       {"", 4.0, 5.0, 0.7, {Quantity::stress_x}},
                                       {"", 2.0, 1.0, 0.5, {Quantity::stress_x}}});
-  const SkinGrid grid = grid_of(skin);
+  const SurfaceGrid grid = grid_of(skin);
   CHECK(grid.stride_rows == 0);
   CHECK_THAT(grid.y(grid.margin_rows), WithinAbs(1.0, 1e-14));
   CHECK_THAT(grid.y(grid.rows - 1 - grid.margin_rows), WithinAbs(4.0, 1e-14));

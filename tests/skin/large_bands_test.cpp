@@ -20,7 +20,7 @@ TEST_CASE("bands of a large skin are those of its decomposition", "[skin][large]
         with_dead(spacing < 1e-3 ? std::vector<std::size_t>{} : std::vector<std::size_t>{50, 51},
                   {.spacing = spacing});
     if (spacing < 1e-3) skin.rows = 15;
-    const SkinProblem dense = make_problem(skin, silicone, options);
+    const LinearProblem dense = make_problem(skin, silicone, options);
     const SkinFamily family(dense);
     const double alpha = 1e-4 * std::pow(family.singular_values().front(), 2);
     LargeSkinTikhonov solver(skin, silicone, options, alpha);
@@ -30,7 +30,7 @@ TEST_CASE("bands of a large skin are those of its decomposition", "[skin][large]
       const LargeSkinCovariance large(bands, prior, 1.0);
       const auto expected = exact.deviations();
       const auto found = large.deviations();
-      const SkinGrid& grid = dense.grid;
+      const SurfaceGrid& grid = dense.grid;
       for (std::size_t i = 0; i < expected.size(); ++i)
         CHECK_THAT(found[i], WithinRel(expected[i], 0.04));  // at dead taxels too
       const CellWindow window = window_of(grid, 2e-3);
@@ -58,7 +58,7 @@ TEST_CASE("bands of single cells are off by what is said of them", "[skin][large
   for (const auto& dead : {std::vector<std::size_t>{}, std::vector<std::size_t>{41, 128, 189, 192},
                            std::vector<std::size_t>{205, 206, 225, 310, 311}}) {
     const SkinProblemOptions options = with_dead(dead);
-    const SkinProblem dense = make_problem(skin, silicone, options);
+    const LinearProblem dense = make_problem(skin, silicone, options);
     REQUIRE(dense.grid.count() == 24 * 24);
     const SkinFamily family(dense);
     const double size = std::pow(family.singular_values().front(), 2);
@@ -102,7 +102,7 @@ TEST_CASE("bands are wide in a block of dead taxels, and at its rim a sixth too 
   for (std::size_t row = 4; row < 10; ++row)
     for (std::size_t column = 5; column < 11; ++column) block.push_back(16 * row + column);
   const SkinProblemOptions options = with_dead(block);
-  const SkinProblem dense = make_problem(skin, silicone, options);
+  const LinearProblem dense = make_problem(skin, silicone, options);
   const SkinFamily family(dense);
   const double alpha = 1e-4 * std::pow(family.singular_values().front(), 2);
   LargeSkinTikhonov solver(skin, silicone, options, alpha);
@@ -135,7 +135,7 @@ TEST_CASE("probes of a skin serve it where a few taxels are dead", "[skin][large
 TEST_CASE("sums that follow from sums before need no solve, and have their deviations",
           "[skin][large]") {
   const SkinArray skin = square_skin(12, 2e-3);
-  const SkinProblem dense = make_problem(skin, silicone);
+  const LinearProblem dense = make_problem(skin, silicone);
   const SkinFamily family(dense);
   const double alpha = 1e-3 * size_of(dense);
   LargeSkinTikhonov solver(skin, silicone, {}, alpha);
@@ -165,8 +165,8 @@ TEST_CASE("sums that follow from sums before need no solve, and have their devia
 TEST_CASE("bands of a large skin have the same bits whatever was asked for before",
           "[skin][large]") {
   const SkinArray skin = square_skin(8, 2e-3);
-  const SkinProblem dense = make_problem(skin, silicone);
-  const SkinGrid& grid = dense.grid;
+  const LinearProblem dense = make_problem(skin, silicone);
+  const SurfaceGrid& grid = dense.grid;
   const double alpha = 1e-3 * size_of(dense);
   // Of a disc's cells: force, drag, moments, a centre, a torsion, and a sum that is none of these.
   std::vector<std::vector<double>> sums(6, std::vector<double>(3 * grid.count()));

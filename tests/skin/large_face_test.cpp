@@ -18,7 +18,7 @@ using namespace tactile_net;
 namespace {
 
 /// Cells of a disc about (1 mm, 0), where `readings_of` presses.
-std::vector<std::size_t> cells_within(const SkinGrid& grid, double radius) {
+std::vector<std::size_t> cells_within(const SurfaceGrid& grid, double radius) {
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < grid.count(); ++i)
     if (std::hypot(grid.y(i / grid.columns) - 1e-3, grid.z(i % grid.columns)) <= radius)
@@ -27,9 +27,9 @@ std::vector<std::size_t> cells_within(const SkinGrid& grid, double radius) {
 }
 
 /// Of a contact's cells: its force, its drag and a moment.
-std::vector<std::vector<double>> sums_over(const SkinProblem& problem,
+std::vector<std::vector<double>> sums_over(const LinearProblem& problem,
                                            const std::vector<std::size_t>& cells) {
-  const SkinGrid& grid = problem.grid;
+  const SurfaceGrid& grid = problem.grid;
   std::vector<std::vector<double>> sums(3, std::vector<double>(problem.components * grid.count()));
   for (const std::size_t cell : cells) {
     sums[0][cell] = grid.area();
@@ -58,7 +58,7 @@ struct Solved {
 
   SkinArray skin = oblong_skin();
   SkinProblemOptions options = with_dead({50, 51, 128});
-  SkinProblem dense{};
+  LinearProblem dense{};
   double alpha = 0.0;
   std::vector<double> readings{};
   Constraints limits{.nonnegative = true, .friction_limit = {}};
@@ -105,15 +105,15 @@ TEST_CASE("a part of a large skin reads what the whole reads of its cells", "[sk
   const std::size_t stride = GENERATE(std::size_t{1}, std::size_t{2});
   const SkinProblemOptions options =
       with_dead({50, 51, 128}, {.spacing = 1e-3 / static_cast<double>(stride)});
-  const SkinProblem whole = make_problem(skin, thin, options);
+  const LinearProblem whole = make_problem(skin, thin, options);
   const std::vector<std::size_t> corner{0, 1};
   const std::vector<std::size_t> contact = cells_within(whole.grid, 2e-3);
   for (const auto& cells : {corner, contact}) {
     const LargeSkinPart part(skin, thin, options, whole, cells, 3e-3);
-    const SkinProblem& own = problem_of(*part.system());
+    const LinearProblem& own = problem_of(*part.system());
     REQUIRE(own.grid.count() < whole.grid.count());
     CHECK_THAT(own.grid.spacing_y, WithinRel(whole.grid.spacing_y, 1e-12));
-    CHECK_THAT(own.area, WithinRel(whole.area, 1e-12));
+    CHECK_THAT(own.measure, WithinRel(whole.measure, 1e-12));
     std::vector<double> tractions(own.components * own.grid.count());
     for (std::size_t i = 0; i < tractions.size(); ++i)
       tractions[i] = std::cos(0.7 * static_cast<double>(i));

@@ -13,9 +13,9 @@
 
 #include "src/skin/large/system.hpp"
 #include "src/skin/large/uniform_readings.hpp"
+#include "tactile_net/inverse/stabiliser.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
-#include "tactile_net/skin/stabiliser.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -29,10 +29,10 @@ inline SkinProblemOptions with_dead(std::vector<std::size_t> dead, SkinGridOptio
 }
 
 /// One contact and 1 % noise, by the matrix.
-inline std::vector<double> readings_of(const SkinProblem& problem, unsigned seed) {
+inline std::vector<double> readings_of(const LinearProblem& problem, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<double> tractions(problem.kernel.columns);
-  const SkinGrid& grid = problem.grid;
+  const SurfaceGrid& grid = problem.grid;
   for (std::size_t u = 0; u < problem.components; ++u)
     for (std::size_t i = 0; i < grid.count(); ++i) {
       const double y = (grid.y(i / grid.columns) - 1e-3) / 3e-3;
@@ -56,7 +56,7 @@ inline std::vector<double> transposed_product(const Matrix& matrix, std::span<co
 }
 
 /// |P x - b| / |b| by the matrices.
-inline double normal_residual(const SkinProblem& problem, double alpha, std::span<const double> x,
+inline double normal_residual(const LinearProblem& problem, double alpha, std::span<const double> x,
                               std::span<const double> b) {
   std::vector<double> image = transposed_product(problem.kernel, product(problem.kernel, x));
   const std::vector<double> smooth = product(stabiliser_matrix(problem, alpha), x);
@@ -65,7 +65,7 @@ inline double normal_residual(const SkinProblem& problem, double alpha, std::spa
 }
 
 /// The square of the largest singular value.
-inline double size_of(const SkinProblem& problem) {
+inline double size_of(const LinearProblem& problem) {
   return std::pow(SkinFamily(problem).singular_values().front(), 2);
 }
 
@@ -87,7 +87,7 @@ inline std::vector<double> normal_product(LargeSkinSystem& system, double alpha,
 inline void check_reaches_minimiser(const SkinArray& skin, const Material& material,
                                     std::vector<std::size_t> dead) {
   const SkinProblemOptions options = with_dead(std::move(dead));
-  const SkinProblem dense = make_problem(skin, material, options);
+  const LinearProblem dense = make_problem(skin, material, options);
   const SkinFamily family(dense);
   const double size = std::pow(family.singular_values().front(), 2);
   const std::vector<double> readings = readings_of(dense, 1);

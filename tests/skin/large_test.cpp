@@ -24,7 +24,8 @@ TEST_CASE("products by FFT are those of the matrix, both ways", "[skin][large]")
       // Taxels on every cell, and on every other one.
       for (const double spacing : {1e-3, 0.5e-3}) {
         if (skin.rows == 24 && spacing < 1e-3) continue;
-        const SkinProblem dense = make_problem(skin, material, with_dead({}, {.spacing = spacing}));
+        const LinearProblem dense =
+            make_problem(skin, material, with_dead({}, {.spacing = spacing}));
         const auto kernels = lattice_kernels(skin, material, dense.grid, 3);
         LatticeProducts products(skin, dense.grid, 3, kernels);
         const auto numbers = [](std::size_t count) {
@@ -114,7 +115,7 @@ TEST_CASE("the sum over tiles is symmetric and positive, and mirrors what the sk
       CHECK(again == of_x);
 
       if (!skin.options.dead_taxels.empty()) continue;
-      const SkinGrid& grid = system->problem.grid;
+      const SurfaceGrid& grid = system->problem.grid;
       // Rows the other way round, q_y with the other sign.
       const auto mirrored = [&](std::span<const double> f) {
         std::vector<double> turned(f.size());
@@ -153,11 +154,11 @@ TEST_CASE("conjugate gradients reach the minimiser of a larger dense problem",
 
 TEST_CASE("dead taxels cost conjugate gradients next to no steps", "[skin][large]") {
   const SkinArray skin = square_skin(24, 2e-3);
-  SkinProblem dense = make_problem(skin, silicone);
+  LinearProblem dense = make_problem(skin, silicone);
   const double alpha = 1e-6 * size_of(make_problem(square_skin(12, 2e-3), silicone));
   const auto steps = [&](const SkinProblemOptions& options) {
     LargeSkinTikhonov solver(skin, silicone, options, alpha);
-    const SkinProblem own = make_problem(skin, silicone, options);
+    const LinearProblem own = make_problem(skin, silicone, options);
     (void)solver.solve_normal(normal_right_side(own, readings_of(dense, 2)));
     return solver.convergence().steps;
   };
@@ -171,7 +172,7 @@ TEST_CASE("large skins of any shape are solved", "[skin][large]") {
     SkinArray skin = square_skin(rows, 2e-3);
     skin.columns = columns;
     const SkinProblemOptions options = with_dead({}, {.spacing = spacing});
-    const SkinProblem dense = make_problem(skin, silicone, options);
+    const LinearProblem dense = make_problem(skin, silicone, options);
     const double alpha = 1e-4 * size_of(dense);
     LargeSkinTikhonov solver(skin, silicone, options, alpha);
     const auto right = normal_right_side(dense, readings_of(dense, 3));
@@ -183,7 +184,7 @@ TEST_CASE("large skins of any shape are solved", "[skin][large]") {
 
 TEST_CASE("alpha of a large skin is that of all singular values", "[skin][large]") {
   const SkinArray skin = square_skin(16, 2e-3);
-  const SkinProblem dense = make_problem(skin, silicone);
+  const LinearProblem dense = make_problem(skin, silicone);
   const SkinFamily family(dense);
   const double size = std::pow(family.singular_values().front(), 2);
   LargeSkinTikhonov solver(skin, silicone, {}, 1e-4 * size);
@@ -219,7 +220,7 @@ TEST_CASE("a large skin's cone is that of the dense problem", "[skin][large][con
          {std::optional<double>{}, std::optional(0.3), std::optional(0.8)}) {
       SkinProblemOptions options = with_dead({40, 41});
       options.tangential_weight = weight;
-      const SkinProblem dense = make_problem(skin, silicone, options);
+      const LinearProblem dense = make_problem(skin, silicone, options);
       const double alpha = 1e-4 * size_of(dense);
       const std::vector<double> readings = readings_of(dense, 7);
       const Constraints constraints{.friction_limit = limit};
@@ -247,7 +248,7 @@ TEST_CASE("a large skin's cone is that of the dense problem", "[skin][large][con
 TEST_CASE("a large cone says where it stopped early, and refuses what it cannot take",
           "[skin][large][cone]") {
   const SkinArray skin = square_skin(8, 2e-3);
-  const SkinProblem dense = make_problem(skin, silicone);
+  const LinearProblem dense = make_problem(skin, silicone);
   const double alpha = 1e-5 * size_of(dense);
   const auto system = make_large_skin_system(skin, silicone, {});
   const LargeSkinCone cone(system, alpha, {.friction_limit = 0.5});
@@ -276,7 +277,7 @@ TEST_CASE("a large cone says where it stopped early, and refuses what it cannot 
 TEST_CASE("what a large cone solved before changes no bit of what it solves next",
           "[skin][large][cone]") {
   const SkinArray skin = square_skin(8, 2e-3);
-  const SkinProblem dense = make_problem(skin, silicone);
+  const LinearProblem dense = make_problem(skin, silicone);
   const auto system = make_large_skin_system(skin, silicone, {});
   const double alpha = 1e-5 * size_of(dense);
   std::vector<std::vector<double>> frames;

@@ -113,12 +113,12 @@ TEST_CASE("cells' means add up to the load, wherever their borders run", "[skin]
   for (const SkinContact& c : contacts)
     for (const double spacing : {3.0, 0.37, 0.05}) {
       const auto count = static_cast<std::size_t>(std::ceil(5.0 / spacing)) + 1;
-      const SkinGrid grid{.rows = count,
-                          .columns = count + 1,
-                          .spacing_y = spacing,
-                          .spacing_z = 0.9 * spacing,
-                          .centre_y = 0.1 * spacing,
-                          .centre_z = 0.0};
+      const SurfaceGrid grid{.rows = count,
+                             .columns = count + 1,
+                             .spacing_y = spacing,
+                             .spacing_z = 0.9 * spacing,
+                             .centre_y = 0.1 * spacing,
+                             .centre_z = 0.0};
       const SkinLoad load = c;
       const std::vector<double> means = cell_means(std::span(&load, 1), grid);
       CAPTURE(name(c.shape), c.stick, c.torsion, spacing);
@@ -132,7 +132,7 @@ TEST_CASE("a cell's mean is the integral over it, rims and apexes included", "[s
   // A cell against the same in many pieces, whose middles' tractions converge as their size, or
   // its square root at a punch's rim.
   for (const SkinContact& c : contacts) {
-    const SkinGrid grid{.rows = 7, .columns = 7, .spacing_y = 0.5, .spacing_z = 0.45};
+    const SurfaceGrid grid{.rows = 7, .columns = 7, .spacing_y = 0.5, .spacing_z = 0.45};
     const SkinLoad load = c;
     const std::vector<double> means = cell_means(std::span(&load, 1), grid);
     constexpr int pieces = 200;
@@ -155,7 +155,7 @@ TEST_CASE("a cell's mean is the integral over it, rims and apexes included", "[s
 
 TEST_CASE("a cell that holds all of a load has its mean, one aside has exactly none", "[skin]") {
   for (const SkinContact& c : contacts) {
-    const SkinGrid grid{.rows = 1, .columns = 3, .spacing_y = 8.0, .spacing_z = 8.0};
+    const SurfaceGrid grid{.rows = 1, .columns = 3, .spacing_y = 8.0, .spacing_z = 8.0};
     const SkinLoad load = c;
     const std::vector<double> means = cell_means(std::span(&load, 1), grid);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -231,20 +231,20 @@ TEST_CASE("a patch is uniform over its rectangles, and shared out by area", "[sk
   CHECK_FALSE(has_traction(load, Traction::tangential_y));
   CHECK(has_traction(load, Traction::tangential_z));
   // The grid that it is a patch of gives its values back; others its force.
-  const SkinGrid own{.rows = 2,
-                     .columns = 3,
-                     .spacing_y = 0.5,
-                     .spacing_z = 1.0,
-                     .centre_y = 1.0,
-                     .centre_z = 2.0};
+  const SurfaceGrid own{.rows = 2,
+                        .columns = 3,
+                        .spacing_y = 0.5,
+                        .spacing_z = 1.0,
+                        .centre_y = 1.0,
+                        .centre_z = 2.0};
   const std::vector<double> means = cell_means(std::span(&load, 1), own);
   for (std::size_t i = 0; i < 6; ++i) CHECK(means[i] == patch.normal[i]);
-  const SkinGrid other{.rows = 11,
-                       .columns = 13,
-                       .spacing_y = 0.31,
-                       .spacing_z = 0.37,
-                       .centre_y = 0.9,
-                       .centre_z = 2.1};
+  const SurfaceGrid other{.rows = 11,
+                          .columns = 13,
+                          .spacing_y = 0.31,
+                          .spacing_z = 0.37,
+                          .centre_y = 0.9,
+                          .centre_z = 2.1};
   const SkinWrench summed = resultant(cell_means(std::span(&load, 1), other), other);
   CHECK_THAT(summed.force[0], WithinRel(10.5, 1e-14));
   CHECK_THAT(summed.force[2], WithinRel(-0.5, 1e-14));
@@ -253,8 +253,8 @@ TEST_CASE("a patch is uniform over its rectangles, and shared out by area", "[sk
 TEST_CASE("units of length scale a load and nothing else", "[skin][property]") {
   const double unit = GENERATE(1e-100, 1e100);
   for (SkinContact c : contacts) {
-    const SkinGrid grid{.rows = 5, .columns = 5, .spacing_y = 0.5, .spacing_z = 0.5};
-    SkinGrid scaled_grid = grid;
+    const SurfaceGrid grid{.rows = 5, .columns = 5, .spacing_y = 0.5, .spacing_z = 0.5};
+    SurfaceGrid scaled_grid = grid;
     scaled_grid.spacing_y = scaled_grid.spacing_z = 0.5 * unit;
     const SkinLoad load = c;
     const std::vector<double> means = cell_means(std::span(&load, 1), grid);

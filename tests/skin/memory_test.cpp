@@ -27,7 +27,7 @@ using namespace tactile_net;
 namespace {
 
 /// How many matrices as large as the problem's kernel were made.
-int matrices_made(const SkinProblem& problem, const auto& work) {
+int matrices_made(const LinearProblem& problem, const auto& work) {
   allocations = 0;
   counted_from = sizeof(double) * problem.kernel.values.size();
   work();
@@ -35,8 +35,8 @@ int matrices_made(const SkinProblem& problem, const auto& work) {
   return allocations;
 }
 
-std::shared_ptr<const SkinProblem> shared_problem() {
-  return std::make_shared<const SkinProblem>(make_problem(square_skin(8, 2e-3), silicone));
+std::shared_ptr<const LinearProblem> shared_problem() {
+  return std::make_shared<const LinearProblem>(make_problem(square_skin(8, 2e-3), silicone));
 }
 
 }  // namespace

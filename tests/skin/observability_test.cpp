@@ -130,8 +130,9 @@ TEST_CASE("the symbol is what a wide even skin reads of a wave",
   const SkinArray skin = {.rows = 1, .columns = 1, .depths = {1.0}, .reads = press_and_drag};
   const double k_y = 0.9;
   const double k_z = -0.6;
-  const SkinProblem problem = make_problem(skin, unit, {.grid = {.spacing = 0.4, .margin = 60.0}});
-  const SkinGrid& grid = problem.grid;
+  const LinearProblem problem =
+      make_problem(skin, unit, {.grid = {.spacing = 0.4, .margin = 60.0}});
+  const SurfaceGrid& grid = problem.grid;
   const auto symbol = skin_symbol(skin, unit, {}, k_y, k_z);
   for (std::size_t row = 0; row < 3; ++row)
     for (std::size_t u = 0; u < 3; ++u) {

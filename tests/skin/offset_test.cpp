@@ -32,7 +32,7 @@ std::vector<double> with_offsets(std::vector<double> readings, const SkinArray& 
   return readings;
 }
 
-std::vector<double> solved(const SkinProblem& problem, const std::vector<double>& readings,
+std::vector<double> solved(const LinearProblem& problem, const std::vector<double>& readings,
                            double alpha) {
   const SkinFamily family(problem);
   return family.solve(family.analyse(readings), alpha);
@@ -49,7 +49,7 @@ TEST_CASE("what a channel's readings are off by together moves no traction", "[s
                         {"c", 2.1e-3, -0.4e-3, 2e-3, press_and_drag},
                         {"d", 0.3e-3, -2e-3, 2e-3, press_and_drag}});
   }
-  const SkinProblem problem = make_problem(skin, silicone, {.unknown_offsets = true});
+  const LinearProblem problem = make_problem(skin, silicone, {.unknown_offsets = true});
   const std::vector<double> readings = readings_of(skin);
   const double size = norm(readings);
   const std::vector<double> off{size, -2.0 * size, 0.5 * size};
@@ -69,7 +69,7 @@ TEST_CASE("what a channel's readings are off by together moves no traction", "[s
 
   // The least of both, tractions and offsets: the residual of every channel adds up to nothing,
   // and with the offsets taken out nothing else explains the readings better.
-  const SkinProblem plain = make_problem(skin, silicone);
+  const LinearProblem plain = make_problem(skin, silicone);
   std::vector<double> minus(before.size());
   std::transform(before.begin(), before.end(), minus.begin(), [](double x) { return -x; });
   const std::vector<double> rest = with_offsets(readings, skin, minus);
@@ -87,7 +87,7 @@ TEST_CASE("what a channel's readings are off by together moves no traction", "[s
 
 TEST_CASE("every other map of readings knows the offsets", "[skin][offset]") {
   const SkinArray skin = square_skin(4, 2e-3);
-  const SkinProblem problem =
+  const LinearProblem problem =
       make_problem(skin, silicone,
                    {.channel_rms = {2.0, 1.0, 0.5}, .dead_taxels = {5}, .unknown_offsets = true});
   CHECK(independent_readings(problem) == 3 * 15 - 3);
@@ -111,8 +111,8 @@ TEST_CASE("every other map of readings knows the offsets", "[skin][offset]") {
 
 TEST_CASE("taxels left out later are as if they had been dead, offsets or not", "[skin][offset]") {
   const SkinArray skin = square_skin(4, 2e-3);
-  SkinProblem later = make_problem(skin, silicone, {.unknown_offsets = true});
-  const SkinProblem before =
+  LinearProblem later = make_problem(skin, silicone, {.unknown_offsets = true});
+  const LinearProblem before =
       make_problem(skin, silicone, {.dead_taxels = {5, 6, 11}, .unknown_offsets = true});
   leave_out(later, std::vector<std::size_t>{5, 6});
   leave_out(later, std::vector<std::size_t>{5, 6, 11});
@@ -127,7 +127,7 @@ TEST_CASE("an unknown offset takes one reading a channel", "[skin][offset]") {
   CHECK(is_measured(one, {}, false));
   CHECK_FALSE(is_measured(one, {}, true));
   CHECK_THROWS_WITH(make_problem(one, silicone, {.unknown_offsets = true}),
-                    ContainsSubstring("two living taxels are needed"));
+                    ContainsSubstring("no channel has two living taxels"));
   const SkinArray two = square_skin(2, 2e-3);
   CHECK(is_measured(two, std::vector<std::size_t>{0, 1}, true));
   CHECK_FALSE(is_measured(two, std::vector<std::size_t>{0, 1, 2}, true));

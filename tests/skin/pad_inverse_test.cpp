@@ -55,7 +55,7 @@ constexpr std::array<Truth, 5> truths{
       0.00010547945205479256, 4.836206245026954e-06}}};
 
 void check_pad(const std::string& set, const SkinArray& skin, const Recording& recording) {
-  const SkinProblem problem = make_problem(
+  const LinearProblem problem = make_problem(
       skin, pad_material, {.channel_rms = {39.7, 10.8, 10.6}, .grid = {.spacing = 1e-3}});
   const SkinFamily family(problem);
   const AlphaTables tables(family.singular_values(), independent_readings(problem));

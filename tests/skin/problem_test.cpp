@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/stabiliser.hpp"
 #include "tactile_net/skin/signal_layout.hpp"
-#include "tactile_net/skin/stabiliser.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -31,7 +31,7 @@ TEST_CASE("a problem's kernel times a load's cell means is what the forward mode
                         {"b", 1.1e-3, 0.9e-3, 1.5 * depth, {Quantity::stress_y}},
                         {"c", 0.3e-3, -2e-3, depth, press_and_drag}});
   }
-  const SkinProblem problem = make_problem(skin, material);
+  const LinearProblem problem = make_problem(skin, material);
   const std::vector<double> means = cell_means(loads, problem.grid);
   const std::vector<double> expected = sampled_readings(skin, material, problem.grid, means);
   CHECK(distance(product(problem.kernel, means), expected) <= 1e-13 * norm(expected));
@@ -40,8 +40,8 @@ TEST_CASE("a problem's kernel times a load's cell means is what the forward mode
 TEST_CASE("a dead taxel's rows count for nothing, whether known before or after",
           "[skin][problem]") {
   const SkinArray skin = square_skin(4, 2e-3);
-  SkinProblem later = make_problem(skin, silicone, {.channel_rms = {2.0, 1.0, 0.5}});
-  const SkinProblem before =
+  LinearProblem later = make_problem(skin, silicone, {.channel_rms = {2.0, 1.0, 0.5}});
+  const LinearProblem before =
       make_problem(skin, silicone, {.channel_rms = {2.0, 1.0, 0.5}, .dead_taxels = {5, 6}});
   leave_out(later, std::vector<std::size_t>{5, 6});
   CHECK(later.kernel.values == before.kernel.values);
@@ -55,10 +55,10 @@ TEST_CASE("a dead taxel's rows count for nothing, whether known before or after"
 TEST_CASE("the stabiliser is the integral of f^2 + l^2 |grad f|^2 over a taxel's area",
           "[skin][problem][property]") {
   // Of the normal matrix, alpha so large that it is all that counts.
-  const SkinProblem problem = make_problem(
+  const LinearProblem problem = make_problem(
       square_skin(3, 2e-3), silicone,
       {.smoothing_length = 3e-3, .tangential_weight = 2.0, .grid = {.spacing = 0.5e-3}});
-  const SkinGrid& grid = problem.grid;
+  const SurfaceGrid& grid = problem.grid;
   const double alpha = 1e12;
   const Matrix p = normal_matrix(problem, alpha);
   std::mt19937 random(3);
@@ -115,7 +115,7 @@ TEST_CASE("what a problem of a skin cannot be made of is refused with the rule",
 
 TEST_CASE("where nothing is read the normal matrix is the stabiliser, entry by entry",
           "[skin][problem]") {
-  SkinProblem problem = make_problem(square_skin(4, 1e-3), silicone, {.tangential_weight = 0.7});
+  LinearProblem problem = make_problem(square_skin(4, 1e-3), silicone, {.tangential_weight = 0.7});
   std::fill(problem.kernel.values.begin(), problem.kernel.values.end(), 0.0);
   CHECK(normal_matrix(problem, 3e-2).values == stabiliser_matrix(problem, 3e-2).values);
 }
@@ -153,7 +153,7 @@ TEST_CASE("taxels anywhere have the pitch that a look at every pair of them find
 TEST_CASE("before anything is read a sum is known as the stabiliser's inverse has it", "[skin]") {
   SkinProblemOptions options;
   options.tangential_weight = 1.7;
-  const SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone, options);
+  const LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone, options);
   const std::vector<double> sum = random_numbers(problem.components * problem.grid.count(), 5);
   constexpr double alpha = 3e-4;
   const Matrix stabiliser = stabiliser_matrix(problem, alpha);

@@ -20,7 +20,7 @@ using namespace tactile_net;
 
 namespace {
 
-std::vector<std::size_t> all_cells(const SkinGrid& grid) {
+std::vector<std::size_t> all_cells(const SurfaceGrid& grid) {
   std::vector<std::size_t> cells(grid.count());
   std::iota(cells.begin(), cells.end(), std::size_t{0});
   return cells;
@@ -51,7 +51,7 @@ class White final : public Covariance {
 TEST_CASE("bands are the root of the diagonal of the inverse normal matrix",
           "[skin][covariance][property]") {
   // With the prior's alpha the same the covariance is P^-1: P C w = w for every w.
-  SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
+  LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
   if (GENERATE(false, true)) leave_out(problem, std::vector<std::size_t>{2});
   const SkinFamily family(problem);
   const double alpha = 1e-3;
@@ -77,7 +77,7 @@ TEST_CASE("bands are the root of the diagonal of the inverse normal matrix",
 
 TEST_CASE("several sums at once err as each by itself, whatever they are over",
           "[skin][covariance]") {
-  const SkinProblem problem =
+  const LinearProblem problem =
       make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
   const std::size_t cells = problem.grid.count();
   const std::size_t n = 3 * cells;
@@ -118,7 +118,7 @@ TEST_CASE("several sums at once err as each by itself, whatever they are over",
 
 TEST_CASE("what a family keeps for bands serves every alpha, and changes none",
           "[skin][covariance]") {
-  const SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone, {});
+  const LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone, {});
   const SkinFamily used(problem);
   (void)SkinCovariance(used, 1e-5, 1e-1).deviations();
   const SkinFamily fresh(problem);
@@ -129,10 +129,10 @@ TEST_CASE("what a family keeps for bands serves every alpha, and changes none",
 TEST_CASE("two deviations hold about the share of the truth that they promise",
           "[skin][covariance]") {
   const SkinArray skin = square_skin(10, 3e-3);
-  const SkinProblem problem = make_problem(skin, silicone);
+  const LinearProblem problem = make_problem(skin, silicone);
   const SkinFamily family(problem);
   const AlphaTables tables(family.singular_values(), independent_readings(problem));
-  const SkinGrid& grid = problem.grid;
+  const SurfaceGrid& grid = problem.grid;
   std::mt19937 random(44);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   double covered = 0.0;
@@ -176,7 +176,7 @@ TEST_CASE("two deviations hold about the share of the truth that they promise",
 
 TEST_CASE("forces, centre and torsion of cells' means are the load's own",
           "[skin][resultant][property]") {
-  const SkinGrid grid = make_problem(square_skin(12, 2e-3), silicone).grid;
+  const SurfaceGrid grid = make_problem(square_skin(12, 2e-3), silicone).grid;
   const std::vector<SkinLoad> loads{SkinContact{.y = 0.7e-3,
                                                 .z = -1.2e-3,
                                                 .radius = 3e-3,
@@ -255,7 +255,7 @@ TEST_CASE("forces, centre and torsion of cells' means are the load's own",
 }
 
 TEST_CASE("friction: what slides is at its limit, what is twisted is too", "[skin][resultant]") {
-  const SkinGrid grid = make_problem(square_skin(16, 2e-3), silicone).grid;
+  const SurfaceGrid grid = make_problem(square_skin(16, 2e-3), silicone).grid;
   const std::vector<std::size_t> cells = all_cells(grid);
   const White white(3 * grid.count());
   const auto friction = [&](const SkinContact& contact, std::optional<double> limit) {
@@ -280,7 +280,7 @@ TEST_CASE("friction: what slides is at its limit, what is twisted is too", "[ski
 
 TEST_CASE("of contacts that lie apart friction is that of the one nearest to slipping",
           "[skin][resultant]") {
-  const SkinGrid grid = make_problem(square_skin(16, 2e-3), silicone).grid;
+  const SurfaceGrid grid = make_problem(square_skin(16, 2e-3), silicone).grid;
   const White white(3 * grid.count());
   constexpr double limit = 0.4;
   const SkinContact left{.y = -4e-3, .radius = 2.5e-3, .force = 0.5, .friction = 0.36};
@@ -335,7 +335,7 @@ TEST_CASE("patches that a loop numbers are the contacts that a solver tells apar
           "[skin][resultant]") {
   std::mt19937 random(4);
   for (int mask = 0; mask < 200; ++mask) {
-    const SkinGrid grid{
+    const SurfaceGrid grid{
         .rows = 1 + random() % 9, .columns = 1 + random() % 9, .spacing_y = 1.0, .spacing_z = 1.0};
     std::vector<std::uint8_t> marks(grid.count());
     std::vector<std::size_t> cells;
@@ -357,7 +357,7 @@ TEST_CASE("patches that a loop numbers are the contacts that a solver tells apar
 }
 
 TEST_CASE("a contact's ellipse has its radii by its law", "[skin][resultant]") {
-  const SkinGrid grid = make_problem(square_skin(20, 2e-3), silicone).grid;
+  const SurfaceGrid grid = make_problem(square_skin(20, 2e-3), silicone).grid;
   const std::vector<std::size_t> cells = all_cells(grid);
   const White white(3 * grid.count());
   const std::vector<SkinLoad> loads{SkinContact{.shape = SkinShape::ellipsoid,
@@ -380,7 +380,7 @@ TEST_CASE("a contact's ellipse has its radii by its law", "[skin][resultant]") {
 }
 
 TEST_CASE("cells of contacts are patches with a peak, and their rim", "[skin][resultant]") {
-  const SkinGrid grid{.rows = 6, .columns = 7, .spacing_y = 1.0, .spacing_z = 1.0};
+  const SurfaceGrid grid{.rows = 6, .columns = 7, .spacing_y = 1.0, .spacing_z = 1.0};
   std::vector<double> p(42);
   const std::vector<double> deviations(42, 1.0);
   const auto at = [&](std::size_t row, std::size_t column) -> double& {
@@ -414,7 +414,7 @@ TEST_CASE("cells of contacts are patches with a peak, and their rim", "[skin][re
 }
 
 TEST_CASE("windows tell of contacts of which no cell is certain", "[skin][resultant]") {
-  const SkinGrid grid{.rows = 12, .columns = 14, .spacing_y = 1.0, .spacing_z = 0.5};
+  const SurfaceGrid grid{.rows = 12, .columns = 14, .spacing_y = 1.0, .spacing_z = 0.5};
   std::vector<double> p(grid.count());
   const auto press = [&](std::size_t row, std::size_t column, double each) {
     for (std::size_t m = row - 1; m <= row + 1; ++m)
@@ -451,9 +451,9 @@ TEST_CASE("windows tell of contacts of which no cell is certain", "[skin][result
 
 TEST_CASE("deviations of windows are those of their sums, inside and on a face",
           "[skin][covariance]") {
-  SkinProblem problem = make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
+  LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
   leave_out(problem, std::vector<std::size_t>{5});
-  const SkinGrid& grid = problem.grid;
+  const SurfaceGrid& grid = problem.grid;
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   std::vector<double> readings(problem.weights.size());
@@ -487,7 +487,7 @@ TEST_CASE("deviations of windows are those of their sums, inside and on a face",
 
 TEST_CASE("pushes and pulls that cancel have a force and no centre, however their sum is rounded",
           "[skin][resultant]") {
-  const SkinGrid grid = make_problem(square_skin(3, 2e-3), silicone, {.components = 1}).grid;
+  const SurfaceGrid grid = make_problem(square_skin(3, 2e-3), silicone, {.components = 1}).grid;
   std::vector<double> three{-0.3, 0.1, 0.2};  // sorted
   do {
     std::vector<double> tractions(grid.count());

@@ -39,7 +39,7 @@ TEST_CASE("one cell's readings are its kernel", "[skin]") {
   const Material layer{
       .youngs_modulus = 2.0, .poisson_ratio = 0.4, .layer = Layer{1.3, Base::bonded}};
   for (const SkinGridOptions& options : {SkinGridOptions{}, SkinGridOptions{.spacing = 1.0}}) {
-    const SkinGrid grid = grid_of(skin, options);
+    const SurfaceGrid grid = grid_of(skin, options);
     REQUIRE(grid.rectangles == options.spacing.has_value());
     const SkinKernel kernel(layer, 0.9);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -62,7 +62,7 @@ TEST_CASE("one cell's readings are its kernel", "[skin]") {
 
 TEST_CASE("a lattice reads what loose taxels at its places do", "[skin]") {
   const SkinArray skin = square_lattice(4, 3, 2.0);
-  const SkinGrid grid = grid_of(skin);
+  const SurfaceGrid grid = grid_of(skin);
   const SkinLoad load = SkinContact{.y = 0.3, .radius = 1.5, .friction = 0.4, .torsion = 0.1};
   const auto tractions = cell_means(std::span(&load, 1), grid);
   const Material half_space{};
@@ -86,7 +86,7 @@ TEST_CASE("cells' means sampled are near the exact readings, as was measured", "
   };
   for (const Bar& bar : {Bar{0.5, 0.035, 0.11}, Bar{2.0, 0.012, 0.016}, Bar{3.0, 0.009, 0.011}}) {
     const SkinArray skin = square_lattice(13, 13, bar.depth);
-    const SkinGrid grid = grid_of(skin, {.spacing = 1.0, .margin = 3.0});
+    const SurfaceGrid grid = grid_of(skin, {.spacing = 1.0, .margin = 3.0});
     const Material material{.poisson_ratio = 0.45};
     const SkinLoad load =
         SkinContact{.y = 0.21, .z = -0.34, .radius = 4.0, .force = 10.0, .friction = 0.4};
@@ -101,7 +101,7 @@ TEST_CASE("cells' means sampled are near the exact readings, as was measured", "
 
 TEST_CASE("tractions that do not fit are refused", "[skin]") {
   const SkinArray skin = square_lattice(2, 2, 1.0);
-  const SkinGrid grid = grid_of(skin);
+  const SurfaceGrid grid = grid_of(skin);
   CHECK_THROWS_WITH(sampled_readings(skin, Material{}, grid, std::vector<double>(5)),
                     "tractions must hold one value for each cell and component, 49 or 147 (got 5)");
 }

@@ -37,7 +37,7 @@ TEST_CASE("by FFT cells cause what the sum says", "[skin]") {
     for (const Material& material : {half_space, layer})
       for (const std::size_t components : {1u, 3u}) {
         // Without a margin some taxels lie on the outermost cells.
-        const SkinGrid grid = grid_of(skin, {.margin = skin.rows == 3 ? 0.0 : 1.5});
+        const SurfaceGrid grid = grid_of(skin, {.margin = skin.rows == 3 ? 0.0 : 1.5});
         const auto tractions = noise(components * grid.count());
         SpectralSkinModel model(skin, material, grid, components);
         CAPTURE(skin.rows, skin.columns, components);
@@ -53,7 +53,7 @@ TEST_CASE("by FFT cells cause what the sum says", "[skin]") {
 
 TEST_CASE("taxels beside the lattice are refused", "[skin]") {
   const SkinArray skin = oblong_lattice(4, 4, {1.0});
-  SkinGrid grid = grid_of(skin);
+  SurfaceGrid grid = grid_of(skin);
   grid.spacing_y *= 1.1;
   const char* const sentence =
       "the taxels must lie on the lattice of the grid's cells for an FFT: use sampled_readings";

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/numeric/comparison.hpp"
-#include "tactile_net/skin/direct.hpp"
 #include "tests/catch.hpp"
 #include "tests/control/skins.hpp"
 
@@ -32,7 +32,7 @@ TEST_CASE("conjugate gradients with the matrix come nearer with every step, and 
                                {.tangential_weight = 2.0, .unknown_offsets = true});
   for (const Skin& skin : {rectangle(4, 5), square(4, 1), rectangle(3, 4, {5}), offsets}) {
     CAPTURE(skin.name);
-    const SkinProblem& problem = skin.problem;
+    const LinearProblem& problem = skin.problem;
     const std::vector<double> readings = frame_of(problem, 3);
     const std::vector<double> exact = tikhonov_solve(problem, gradients_alpha, readings);
     const SkinMatrixGradients inverse(problem, gradients_alpha);
@@ -60,7 +60,7 @@ TEST_CASE("conjugate gradients with the matrix come nearer with every step, and 
 
 TEST_CASE("conjugate gradients with the matrix: units do not matter, and bad input is refused",
           "[skin][gradients]") {
-  const SkinProblem problem = rectangle(3, 3).problem;
+  const LinearProblem problem = rectangle(3, 3).problem;
   std::vector<double> readings = frame_of(problem, 3);
   const std::vector<double> exact = tikhonov_solve(problem, gradients_alpha, readings);
   const SkinMatrixGradients inverse(problem, gradients_alpha);

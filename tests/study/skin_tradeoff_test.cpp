@@ -68,7 +68,7 @@ std::vector<WorkPoint> of(const Study& study, Family family) {
 
 /// P^-1 b by Gauss' elimination: nothing of the room, nothing of its references.
 std::vector<double> eliminated(const StudyInput& input) {
-  const SkinProblem& problem = input.skin().problem();
+  const LinearProblem& problem = input.skin().problem();
   Matrix p = normal_matrix(problem, input.alpha);
   std::vector<double> f = normal_right_side(problem, input.readings);
   const std::size_t n = f.size();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/network/allocation.hpp"
 #include "tactile_net/network/soldered_error.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -27,7 +28,7 @@ NetworkProblem problem_at(double center) {
   const SensorArray array{41, 0.25, {1.5}, {Quantity::strain_x}};
   const Material pad{1.0, 0.45};
   const std::vector<Contact> contacts = {RigidContact{.center = center, .half_width = 2.0}};
-  const InverseProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
+  const LinearProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
   return network_problem(inverse, 1e-3, exact_readings(array, pad, contacts));
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/exact.hpp"
@@ -16,7 +17,7 @@ NetworkProblem problem(std::size_t count, double alpha) {
   const SensorArray array{count, count > 30 ? 0.25 : 0.5, {1.5}, {Quantity::strain_x}};
   const Material pad{1.0, 0.45};
   const std::vector<Contact> contacts = {RigidContact{.half_width = 2.0}};
-  const InverseProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
+  const LinearProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
   return network_problem(inverse, alpha, exact_readings(array, pad, contacts));
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/tolerance.hpp"
@@ -36,7 +37,7 @@ Network network(double alpha, std::size_t taxels = 21, double pitch = 0.5) {
   const Material pad{1.0, 0.45};
   const std::vector<Contact> contacts = {RigidContact{.half_width = 2.0}};
   const std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
-  const InverseProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
+  const LinearProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
   return {network_problem(inverse, alpha, g), tikhonov_solve(inverse, alpha, g)};
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/contact.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/motion.hpp"
@@ -30,7 +31,7 @@ struct Moving {
 Moving moving(double alpha) {
   const SensorArray array{21, 0.5, {1.5}, {Quantity::strain_x}};
   const Material pad{1.0, 0.45};
-  const InverseProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
+  const LinearProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
   const auto at = [&](double y) {
     const std::vector<Contact> contacts = {RigidContact{.center = y, .half_width = 2.0}};
     return network_problem(inverse, alpha, exact_readings(array, pad, contacts));

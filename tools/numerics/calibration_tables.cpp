@@ -15,6 +15,7 @@
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
@@ -106,9 +107,9 @@ struct Errors {
 void reconstruct(const SensorArray& array, const Material& pad, const std::vector<double>& gains,
                  const std::vector<std::vector<double>>& frames,
                  const std::vector<Contact>& contacts, Errors& errors) {
-  const ProblemOptions options{.smoothing_length = array.depths.front(),
-                               .surface = {.basis = SurfaceBasis::hats}};
-  const InverseProblem problem = make_problem(array, pad, options);
+  const LineProblemOptions options{.smoothing_length = array.depths.front(),
+                                   .surface = {.basis = SurfaceBasis::hats}};
+  const LinearProblem problem = make_problem(array, pad, options);
   const TikhonovFamily family(problem);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     std::vector<double> readings = frames[i];
@@ -116,10 +117,11 @@ void reconstruct(const SensorArray& array, const Material& pad, const std::vecto
     const double alpha = 0.1 * choose_alone(family.analyse(readings), AlphaRule::rgcv).alpha;
     const ConstrainedSolution found =
         ConstrainedTikhonov(problem, alpha, {.nonnegative = true}).solve(readings);
-    const TractionField truth = sample(std::vector<Contact>{contacts[i]}, problem.surface);
+    const TractionField truth =
+        sample(std::vector<Contact>{contacts[i]}, surface_of(array, options.surface));
     errors.field.push_back(relative_l2_error(found.tractions, truth.normal));
     double force = 0.0;
-    for (const double value : found.tractions) force += problem.surface.spacing * value;
+    for (const double value : found.tractions) force += problem.grid.spacing_y * value;
     errors.resultant2 += std::pow(force / resultant(contacts[i], Traction::normal) - 1.0, 2);
   }
 }

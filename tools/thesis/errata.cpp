@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/thesis/dft.hpp"
 #include "tactile_net/sensing/sampled.hpp"
@@ -62,7 +63,7 @@ class Example41 {
  private:
   static constexpr Eigen::Index n = 81;
   static constexpr double alpha = 1e-3;
-  InverseProblem problem_;
+  LinearProblem problem_;
   std::vector<double> g_;
   Eigen::MatrixXd k_, sum_;
 };

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "tactile_net/elasticity/half_plane.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/thesis/closed_form.hpp"
 #include "tactile_net/inverse/thesis/dft.hpp"
@@ -232,7 +233,7 @@ Chapter chapter_four(const std::string& example, const std::vector<Quantity>& re
   const std::vector<Contact> contacts = {RigidContact{.half_width = 2.0, .friction = friction}};
   const TractionField truth = sample(contacts, array);
   const std::vector<double> g = sampled_readings(array, material, truth);
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem(array, material, {.unknowns = unknowns, .smoothing_length = 1.0});
   drawing::Plot plot{"Example " + example, "y", "traction", positions(array), {}};
   std::string rows;

@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/realtime/estimator_plan.hpp"
 #include "tactile_net/sensing/calibration.hpp"
 
@@ -101,7 +101,7 @@ struct PlannedEstimator {
 ///                               float32; the calibration is not one of these readings;
 ///                               `check(plan)` does
 /// @throw std::domain_error      as `tikhonov`
-[[nodiscard]] PlannedEstimator plan_estimator(const InverseProblem& problem, double alpha,
+[[nodiscard]] PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
                                               const PlannerOptions& options = {});
 
 }  // namespace tactile_net

@@ -17,7 +17,6 @@
 
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/skin/family.hpp"
-#include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
 
@@ -36,9 +35,10 @@ namespace tactile_net {
 /// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; the family or the whole
 ///                               is of another problem; a structure is asked for that the skin does
 ///                               not have; the calibration is not one of these readings
-[[nodiscard]] PlannedEstimator plan_estimator(const SkinProblem& problem, const SkinFamily& family,
-                                              double alpha, const PlannerOptions& options = {},
-                                              const SkinProblem* whole = nullptr);
+[[nodiscard]] PlannedEstimator plan_estimator(const LinearProblem& problem,
+                                              const SkinFamily& family, double alpha,
+                                              const PlannerOptions& options = {},
+                                              const LinearProblem* whole = nullptr);
 
 /// Largest memory that planning takes, the problem and its family included [bytes]. Compare it with
 /// what the machine has before making either.

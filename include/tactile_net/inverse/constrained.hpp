@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 
@@ -51,7 +51,7 @@ class ConstrainedTikhonov {
   /// @throw std::invalid_argument  alpha is not > 0; friction_limit is not > 0, or there is one
   ///                               unknown only
   /// @throw std::domain_error      the stacked matrix is rank deficient in double precision
-  ConstrainedTikhonov(const InverseProblem& problem, double alpha, const Constraints& constraints);
+  ConstrainedTikhonov(const LinearProblem& problem, double alpha, const Constraints& constraints);
   ~ConstrainedTikhonov();
   ConstrainedTikhonov(ConstrainedTikhonov&&) noexcept;
   ConstrainedTikhonov& operator=(ConstrainedTikhonov&&) noexcept;
@@ -70,6 +70,6 @@ class ConstrainedTikhonov {
 
 /// The map from the constrained variables to the tractions, f = E z, (unknowns x count) x
 /// variables: the cone's edges, or the identity.
-[[nodiscard]] Matrix edges(const InverseProblem& problem, const Constraints& constraints);
+[[nodiscard]] Matrix edges(const LinearProblem& problem, const Constraints& constraints);
 
 }  // namespace tactile_net

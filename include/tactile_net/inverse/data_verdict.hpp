@@ -34,7 +34,7 @@
 #include <utility>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
 
@@ -113,8 +113,8 @@ class DataJudge {
   /// @param contacts  the same rows on the surface on which contacts are sought: fine enough for
   ///                  narrow ones, and beyond the array's ends; absent: the problem itself
   /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
-  DataJudge(const InverseProblem& problem, DataLimits limits);
-  DataJudge(const InverseProblem& problem, const InverseProblem& contacts, DataLimits limits);
+  DataJudge(const LinearProblem& problem, DataLimits limits);
+  DataJudge(const LinearProblem& problem, const LinearProblem& contacts, DataLimits limits);
   ~DataJudge();
   DataJudge(DataJudge&&) noexcept;
   DataJudge& operator=(DataJudge&&) noexcept;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
 
@@ -34,11 +34,11 @@ void require_full_rank(double condition, std::size_t rows);
 /// `wedin_bound` for the stacked problem [W K; sqrt(alpha) L] f = [W g; 0], with the error of the
 /// kernel's entries and of a QR of that size (sqrt(rows) units of rounding) as the perturbation. It
 /// says how far `tractions` may be, relative to their 2-norm, from the exact minimiser of the
-/// functional of problem.hpp; what alpha smooths away and what noise adds are not in it.
+/// functional of linear_problem.hpp; what alpha smooths away and what noise adds are not in it.
 /// O(rows x columns).
 ///
 /// @param condition  2-norm condition number of the stacked matrix: `Reconstruction::condition`
-[[nodiscard]] double forward_bound(const InverseProblem& problem, double alpha,
+[[nodiscard]] double forward_bound(const LinearProblem& problem, double alpha,
                                    std::span<const double> readings,
                                    std::span<const double> tractions, double condition);
 

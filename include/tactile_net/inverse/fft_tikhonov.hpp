@@ -3,10 +3,10 @@
 ///
 /// Filtering by FFT, zero-padded or not, solves a circular system, whose answer is some 20 % off
 /// where a contact touches the array's end (dft_tikhonov.hpp solves that one, and says so). Here
-/// the FFT only multiplies by the true Toeplitz blocks; the minimiser of problem.hpp is found by
-/// conjugate gradients on the stacked matrix [W K; sqrt(alpha) L] (CGLS: P is never formed), with
-/// the circular inverse, frequency by frequency, as preconditioner. About ten steps, each
-/// O(count log count): for arrays for which a dense factorisation is slow.
+/// the FFT only multiplies by the true Toeplitz blocks; the minimiser of linear_problem.hpp is
+/// found by conjugate gradients on the stacked matrix [W K; sqrt(alpha) L] (CGLS: P is never
+/// formed), with the circular inverse, frequency by frequency, as preconditioner. About ten steps,
+/// each O(count log count): for arrays for which a dense factorisation is slow.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 #include "tactile_net/sensing/array.hpp"
 
@@ -38,7 +38,7 @@ class FftTikhonov {
   ///
   /// @param alpha  > 0
   /// @throw std::invalid_argument  as `make_problem`; alpha is not > 0 and finite
-  FftTikhonov(const SensorArray& array, const Material& material, const ProblemOptions& options,
+  FftTikhonov(const SensorArray& array, const Material& material, const LineProblemOptions& options,
               double alpha);
   ~FftTikhonov();
   FftTikhonov(FftTikhonov&&) noexcept;

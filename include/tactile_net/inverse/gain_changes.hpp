@@ -23,7 +23,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
 
@@ -55,7 +55,7 @@ struct GainFrames {
 ///                        others do not count
 /// @param friction_limit  |f_t| / f_v of what touches the pad, at most, > 0
 /// @throw std::invalid_argument  a size does not fit
-[[nodiscard]] GainChanges gain_changes(const InverseProblem& contacts, double friction_limit,
+[[nodiscard]] GainChanges gain_changes(const LinearProblem& contacts, double friction_limit,
                                        const GainFrames& given);
 
 }  // namespace tactile_net

@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 
 namespace tactile_net {
@@ -60,15 +60,15 @@ struct Identifiability {
 };
 
 /// O(rows x columns^2), and a small decomposition for every wavelength and every mode described.
-[[nodiscard]] Identifiability identifiability(const InverseProblem& problem);
+[[nodiscard]] Identifiability identifiability(const LinearProblem& problem);
 
 /// `identifiability(problem).null_space` with its first mode alone: what a warning needs. Costs one
 /// singular value decomposition of W K, and nothing else where every combination shows.
-[[nodiscard]] ModeSpace hidden_modes(const InverseProblem& problem);
+[[nodiscard]] ModeSpace hidden_modes(const LinearProblem& problem);
 
 /// `hidden_modes(problem)` where its family has been made: at no cost where the family shows that
 /// nothing is hidden, as for most arrays.
-[[nodiscard]] ModeSpace hidden_modes(const InverseProblem& problem, const TikhonovFamily& family);
+[[nodiscard]] ModeSpace hidden_modes(const LinearProblem& problem, const TikhonovFamily& family);
 
 /// How many combinations of tractions no kernel can show, by counting alone.
 ///

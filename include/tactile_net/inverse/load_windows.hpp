@@ -29,7 +29,7 @@
 #include <memory>
 #include <span>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 
 namespace tactile_net {
@@ -42,7 +42,7 @@ class LoadWindows {
   ///
   /// @param narrowest  [m], > 0; one depth, or three to four where taxels are dense and tell widths
   /// @throw std::invalid_argument  narrowest is not > 0 and finite
-  LoadWindows(const InverseProblem& problem, double narrowest);
+  LoadWindows(const LinearProblem& problem, double narrowest);
   ~LoadWindows();
   LoadWindows(LoadWindows&&) noexcept;
   LoadWindows& operator=(LoadWindows&&) noexcept;

@@ -23,7 +23,7 @@
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
@@ -35,7 +35,7 @@ class LongArrayFamily {
   ///
   /// @throw std::invalid_argument  as `make_problem`
   LongArrayFamily(const SensorArray& array, const Material& material,
-                  const ProblemOptions& options);
+                  const LineProblemOptions& options);
   /// Number of sections.
   [[nodiscard]] std::size_t sections() const noexcept;
 

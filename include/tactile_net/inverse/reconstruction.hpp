@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 
@@ -47,19 +47,21 @@ class Reconstruction {
   double safe_;  // readings up to this overflow no sum
 };
 
-/// Minimises the functional of problem.hpp by a QR of the stacked matrix [W K; sqrt(alpha) L],
-/// L'L = l^2/D^2 Q + I: backward stable, P is never formed. O((m + n) n^2) for K of m x n.
+/// Minimises the functional of linear_problem.hpp for a line by a QR of the stacked matrix
+/// [W K; sqrt(alpha) L]: backward stable, P is never formed. O((m + n) n^2) for K of m x n.
 ///
 /// @param alpha  weight of the smoothness [unit of (W K)^2], > 0
-/// @throw std::invalid_argument  alpha is not > 0 and finite
+/// @throw std::invalid_argument  alpha is not > 0 and finite, or the problem is a skin's
 /// @throw std::domain_error      the stacked matrix is rank deficient in double precision
-[[nodiscard]] Reconstruction tikhonov(const InverseProblem& problem, double alpha);
+[[nodiscard]] Reconstruction tikhonov(const LinearProblem& problem, double alpha);
 
-/// One frame solved directly, without building M: as `tikhonov`, cheaper for a single frame.
+/// One frame solved directly, without building M: as `tikhonov`, cheaper for a single frame. Of a
+/// skin by a QR of the whole problem in the waves of its stabiliser, O((m + n) min(m, n)^2):
+/// no symmetry is used, so that it checks what `SkinFamily` finds by classes and singular values.
 ///
-/// @return f [Pa], unknowns x count values
+/// @return f [Pa], components x values
 /// @throw as `tikhonov`; std::invalid_argument if readings have the wrong size or are not finite
-[[nodiscard]] std::vector<double> tikhonov_solve(const InverseProblem& problem, double alpha,
+[[nodiscard]] std::vector<double> tikhonov_solve(const LinearProblem& problem, double alpha,
                                                  std::span<const double> readings);
 
 }  // namespace tactile_net

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 
 namespace tactile_net {
 
@@ -41,7 +41,7 @@ struct Resolution {
 /// @throw std::invalid_argument  as `make_problem`
 [[nodiscard]] std::vector<Resolution> resolutions(const SensorArray& array,
                                                   const Material& material,
-                                                  const ProblemOptions& options);
+                                                  const LineProblemOptions& options);
 
 /// The shortest wavelength such that it and every longer one, the mean aside, has at most `limit`
 /// [Pa per unit of weighted noise] in `component`; absent: none.

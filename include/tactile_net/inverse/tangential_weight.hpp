@@ -1,7 +1,7 @@
 /// @file
 /// How much heavier the tangential traction's stabiliser should be than the normal one's.
 ///
-/// The functional of problem.hpp takes the tangential traction for `tangential_weight` times
+/// The functional of linear_problem.hpp takes the tangential traction for `tangential_weight` times
 /// smaller than the normal one. Nobody knows by how much before something drags, and readings that
 /// hardly tell the two tractions apart answer a press with a drag where the weight is 1. The
 /// readings know: of two weights that is better under which they are more likely, each with the
@@ -19,10 +19,13 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <span>
 
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
 
@@ -54,5 +57,35 @@ inline constexpr std::array tangential_weights = {
 [[nodiscard]] double negative_log_evidence(const FilterFrame& frame, const AlphaTables& tables,
                                            std::optional<double> noise_rms = {},
                                            std::optional<double> alpha = {});
+
+/// The one of `tangential_weights` with the least -log posterior, searched from 1 upwards or
+/// downwards as long as that helps: some six are tried.
+///
+/// @param negative_log_posterior  of a weight: `negative_log_evidence` of the frame under it, plus
+///                                `negative_log_prior`
+[[nodiscard]] double likeliest_tangential_weight(
+    const std::function<double(double weight)>& negative_log_posterior);
+
+/// The likeliest of `tangential_weights` for a frame, each tried with a family of its own; 1 with
+/// one component, or if nothing was read.
+///
+/// @tparam Family    `TikhonovFamily` of a line's problem, `SkinFamily` of a skin's
+/// @param noise_rms  of one weighted reading, > 0; absent: not known
+/// @throw std::invalid_argument  readings have the wrong size or are not finite; noise_rms is not
+///                               > 0
+template <typename Family>
+[[nodiscard]] double likeliest_tangential_weight(LinearProblem problem,
+                                                 std::span<const double> readings,
+                                                 std::optional<double> noise_rms = {}) {
+  if (problem.components == 1) return 1.0;
+  return likeliest_tangential_weight([&](double weight) {
+    problem.tangential_weight = weight;
+    const Family family(problem);
+    const FilterFrame frame = family.analyse(readings);
+    return negative_log_evidence(frame, AlphaTables(family.singular_values(), frame.rows),
+                                 noise_rms) +
+           negative_log_prior(weight);
+  });
+}
 
 }  // namespace tactile_net

@@ -8,7 +8,7 @@
 
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 
 namespace tactile_net {
@@ -18,14 +18,14 @@ namespace tactile_net {
 class TikhonovFamily {
  public:
   /// O(rows x columns^2).
-  explicit TikhonovFamily(const InverseProblem& problem);
+  explicit TikhonovFamily(const LinearProblem& problem);
 
   /// The family on one face of the cone of `ConstrainedTikhonov`: variables held at zero are no
   /// unknowns. Rules for alpha then judge the tractions that are left.
   ///
   /// @param free  columns of `edges`, as in `ConstrainedSolution`, at least one
   /// @throw std::invalid_argument  none is free; as `edges`
-  TikhonovFamily(const InverseProblem& problem, const Constraints& constraints,
+  TikhonovFamily(const LinearProblem& problem, const Constraints& constraints,
                  std::span<const std::size_t> free);
   ~TikhonovFamily();
   TikhonovFamily(TikhonovFamily&&) noexcept;

@@ -28,8 +28,9 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
 
@@ -76,13 +77,13 @@ class TractionCovariance final : public Covariance {
   TractionCovariance(const TikhonovFamily& family, double alpha, double prior_alpha);
 
   /// The covariance of what `tikhonov` finds, without a family: O((m + n) n^2).
-  TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha);
+  TractionCovariance(const LinearProblem& problem, double alpha, double prior_alpha);
 
   /// The covariance of what `ConstrainedTikhonov` finds, on the face that its free variables span:
   /// variables held at zero are taken to be exact.
   ///
   /// @param free  columns of `edges`, as in `ConstrainedSolution`; none: all are exact
-  TractionCovariance(const InverseProblem& problem, double alpha, double prior_alpha,
+  TractionCovariance(const LinearProblem& problem, double alpha, double prior_alpha,
                      const Constraints& constraints, std::span<const std::size_t> free);
 
   /// One of several estimates, for the error of an answer beside it: the covariance of the mixture
@@ -129,9 +130,17 @@ struct NoiseEstimate {
   [[nodiscard]] double rms() const noexcept { return stated_rms.value_or(residual_rms); }
 };
 
-/// Estimates the noise from the residual of tractions.
-/// @param stated_rms  of one weighted reading, >= 0; absent: not known
-[[nodiscard]] NoiseEstimate estimate_noise(const InverseProblem& problem,
+/// |P W (K f - g)|: what tractions leave of the weighted readings. O(readings x tractions).
+/// @throw std::invalid_argument  a size does not fit
+[[nodiscard]] double residual_norm(const LinearProblem& problem, std::span<const double> readings,
+                                   std::span<const double> tractions);
+
+/// Estimates the noise from the residual of tractions, beside the noise that was stated.
+///
+/// @param degrees_of_freedom  tr H
+/// @param stated_rms          of one weighted reading, >= 0; absent: not known
+/// @throw std::invalid_argument  a size does not fit
+[[nodiscard]] NoiseEstimate estimate_noise(const LinearProblem& problem,
                                            std::span<const double> readings,
                                            std::span<const double> tractions,
                                            double degrees_of_freedom,
@@ -161,7 +170,7 @@ struct UncertainResultant {
 
 /// Resultant of a problem's tractions.
 /// @param noise_rms  of one weighted reading
-[[nodiscard]] UncertainResultant resultant_of(const InverseProblem& problem,
+[[nodiscard]] UncertainResultant resultant_of(const LinearProblem& problem,
                                               std::span<const double> tractions,
                                               const Covariance& covariance, double noise_rms);
 

@@ -19,9 +19,9 @@
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/load_windows.hpp"
 #include "tactile_net/inverse/long_array_family.hpp"
-#include "tactile_net/inverse/problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
@@ -47,7 +47,7 @@ class SceneProblem {
   [[nodiscard]] const Scene& scene() const noexcept;
 
   /// Unknowns, smoothing length, weights and dead taxels as the scene has them.
-  [[nodiscard]] const ProblemOptions& options() const noexcept;
+  [[nodiscard]] const LineProblemOptions& options() const noexcept;
   /// How many readings a frame has: channels x taxels.
   [[nodiscard]] std::size_t readings() const;
   /// Where the tractions lie.
@@ -62,7 +62,7 @@ class SceneProblem {
 
   /// K, weights and smoothing. O(readings x tractions), for a layer with integrals.
   /// @throw std::invalid_argument  as `make_problem`
-  [[nodiscard]] const InverseProblem& problem() const;
+  [[nodiscard]] const LinearProblem& problem() const;
 
   /// The same with these taxels dead, in place of the scene's. K is not integrated anew.
   /// @param taxels  rising, < count, not all

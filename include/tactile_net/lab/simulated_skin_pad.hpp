@@ -35,7 +35,7 @@ class SkinPadModel {
 
   [[nodiscard]] const SkinScene& scene() const noexcept { return scene_; }
   /// Of the table.
-  [[nodiscard]] const SkinGrid& grid() const noexcept { return grid_; }
+  [[nodiscard]] const SurfaceGrid& grid() const noexcept { return grid_; }
 
   /// What patches on cells of `grid`, and of its continuation, cause before all effects.
   ///
@@ -47,7 +47,7 @@ class SkinPadModel {
                   std::span<double> readings) const;
 
   SkinScene scene_;
-  SkinGrid grid_;
+  SurfaceGrid grid_;
   Matrix table_;  // (three components x cells) x readings
   std::vector<Site> sites_;
   std::map<double, SkinKernel> kernels_{};  // of each depth

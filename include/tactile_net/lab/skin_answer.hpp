@@ -76,6 +76,6 @@ using SkinAlphaChooser = std::function<AlphaChoice(const FilterFrame& frame)>;
 
 /// Of one component, of values as the answer has them; empty where it was not solved for.
 [[nodiscard]] std::span<const double> component(std::span<const double> values,
-                                                const SkinGrid& grid, Traction which);
+                                                const SurfaceGrid& grid, Traction which);
 
 }  // namespace tactile_net::lab

@@ -39,6 +39,6 @@ inline constexpr std::size_t most_touched_cells = std::size_t{1} << 18;
 ///                               more than `most_touched_cells`
 [[nodiscard]] std::vector<SampledPatch> skin_patches(std::span<const ContactPoint> points,
                                                      const Material& pad, double edge,
-                                                     const SkinGrid& grid);
+                                                     const SurfaceGrid& grid);
 
 }  // namespace tactile_net::lab

@@ -6,7 +6,7 @@
 ///     const lab::SkinAnswer answer = lab::solve(problem, readings);
 ///     const NetworkCircuit circuit(Realization::least_squares,
 ///         std::make_shared<const NetworkProblem>(
-///             lab::network_problem(problem.problem(), answer.alpha.value, readings)), {});
+///             lab::skin_network_problem(problem.problem(), answer.alpha.value, readings)), {});
 ///     certify(circuit).stability;                        // network/certificate.hpp
 ///
 /// Of a whole scene: `SceneCircuit` (scene_circuit.hpp).
@@ -22,14 +22,13 @@
 
 namespace tactile_net::lab {
 
-/// P f = b of a skin, with K, the stabiliser and the readings: node i stands for traction i, the
-/// normal ones of all cells, then tangential_y, then tangential_z, and is named after it: "p_3_5"
-/// of row 3 and column 5, from 0, "qy_3_5" and "qz_3_5". Constraints are not among it: circuits are
-/// linear.
+/// `network_problem` of a skin: node i stands for traction i, the normal ones of all cells, then
+/// tangential_y, then tangential_z, and is named after it: "p_3_5" of row 3 and column 5, from 0,
+/// "qy_3_5" and "qz_3_5". Constraints are not among it: circuits are linear.
 ///
 /// @throw std::invalid_argument  alpha is not > 0 and finite, or readings have the wrong size
-[[nodiscard]] NetworkProblem network_problem(const SkinProblem& problem, double alpha,
-                                             std::span<const double> readings);
+[[nodiscard]] NetworkProblem skin_network_problem(const LinearProblem& problem, double alpha,
+                                                  std::span<const double> readings);
 
 /// Branches of P, at most, of realisations that have one for each pair of nodes: with more a deck
 /// takes a simulator minutes. An 8 x 8 skin with cells at its taxels has 18336.

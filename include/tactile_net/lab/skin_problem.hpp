@@ -38,13 +38,13 @@ class SkinSceneProblem {
   /// More tractions than dense matrices take: what needs one is refused.
   [[nodiscard]] bool is_large() const noexcept;
   /// @throw std::invalid_argument  as `make_problem`, here and below; it is large
-  [[nodiscard]] const SkinProblem& problem() const;
+  [[nodiscard]] const LinearProblem& problem() const;
   /// The same, for what may outlive this.
-  [[nodiscard]] std::shared_ptr<const SkinProblem> shared_problem() const;
+  [[nodiscard]] std::shared_ptr<const LinearProblem> shared_problem() const;
   /// The same without its kernel where it is large.
   /// @throw std::invalid_argument  where it is large: it would take more memory than is left
-  [[nodiscard]] const SkinProblem& layout() const;
-  [[nodiscard]] const SkinGrid& grid() const { return layout().grid; }
+  [[nodiscard]] const LinearProblem& layout() const;
+  [[nodiscard]] const SurfaceGrid& grid() const { return layout().grid; }
   [[nodiscard]] std::size_t tractions() const {
     return layout().components * layout().grid.count();
   }
@@ -92,7 +92,7 @@ class SkinSceneProblem {
   /// @pre  the scene states no margin
   [[nodiscard]] const SkinSceneProblem& reaching_beyond() const;
   /// The problem on another grid.
-  [[nodiscard]] SkinProblem on(const SkinGridOptions& grid) const;
+  [[nodiscard]] LinearProblem on(const SkinGridOptions& grid) const;
 
   /// The same without these taxels, and with no other.
   [[nodiscard]] SkinSceneProblem without(std::span<const std::size_t> taxels) const;

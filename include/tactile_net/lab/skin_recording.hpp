@@ -37,7 +37,7 @@ struct SkinRecordingAnswer {
   static constexpr std::size_t most_shown = 64;
 
   SkinScene scene{};
-  SkinGrid grid{};
+  SurfaceGrid grid{};
   std::vector<Frame> frames{};
   std::size_t per_shown = 1;           ///< frames that one of these stands for
   std::vector<Shown> shown{};          ///< in the order of time, at most `most_shown`

@@ -28,7 +28,7 @@ struct SkinCircuitResult {
 
 struct SkinExperiment {
   SkinScene scene{};
-  SkinGrid grid{};
+  SurfaceGrid grid{};
   SkinFrame frame{};                   ///< of a recording without `truth`, which nobody knows
   std::optional<SkinAnswer> answer{};  ///< absent: `refusal` says why
   std::string refusal{};

@@ -41,7 +41,7 @@ class SkinRecording {
   void load(double time);
 
   SkinScene scene_;
-  SkinGrid grid_;
+  SurfaceGrid grid_;
   std::vector<Instant> instants_;
   std::size_t next_ = 0;
   SignalPath path_;

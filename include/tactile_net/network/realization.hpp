@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/conductances.hpp"
 
@@ -38,7 +38,7 @@ struct NetworkProblem {
   Matrix matrix{};                   ///< P = K'K + R
   std::vector<double> right_side{};  ///< b = K'g
   Matrix kernel{};                   ///< K: weighted, with the pitch
-  Matrix stabiliser{};               ///< R = alpha (l^2/D^2 Q + I)
+  Matrix stabiliser{};               ///< R = alpha L'L
   std::vector<double> readings{};    ///< g, weighted
   /// Of the nodes; none: n0, n1, ... Each is one word of ASCII letters, digits, _ and . that no
   /// other node has, whatever its case, nodes of the circuit's own (s0, e0, ...) included.
@@ -46,7 +46,7 @@ struct NetworkProblem {
 };
 
 /// @throw std::invalid_argument  alpha is not > 0 and finite, readings have the wrong size
-[[nodiscard]] NetworkProblem network_problem(const InverseProblem& problem, double alpha,
+[[nodiscard]] NetworkProblem network_problem(const LinearProblem& problem, double alpha,
                                              std::span<const double> readings);
 
 struct RealizationOptions {

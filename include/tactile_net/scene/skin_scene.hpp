@@ -27,7 +27,7 @@ struct SkinReconstructOptions {
   std::optional<AlphaRule> alpha_rule{};     ///< absent: by readings and noise
   std::optional<double> smoothing_length{};  ///< l [m]; absent: the mean depth of the taxels
   /// How much heavier the tangential tractions' stabiliser is, > 0; absent: as each frame's
-  /// readings have it (skin/tangential_weight.hpp).
+  /// readings have it (inverse/tangential_weight.hpp).
   std::optional<double> tangential_weight = 1.0;
   SkinGridOptions grid{};                  ///< where the tractions lie
   std::optional<bool> tangential{};        ///< solve for the drags too; absent: see `components`
@@ -63,7 +63,7 @@ struct SkinScene : SensorEffects {
 [[nodiscard]] std::size_t components(const SkinScene& scene);
 
 /// Where those tractions lie. @throw std::invalid_argument  as `grid_of`
-[[nodiscard]] SkinGrid grid(const SkinScene& scene);
+[[nodiscard]] SurfaceGrid grid(const SkinScene& scene);
 
 /// The same scene, its cells as large as what the circuit's nodes stand for.
 [[nodiscard]] SkinScene of_circuit(SkinScene scene);

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "tactile_net/sensing/array.hpp"
+#include "tactile_net/sensing/surface_grid.hpp"
 
 namespace tactile_net {
 
@@ -54,7 +55,6 @@ struct Surface {
   SurfaceBasis basis = SurfaceBasis::taxels;
   std::size_t count = 0;   ///< values of each traction, >= 2
   double spacing = 0.0;    ///< [m], > 0: what a value counts for in a sum over the surface
-  double area = 1.0;       ///< spacing over pitch: a value's weight in the functional (problem.hpp)
   double centre = 0.0;     ///< y of the middle [m]
   std::size_t margin = 0;  ///< values before the first taxel, and behind the last; the outermost
                            ///< hats end one spacing further
@@ -77,6 +77,16 @@ struct Surface {
 ///                               there would be more than `most_values`, or line loads are to lie
 ///                               over irregular taxels
 [[nodiscard]] Surface surface_of(const SensorArray& array, const SurfaceOptions& options = {});
+
+/// The same as a grid of one column.
+[[nodiscard]] SurfaceGrid grid_of(const Surface& surface) noexcept;
+
+/// The surface that a line's grid is of. @pre  `grid_of` made it
+[[nodiscard]] Surface surface_of(const SurfaceGrid& grid) noexcept;
+
+/// The length that a value stands for over that of a taxel, its spacing over the pitch: what it
+/// counts for in the functional (inverse/linear_problem.hpp).
+[[nodiscard]] double measure_of(const SensorArray& array, const Surface& surface) noexcept;
 
 /// Options for as many values as taxels, to see what an array hides: line loads over the taxels of
 /// a regular array, hats at the mean distance of the taxels of an irregular one.

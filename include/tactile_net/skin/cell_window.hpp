@@ -2,22 +2,16 @@
 /// Windows of a skin's cells: the sum over a window is certain where single narrow cells are not.
 #pragma once
 
-#include <cstddef>
+#include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
-#include "tactile_net/skin/grid.hpp"
+#include "tactile_net/sensing/surface_grid.hpp"
 
 namespace tactile_net {
 
-/// The cells around one, at most `rows` and `columns` away to either side, within the grid.
-struct CellWindow {
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-};
-
 /// The window that reaches `reach` from a cell's middle, no larger than the grid.
 /// @param reach  [m], >= 0 and finite
-[[nodiscard]] CellWindow window_of(const SkinGrid& grid, double reach);
+[[nodiscard]] CellWindow window_of(const SurfaceGrid& grid, double reach);
 
 /// A covariance of a skin's tractions.
 class CellCovariance : public Covariance {
@@ -25,7 +19,7 @@ class CellCovariance : public Covariance {
   /// Standard deviation of the sum of the normal tractions in the window around each cell, per unit
   /// of `noise_rms` [Pa]. A window of 0 rows and columns gives `deviations` of the normal
   /// tractions.
-  [[nodiscard]] virtual std::vector<double> window_deviations(const SkinGrid& grid,
+  [[nodiscard]] virtual std::vector<double> window_deviations(const SurfaceGrid& grid,
                                                               const CellWindow& window) const = 0;
 };
 

@@ -16,9 +16,9 @@
 
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
-#include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
 
@@ -34,7 +34,7 @@ struct ActiveFace {
 
 /// The directions of a face as columns: tractions x directions.
 /// @throw std::invalid_argument  a cell is not the problem's
-[[nodiscard]] Matrix edges(const SkinProblem& problem, const ActiveFace& face);
+[[nodiscard]] Matrix edges(const LinearProblem& problem, const ActiveFace& face);
 
 /// The answer to one frame. Unless the status is `ok`, no other member is set.
 struct SkinConeSolution {
@@ -62,7 +62,7 @@ class SkinCone {
   ///
   /// @throw std::invalid_argument  alpha is not > 0; friction_limit is not > 0, or there is one
   ///                               component only
-  SkinCone(const SkinProblem& problem, double alpha, const Constraints& constraints);
+  SkinCone(const LinearProblem& problem, double alpha, const Constraints& constraints);
   ~SkinCone();
   SkinCone(SkinCone&&) noexcept;
   SkinCone& operator=(SkinCone&&) noexcept;

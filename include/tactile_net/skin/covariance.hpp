@@ -30,7 +30,7 @@ class SkinCovariance final : public CellCovariance {
   /// O(columns x readings); the first call for a family also transforms each component.
   [[nodiscard]] std::vector<double> deviations() const override;
   /// Costs as much as `deviations`, and the sums over windows.
-  [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
+  [[nodiscard]] std::vector<double> window_deviations(const SurfaceGrid& grid,
                                                       const CellWindow& window) const override;
   /// O(columns x readings), class by class.
   [[nodiscard]] double deviation(std::span<const double> weights) const override;
@@ -53,21 +53,5 @@ class SkinCovariance final : public CellCovariance {
   double hidden_ = 0.0;          // of what no reading shows
   double degrees_;
 };
-
-/// |W (K f - g)|_2: what tractions f leave unexplained of readings g. O(readings x tractions).
-/// @throw std::invalid_argument  a size does not fit
-[[nodiscard]] double residual_norm(const SkinProblem& problem, std::span<const double> readings,
-                                   std::span<const double> tractions);
-
-/// Estimates the noise from the residual of tractions, beside the noise that was stated.
-///
-/// @param degrees_of_freedom  tr H
-/// @param stated_rms          of one weighted reading, >= 0; absent: not known
-/// @throw std::invalid_argument  a size does not fit
-[[nodiscard]] NoiseEstimate estimate_noise(const SkinProblem& problem,
-                                           std::span<const double> readings,
-                                           std::span<const double> tractions,
-                                           double degrees_of_freedom,
-                                           std::optional<double> stated_rms = {});
 
 }  // namespace tactile_net

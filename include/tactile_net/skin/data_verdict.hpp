@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/data_verdict.hpp"
-#include "tactile_net/skin/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
 
@@ -23,14 +23,14 @@ namespace tactile_net {
 /// offsets are unknown) or the mean normal traction, over its limit in `limits`, whichever is
 /// larger.
 /// @pre  sizes are the problem's
-[[nodiscard]] double frame_strain(const SkinProblem& problem, const DataLimits& limits,
+[[nodiscard]] double frame_strain(const LinearProblem& problem, const DataLimits& limits,
                                   std::span<const double> readings,
                                   std::span<const double> tractions);
 
 /// The part of tractions that a contact allows, cell by cell: pulls become 0, and drags beyond the
 /// limit are cut to it.
 /// @param friction_limit  absent: any friction is allowed
-[[nodiscard]] std::vector<double> pressing_part(const SkinProblem& problem,
+[[nodiscard]] std::vector<double> pressing_part(const LinearProblem& problem,
                                                 std::optional<double> friction_limit,
                                                 std::span<const double> tractions);
 
@@ -45,10 +45,10 @@ class SkinDataJudge {
   ///                  at most once
   /// @param limits    `inner` is not read
   /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
-  SkinDataJudge(const SkinProblem& problem, DataLimits limits);
-  SkinDataJudge(const SkinProblem& problem, const SkinProblem& contacts, DataLimits limits);
-  SkinDataJudge(std::shared_ptr<const SkinProblem> problem, std::function<SkinProblem()> contacts,
-                DataLimits limits);
+  SkinDataJudge(const LinearProblem& problem, DataLimits limits);
+  SkinDataJudge(const LinearProblem& problem, const LinearProblem& contacts, DataLimits limits);
+  SkinDataJudge(std::shared_ptr<const LinearProblem> problem,
+                std::function<LinearProblem()> contacts, DataLimits limits);
   ~SkinDataJudge();
   SkinDataJudge(SkinDataJudge&&) noexcept;
   SkinDataJudge& operator=(SkinDataJudge&&) noexcept;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "tactile_net/inverse/filter_frame.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
-#include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
 
@@ -24,13 +24,13 @@ struct ActiveFace;
 class SkinFamily {
  public:
   /// O(rows x columns x min(rows, columns)); with 4 classes a 16th of it.
-  explicit SkinFamily(const SkinProblem& problem);
+  explicit SkinFamily(const LinearProblem& problem);
 
   /// The family on a face of the friction cones (cone.hpp): directions that the face holds are no
   /// unknowns. Rules for alpha and covariances then judge those that are left.
   ///
   /// @throw std::invalid_argument  the face leaves nothing free, or is of another problem
-  SkinFamily(const SkinProblem& problem, const ActiveFace& face);
+  SkinFamily(const LinearProblem& problem, const ActiveFace& face);
   ~SkinFamily();
   SkinFamily(SkinFamily&&) noexcept;
   SkinFamily& operator=(SkinFamily&&) noexcept;

@@ -87,7 +87,7 @@ class SampledSkinModel {
   /// @throw std::invalid_argument  the skin or the material is out of range, a reading has no value
   ///                               under one of the components (`check_quantity`), or taxels beside
   ///                               the grid's lattice take more than `most_kernel_entries` numbers
-  SampledSkinModel(const SkinArray& skin, const Material& material, const SkinGrid& grid,
+  SampledSkinModel(const SkinArray& skin, const Material& material, const SurfaceGrid& grid,
                    std::size_t components);
 
   /// Readings of all taxels, channel after channel. Const and without state: threads may share a
@@ -107,7 +107,7 @@ class SampledSkinModel {
 /// @param tractions  grid.count() values of each component: one component, normal, or all three
 /// @throw std::invalid_argument  as `SampledSkinModel`
 [[nodiscard]] std::vector<double> sampled_readings(const SkinArray& skin, const Material& material,
-                                                   const SkinGrid& grid,
+                                                   const SurfaceGrid& grid,
                                                    std::span<const double> tractions);
 
 }  // namespace tactile_net

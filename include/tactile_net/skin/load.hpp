@@ -117,7 +117,7 @@ struct SkinWrench {
 ///
 /// @param tractions  3 * grid.count() values, or grid.count(): normal ones alone
 [[nodiscard]] SkinWrench resultant(std::span<const double> tractions,
-                                   const SkinGrid& grid) noexcept;
+                                   const SurfaceGrid& grid) noexcept;
 
 /// The least rectangle along the axes that holds all of the load [m].
 struct SkinSupport {
@@ -140,6 +140,7 @@ struct SkinSupport {
 /// the grid holds all of it.
 ///
 /// @throw std::invalid_argument  a load is out of range
-[[nodiscard]] std::vector<double> cell_means(std::span<const SkinLoad> loads, const SkinGrid& grid);
+[[nodiscard]] std::vector<double> cell_means(std::span<const SkinLoad> loads,
+                                             const SurfaceGrid& grid);
 
 }  // namespace tactile_net

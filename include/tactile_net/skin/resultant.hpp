@@ -32,7 +32,7 @@ namespace tactile_net {
 /// @param deviations  of the normal tractions at least, the noise included [Pa]
 /// @param rim         width of the rim [m], >= 0: a taxel's depth, say
 /// @throw std::invalid_argument  a size does not fit
-[[nodiscard]] std::vector<std::size_t> contact_cells(const SkinGrid& grid,
+[[nodiscard]] std::vector<std::size_t> contact_cells(const SurfaceGrid& grid,
                                                      std::span<const double> tractions,
                                                      std::span<const double> deviations,
                                                      double rim = 0.0);
@@ -55,21 +55,22 @@ struct FoundContacts {
 /// Patches without such a peak are doubted.
 ///
 /// @throw std::invalid_argument  as `contact_cells`
-[[nodiscard]] FoundContacts find_contacts(const SkinGrid& grid, std::span<const double> tractions,
+[[nodiscard]] FoundContacts find_contacts(const SurfaceGrid& grid,
+                                          std::span<const double> tractions,
                                           std::span<const double> deviations,
                                           const WindowBands& windows, double rim = 0.0);
 
 /// The separate contacts: each patch of cells that touch one another, by an edge or a corner, the
 /// strongest first.
 [[nodiscard]] std::vector<std::vector<std::size_t>> separate_contacts(
-    const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells);
+    const SurfaceGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells);
 
 /// Whether cells lie in a single row, or a single column.
-[[nodiscard]] bool is_one_line(const SkinGrid& grid, std::span<const std::size_t> cells,
+[[nodiscard]] bool is_one_line(const SurfaceGrid& grid, std::span<const std::size_t> cells,
                                bool along_y);
 
 /// Cells and those that touch them, by an edge or a corner, in rising order.
-[[nodiscard]] std::vector<std::size_t> with_neighbours(const SkinGrid& grid,
+[[nodiscard]] std::vector<std::size_t> with_neighbours(const SurfaceGrid& grid,
                                                        std::span<const std::size_t> cells);
 
 /// The wrench of tractions, each value with its deviation.
@@ -90,7 +91,8 @@ struct UncertainWrench {
 /// @param cells      cells to sum over: `contact_cells`, or all
 /// @param noise_rms  of one weighted reading
 /// @throw std::invalid_argument  a size does not fit
-[[nodiscard]] UncertainWrench resultant_of(const SkinGrid& grid, std::span<const double> tractions,
+[[nodiscard]] UncertainWrench resultant_of(const SurfaceGrid& grid,
+                                           std::span<const double> tractions,
                                            std::span<const std::size_t> cells,
                                            const Covariance& covariance, double noise_rms);
 
@@ -120,7 +122,7 @@ struct SkinFriction {
 /// @param limit  mu, > 0; absent: no margins
 /// @throw std::invalid_argument  a size does not fit, limit is not > 0
 [[nodiscard]] std::optional<SkinFriction> friction_of(
-    const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,
+    const SurfaceGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,
     const Covariance& covariance, double noise_rms, std::optional<double> limit = {});
 
 /// How the pressure of a contact is spread: what its second moments mean for its size.
@@ -138,7 +140,7 @@ struct ContactEllipse {
   Uncertain angle{};          ///< of `radius`, from the y axis towards z [rad], in (-pi/2, pi/2]
 };
 [[nodiscard]] std::optional<ContactEllipse> contact_ellipse(
-    const SkinGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,
+    const SurfaceGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,
     const Covariance& covariance, double noise_rms, PressureLaw law = PressureLaw::hertz);
 
 }  // namespace tactile_net

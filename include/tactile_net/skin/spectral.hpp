@@ -23,7 +23,7 @@ class SpectralSkinModel {
   ///                               on the grid's lattice, or a reading has no value under tractions
   ///                               of `components`
   /// @param components  1 (normal) or 3
-  SpectralSkinModel(const SkinArray& skin, const Material& material, const SkinGrid& grid,
+  SpectralSkinModel(const SkinArray& skin, const Material& material, const SurfaceGrid& grid,
                     std::size_t components = 3);
   ~SpectralSkinModel();
   SpectralSkinModel(SpectralSkinModel&&) noexcept;

@@ -8,15 +8,15 @@
 
 namespace tactile_net {
 
-Reconstruction closed_form(const InverseProblem& problem, double alpha,
+Reconstruction closed_form(const LinearProblem& problem, double alpha,
                            std::optional<double> stacked_condition) {
   check_alpha(alpha);
   const auto kernel = as_eigen(problem.kernel);
   const Eigen::Index m = kernel.rows();
   const Eigen::Index n = kernel.cols();
-  const auto block = static_cast<Eigen::Index>(problem.surface.count);
-  const auto unknowns = static_cast<Eigen::Index>(problem.unknowns);
-  const double size = std::sqrt(alpha * problem.surface.area);
+  const auto block = static_cast<Eigen::Index>(problem.grid.count());
+  const auto unknowns = static_cast<Eigen::Index>(problem.components);
+  const double size = std::sqrt(alpha * problem.measure);
 
   // f = G h + E c: E one column of ones per block, G the cumulative sum times h. h is the slope
   // between neighbours: the thesis' slope before the first one acts as c does and is left out.
@@ -26,7 +26,7 @@ Reconstruction closed_form(const InverseProblem& problem, double alpha,
   for (Eigen::Index u = 0; u < unknowns; ++u) {
     g.block(u * block + 1, u * (block - 1), block - 1, block - 1)
         .triangularView<Eigen::Lower>()
-        .setConstant(problem.surface.spacing);
+        .setConstant(problem.grid.spacing_y);
     e.block(u * block, u, block, 1).setOnes();
   }
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "inverse/line_stabiliser.hpp"
 #include "inverse/rounding.hpp"
-#include "inverse/stabiliser.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
@@ -103,7 +103,7 @@ DftTikhonov::DftTikhonov(DftTikhonov&&) noexcept = default;
 DftTikhonov& DftTikhonov::operator=(DftTikhonov&&) noexcept = default;
 
 DftTikhonov::DftTikhonov(const SensorArray& array, const Material& material,
-                         const ProblemOptions& options) {
+                         const LineProblemOptions& options) {
   check(array, material, options);
   require_even(array, "the Fourier basis");
   if (!options.dead_taxels.empty())

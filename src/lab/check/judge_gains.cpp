@@ -18,7 +18,7 @@ constexpr double spacing_in_depths = 0.125;  // depths: narrower contacts than t
 
 /// What presses and drags, within the array and beyond its ends. Behind the readings' rows may
 /// stand those of a channel that is not read: two unknowns ask for two.
-InverseProblem contact_problem(const Scene& scene) {
+LinearProblem contact_problem(const Scene& scene) {
   SensorArray array = scene.sensor;
   if (channels(array).size() < 2) {
     const bool strain = is_strain(array.reads.front());
@@ -28,10 +28,10 @@ InverseProblem contact_problem(const Scene& scene) {
                                                         : Quantity::stress_x);
   }
   const double depth = least_depth(array);
-  ProblemOptions options{.unknowns = 2,
-                         .surface = {.basis = SurfaceBasis::hats,
-                                     .spacing = spacing_in_depths * depth,
-                                     .margin = reach_in_depths * depth}};
+  LineProblemOptions options{.unknowns = 2,
+                             .surface = {.basis = SurfaceBasis::hats,
+                                         .spacing = spacing_in_depths * depth,
+                                         .margin = reach_in_depths * depth}};
   options.channel_rms.assign(channels(array).size(), 1.0);
   return make_problem(array, scene.material, options);
 }

@@ -69,13 +69,13 @@ double least_smoothing(std::span<const double> singular_values, double share) {
 }
 
 /// Contacts for a pattern of living taxels, ready to be sought.
-template <typename Problem, typename Cone>
+template <typename Cone>
 struct Presser {
   std::vector<std::size_t> dead;
-  Problem problem;  // without them
+  LinearProblem problem;  // without them
   Cone cone;
 
-  [[nodiscard]] std::optional<PressedPattern> press(const Problem& whole,
+  [[nodiscard]] std::optional<PressedPattern> press(const LinearProblem& whole,
                                                     std::span<const double> readings) const {
     const auto solution = cone.solve(readings, most_steps);
     if (solution.status != FrameStatus::ok) return std::nullopt;
@@ -148,7 +148,7 @@ class LineSolver final : public PatternSolver {
     const Scene& scene = problem_.scene();
     const std::vector<std::size_t> dead =
         dead_with_missing(scene.dead_taxels, sites(scene.sensor), frame);
-    ProblemOptions options = contact_options();
+    LineProblemOptions options = contact_options();
     options.dead_taxels = dead;
     if (!is_measured(scene.sensor, options)) return std::nullopt;
     for (std::size_t i = 0; i < frame.size(); ++i)
@@ -156,7 +156,7 @@ class LineSolver final : public PatternSolver {
     if (!whole_contacts_)
       whole_contacts_ = make_problem(scene.sensor, scene.material, contact_options());
     if (!presser_ || presser_->dead != dead) {
-      InverseProblem left = *whole_contacts_;
+      LinearProblem left = *whole_contacts_;
       leave_out(left, dead);
       ConstrainedTikhonov cone(left, least_smoothing(problem_.family().singular_values(), 1e-6),
                                press_of(options.unknowns, problem_.scene().reconstruct));
@@ -180,10 +180,10 @@ class LineSolver final : public PatternSolver {
 
  private:
   /// Of a grid on which narrow contacts, too, are possible.
-  [[nodiscard]] ProblemOptions contact_options() const {
+  [[nodiscard]] LineProblemOptions contact_options() const {
     constexpr std::size_t most_values = 512;
     const SensorArray& sensor = problem_.scene().sensor;
-    ProblemOptions options = problem_.options();
+    LineProblemOptions options = problem_.options();
     options.surface = {.basis = SurfaceBasis::hats,
                        .spacing = std::min(0.25 * least_depth(sensor), problem_.surface().spacing)};
     return surface_of(sensor, options.surface).count > most_values ? problem_.options() : options;
@@ -191,8 +191,8 @@ class LineSolver final : public PatternSolver {
 
   SceneProblem problem_;
   IncompleteFrames frames_;
-  std::optional<InverseProblem> whole_contacts_{};
-  std::optional<Presser<InverseProblem, ConstrainedTikhonov>> presser_{};
+  std::optional<LinearProblem> whole_contacts_{};
+  std::optional<Presser<ConstrainedTikhonov>> presser_{};
 };
 
 class SkinSolver final : public PatternSolver {
@@ -233,7 +233,7 @@ class SkinSolver final : public PatternSolver {
     const SkinScene& scene = whole_.scene();
     if (!whole_contacts_) {
       constexpr std::size_t most_cells_sought = 2400;
-      const SkinGrid& own = whole_.grid();
+      const SurfaceGrid& own = whole_.grid();
       const SkinGridOptions wider{.spacing = std::min(own.spacing_y, own.spacing_z),
                                   .margin = 2.0 * least_depth(scene.sensor)};
       whole_contacts_ = grid_of(scene.sensor, wider).count() <= most_cells_sought
@@ -241,7 +241,7 @@ class SkinSolver final : public PatternSolver {
                             : whole_.problem();
     }
     if (!presser_ || presser_->dead != dead_) {
-      SkinProblem left = *whole_contacts_;
+      LinearProblem left = *whole_contacts_;
       leave_out(left, dead_);
       SkinCone cone(left, least_smoothing(whole_.family().singular_values(), 1e-5),
                     press_of(left.components, scene.reconstruct));
@@ -290,8 +290,8 @@ class SkinSolver final : public PatternSolver {
   SkinSceneProblem whole_;
   SkinSceneProblem problem_;       // without what is dead in the last frame
   std::vector<std::size_t> dead_;  // there
-  std::optional<SkinProblem> whole_contacts_{};
-  std::optional<Presser<SkinProblem, SkinCone>> presser_{};
+  std::optional<LinearProblem> whole_contacts_{};
+  std::optional<Presser<SkinCone>> presser_{};
 };
 
 }  // namespace

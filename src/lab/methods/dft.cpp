@@ -145,7 +145,7 @@ class Frequencies final : public FrameSolver {
 
  private:
   static DftTikhonov own(const SceneProblem& problem) {
-    ProblemOptions options = problem.options();
+    LineProblemOptions options = problem.options();
     options.dead_taxels.clear();
     return {problem.scene().sensor, problem.scene().material, options};
   }

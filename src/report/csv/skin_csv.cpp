@@ -23,7 +23,7 @@ std::string readings_csv(const lab::SkinExperiment& experiment) {
 }
 
 std::string tractions_csv(const lab::SkinExperiment& experiment) {
-  const SkinGrid& grid = experiment.grid;
+  const SurfaceGrid& grid = experiment.grid;
   std::vector<std::string> names = {"y", "z"};
   std::vector<std::span<const double>> columns;
   const auto add = [&](const std::vector<double>& values, const std::string& suffix) {
@@ -61,7 +61,7 @@ drawing::Files run_files(const lab::SkinExperiment& experiment) {
   return files;
 }
 
-std::vector<std::string> traction_columns(const SkinGrid& grid, std::size_t components) {
+std::vector<std::string> traction_columns(const SurfaceGrid& grid, std::size_t components) {
   std::vector<std::string> names;
   for (std::size_t c = 0; c < components; ++c)
     for (std::size_t row = 0; row < grid.rows; ++row)

@@ -36,7 +36,7 @@ Json list(std::span<const double> values) {
   return values.empty() ? Json(nullptr) : Json(std::vector(values.begin(), values.end()));
 }
 
-Json fields(const std::vector<double>& values, const SkinGrid& grid) {
+Json fields(const std::vector<double>& values, const SurfaceGrid& grid) {
   if (values.empty()) return nullptr;
   Json json = Json::object();
   for (const Traction which : skin_tractions)
@@ -90,7 +90,7 @@ Json weight_json(const SkinScene& scene, const lab::ChosenAlpha& alpha) {
                                                 : scene.reconstruct.tangential_weight);
 }
 
-Json grid_json(const SkinGrid& grid) {
+Json grid_json(const SurfaceGrid& grid) {
   Json y = Json::array();
   Json z = Json::array();
   for (std::size_t row = 0; row < grid.rows; ++row) y.push_back(grid.y(row));

@@ -51,7 +51,7 @@ std::vector<std::string> comments_of(const Scene& scene, const lab::SceneCircuit
 }
 
 std::vector<std::string> comments_of(const SkinScene& scene, const lab::SceneCircuit& circuit) {
-  const SkinGrid on = grid(scene);
+  const SurfaceGrid on = grid(scene);
   const bool three = components(scene) == 3;
   const auto place = [](double first, double spacing, const char* index) {
     return shortest(first) + " + " + shortest(spacing) + " " + index;

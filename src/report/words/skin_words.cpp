@@ -200,7 +200,7 @@ std::pair<std::optional<double>, std::optional<double>> hertz_radii(const SkinSc
 }
 
 /// Where cells are narrower than the scene asks: taxels stand in the middle of cells.
-std::string narrowed(const SkinScene& scene, const SkinGrid& grid) {
+std::string narrowed(const SkinScene& scene, const SurfaceGrid& grid) {
   const auto asked = scene.reconstruct.grid.spacing;
   const double widest = std::max(grid.spacing_y, grid.spacing_z);
   if (!asked || widest > 0.999 * *asked) return {};
@@ -240,7 +240,7 @@ std::vector<std::string> contacts_in_words(const SkinScene& scene) {
   return texts;
 }
 
-std::string grid_in_words(const SkinScene& scene, const SkinGrid& grid) {
+std::string grid_in_words(const SkinScene& scene, const SurfaceGrid& grid) {
   return "tractions of " + std::to_string(grid.rows) + " x " + std::to_string(grid.columns) +
          " cells of " + sides(scene, grid.spacing_y, grid.spacing_z) +
          (components(scene) == 3 ? ", normal and tangential" : ", normal alone") +

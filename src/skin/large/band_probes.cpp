@@ -14,7 +14,7 @@ namespace {
 constexpr double apart = 8.0;
 constexpr double residual = 1e-5;  // of a solve; deviations are compared to 1e-3
 
-std::size_t cells_apart(const SkinProblem& problem) {
+std::size_t cells_apart(const LinearProblem& problem) {
   const double finest = std::min(problem.grid.spacing_y, problem.grid.spacing_z);
   return static_cast<std::size_t>(std::ceil(apart * problem.smoothing_length / finest));
 }
@@ -37,7 +37,7 @@ std::vector<std::size_t> between(const std::vector<std::size_t>& ends, std::size
 
 /// Each component at every third of them.
 BandProbe crossing(const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns,
-                   const SkinProblem& problem) {
+                   const LinearProblem& problem) {
   BandProbe probe;
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < columns.size(); ++j)
@@ -46,8 +46,8 @@ BandProbe crossing(const std::vector<std::size_t>& rows, const std::vector<std::
   return probe;
 }
 
-BandProbe beside_dead(const SkinProblem& problem, std::size_t least) {
-  const SkinGrid& grid = problem.grid;
+BandProbe beside_dead(const LinearProblem& problem, std::size_t least) {
+  const SurfaceGrid& grid = problem.grid;
   BandProbe probe;
   std::vector<std::pair<std::size_t, std::size_t>> taken;
   for (std::size_t i = 0; i < problem.sites.size(); ++i) {
@@ -77,8 +77,8 @@ BandProbe beside_dead(const SkinProblem& problem, std::size_t least) {
 
 }  // namespace
 
-std::vector<BandProbe> band_probes(const SkinProblem& problem) {
-  const SkinGrid& grid = problem.grid;
+std::vector<BandProbe> band_probes(const LinearProblem& problem) {
+  const SurfaceGrid& grid = problem.grid;
   const std::size_t least = cells_apart(problem);
   const std::vector<std::size_t> rows = from_end_to_end(grid.rows, least);
   const std::vector<std::size_t> columns = from_end_to_end(grid.columns, least);

@@ -19,7 +19,7 @@ struct BandProbe {
 
 /// From end to end of the skin, in the middle between those, and at dead taxels or beside them;
 /// components in turn.
-[[nodiscard]] std::vector<BandProbe> band_probes(const SkinProblem& problem);
+[[nodiscard]] std::vector<BandProbe> band_probes(const LinearProblem& problem);
 
 /// Deviations of the probe's tractions per unit of noise, by two solves with P; by one where the
 /// prior's alpha is the solver's.

@@ -17,7 +17,7 @@ using Eigen::Index;
 
 constexpr std::size_t steps_between_looks = 10;
 
-Constraints in_equal_weights(Constraints constraints, const SkinProblem& problem) {
+Constraints in_equal_weights(Constraints constraints, const LinearProblem& problem) {
   if (constraints.friction_limit) *constraints.friction_limit *= problem.tangential_weight;
   return constraints;
 }

@@ -92,7 +92,7 @@ const std::vector<double>& LargeSkinCovariance::estimates() const {
 
 std::vector<double> LargeSkinCovariance::deviations() const { return estimates(); }
 
-std::vector<double> LargeSkinCovariance::window_deviations(const SkinGrid&,
+std::vector<double> LargeSkinCovariance::window_deviations(const SurfaceGrid&,
                                                            const CellWindow& window) const {
   const LargeSkinBands::Parts& parts = *bands_.parts_;
   return parts.piece->window_deviations(parts.solver.problem(), alpha_, prior_alpha_, window);
@@ -102,7 +102,7 @@ BandError LargeSkinCovariance::error() const { return bands_.parts_->error(alpha
 
 double LargeSkinCovariance::deviation(std::span<const double> weights) const {
   const LargeSkinBands::Parts& parts = *bands_.parts_;
-  const SkinProblem& problem = parts.solver.problem();
+  const LinearProblem& problem = parts.solver.problem();
   const std::size_t cells = problem.grid.count();
   const auto first =
       std::find_if(weights.begin(), weights.end(), [](double w) { return w != 0.0; });
@@ -126,7 +126,7 @@ double LargeSkinCovariance::deviation(std::span<const double> weights) const {
 double LargeSkinCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
   const auto [of_a, largest_a] = bands_.parts_->image(a, alpha_);
   const auto [of_b, largest_b] = bands_.parts_->image(b, alpha_);
-  const SkinProblem& problem = bands_.parts_->solver.problem();
+  const LinearProblem& problem = bands_.parts_->solver.problem();
   const auto read = static_cast<Eigen::Index>(problem.weights.size());
   const double known = of_a.head(read).dot(of_b.head(read));
   const Eigen::Index rest = of_a.size() - read;

@@ -7,7 +7,7 @@
 #include "inverse/checks.hpp"
 #include "numeric/conjugate_gradients.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/coordinates.hpp"
+#include "skin/face_coordinates.hpp"
 #include "skin/large/solved_sums.hpp"
 #include "skin/large/system.hpp"
 #include "skin/scaled_deviation.hpp"

@@ -10,7 +10,7 @@
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/split_mix.hpp"
-#include "skin/coordinates.hpp"
+#include "skin/face_coordinates.hpp"
 #include "skin/large/system.hpp"
 
 namespace tactile_net {
@@ -78,9 +78,9 @@ Eigen::VectorXd signs(std::span<const double> weights, std::uint64_t probe) {
 
 struct LargeSkinFamily::Parts {
   explicit Parts(const std::shared_ptr<LargeSkinSystem>& made)
-      : Parts(made, std::make_unique<CosineCoordinates>(
+      : Parts(made, std::make_unique<WaveCoordinates>(
                         made->problem, stabiliser_spectrum(made->problem).cwiseSqrt())) {}
-  Parts(std::shared_ptr<LargeSkinSystem> made, std::unique_ptr<const SkinCoordinates> in)
+  Parts(std::shared_ptr<LargeSkinSystem> made, std::unique_ptr<const TractionCoordinates> in)
       : system(std::move(made)),
         coordinates(std::move(in)),
         rows(static_cast<double>(Weighting(system->problem).rows())) {
@@ -142,7 +142,7 @@ struct LargeSkinFamily::Parts {
   }
 
   std::shared_ptr<LargeSkinSystem> system;  // its buffers are used, not its meaning changed
-  std::unique_ptr<const SkinCoordinates> coordinates;  // in which the stabiliser is simple
+  std::unique_ptr<const TractionCoordinates> coordinates;  // in which the stabiliser is simple
   double rows;
   double stabiliser_condition = 1.0;
   std::vector<Nodes> probes{};

@@ -6,7 +6,7 @@
 
 namespace tactile_net {
 std::vector<LatticeKernel> lattice_kernels(const SkinArray& skin, const Material& material,
-                                           const SkinGrid& grid, std::size_t components) {
+                                           const SurfaceGrid& grid, std::size_t components) {
   CellKernels kernels(material, grid);
   std::vector<LatticeKernel> all;
   for (const Channel& channel : channels(skin))
@@ -15,7 +15,7 @@ std::vector<LatticeKernel> lattice_kernels(const SkinArray& skin, const Material
   return all;
 }
 
-LatticeProducts::LatticeProducts(const SkinArray& skin, const SkinGrid& grid,
+LatticeProducts::LatticeProducts(const SkinArray& skin, const SurfaceGrid& grid,
                                  std::size_t components, std::span<const LatticeKernel> kernels)
     : grid_(grid),
       components_(components),

@@ -16,7 +16,7 @@ namespace tactile_net {
 /// One kernel for each channel and component, channel after channel.
 [[nodiscard]] std::vector<LatticeKernel> lattice_kernels(const SkinArray& skin,
                                                          const Material& material,
-                                                         const SkinGrid& grid,
+                                                         const SurfaceGrid& grid,
                                                          std::size_t components);
 
 /// Transforms on a plane of at least twice the cells, so that nothing meets what it should not: row
@@ -30,7 +30,7 @@ class LatticeProducts {
  public:
   /// @pre  the taxels lie on the grid's lattice
   /// @param kernels  as `lattice_kernels`
-  LatticeProducts(const SkinArray& skin, const SkinGrid& grid, std::size_t components,
+  LatticeProducts(const SkinArray& skin, const SurfaceGrid& grid, std::size_t components,
                   std::span<const LatticeKernel> kernels);
 
   /// K f. @param tractions, readings  components x cells and channels x taxels
@@ -85,7 +85,7 @@ class LatticeProducts {
 
   static constexpr std::size_t strip = 16;
 
-  SkinGrid grid_;
+  SurfaceGrid grid_;
   std::size_t components_, channels_;
   Places cells_, taxels_;
   RealFft along_row_, back_along_row_;

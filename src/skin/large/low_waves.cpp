@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "inverse/axis_waves.hpp"
+#include "inverse/coordinates.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/coordinates.hpp"
-#include "skin/cosine_waves.hpp"
 
 namespace tactile_net {
 namespace {
@@ -21,7 +21,7 @@ std::size_t parity_class(std::size_t component, Index y, Index z) {
   return (odd_y ? 2U : 0U) + (odd_z ? 1U : 0U);
 }
 
-bool mirrors_itself(const SkinProblem& problem) {
+bool mirrors_itself(const LinearProblem& problem) {
   return std::none_of(problem.weights.begin(), problem.weights.end(),
                       [](double weight) { return weight == 0.0; });
 }
@@ -29,14 +29,14 @@ bool mirrors_itself(const SkinProblem& problem) {
 }  // namespace
 
 LowWaves::LowWaves(LargeSkinSystem& system, bool has_uniform_drags) {
-  const SkinGrid& grid = system.problem.grid;
+  const SurfaceGrid& grid = system.problem.grid;
   const double shortest = 1.0 / std::sqrt(static_cast<double>(std::max(grid.rows, grid.columns)));
   const auto most = [&](std::size_t cells) {
     const double waves = std::ceil(shortest * static_cast<double>(cells));
     return std::clamp(static_cast<std::size_t>(waves), std::size_t{1}, cells);
   };
-  along_y_ = cosine_waves(grid.rows, most(grid.rows));
-  along_z_ = cosine_waves(grid.columns, most(grid.columns));
+  along_y_ = axis_waves(grid.rows, most(grid.rows), grid.boundary_y);
+  along_z_ = axis_waves(grid.columns, most(grid.columns), grid.boundary_z);
 
   const Eigen::VectorXd spectrum = stabiliser_spectrum(system.problem);
   std::array<std::vector<Index>, 4> classes;

@@ -31,7 +31,7 @@ Range taxels_about(std::size_t least, std::size_t most, std::size_t margin, std:
 }  // namespace
 
 LargeSkinPart::LargeSkinPart(SkinArray skin, const Material& material, SkinProblemOptions options,
-                             const SkinProblem& whole, std::span<const std::size_t> cells,
+                             const LinearProblem& whole, std::span<const std::size_t> cells,
                              double reach)
     : whole_(whole.grid) {
   std::size_t least_row = whole_.rows;
@@ -73,7 +73,7 @@ std::vector<double> LargeSkinPart::readings(std::span<const double> whole) const
 }
 
 std::vector<double> LargeSkinPart::tractions(std::span<const double> whole) const {
-  const SkinGrid& own = system_->problem.grid;
+  const SurfaceGrid& own = system_->problem.grid;
   std::vector<double> part;
   part.reserve(system_->tractions());
   for (std::size_t u = 0; u < system_->problem.components; ++u)
@@ -87,7 +87,7 @@ std::vector<double> LargeSkinPart::tractions(std::span<const double> whole) cons
 }
 
 std::vector<double> LargeSkinPart::among_all(std::span<const double> part) const {
-  const SkinGrid& own = system_->problem.grid;
+  const SurfaceGrid& own = system_->problem.grid;
   std::vector<double> whole(system_->problem.components * whole_.count());
   auto from = part.begin();
   for (std::size_t u = 0; u < system_->problem.components; ++u)
@@ -102,7 +102,7 @@ std::vector<double> LargeSkinPart::among_all(std::span<const double> part) const
 }
 
 bool LargeSkinPart::has(std::size_t whole_cell) const noexcept {
-  const SkinGrid& own = system_->problem.grid;
+  const SurfaceGrid& own = system_->problem.grid;
   const std::size_t row = whole_cell / whole_.columns;
   const std::size_t column = whole_cell % whole_.columns;
   return row >= first_row_ && row < first_row_ + own.rows && column >= first_column_ &&

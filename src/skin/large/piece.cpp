@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "skin/coordinates.hpp"
-#include "skin/window_sums.hpp"
+#include "inverse/coordinates.hpp"
+#include "inverse/window_sums.hpp"
 #include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net {
@@ -17,8 +17,8 @@ constexpr std::size_t most_taxels = 14;
 /// Taxels on either side of a dead one that it makes a difference to.
 constexpr std::size_t dead_reach = 3;
 
-SkinProblem piece_of(SkinArray skin, const Material& material, SkinProblemOptions options,
-                     const SkinProblem& whole) {
+LinearProblem piece_of(SkinArray skin, const Material& material, SkinProblemOptions options,
+                       const LinearProblem& whole) {
   skin.rows = std::min(skin.rows, most_taxels);
   skin.columns = std::min(skin.columns, most_taxels);
   options.dead_taxels.clear();
@@ -46,7 +46,7 @@ struct Window {
   std::size_t at, first, last;
 };
 
-std::size_t nearest_taxel(const SkinGrid& grid, const SkinArray& skin, std::size_t cell) {
+std::size_t nearest_taxel(const SurfaceGrid& grid, const SkinArray& skin, std::size_t cell) {
   const auto nearest = [](std::size_t at, std::size_t margin, std::size_t stride,
                           std::size_t taxels) {
     const std::size_t from = at < margin ? 0 : (at - margin + stride / 2) / stride;
@@ -57,7 +57,7 @@ std::size_t nearest_taxel(const SkinGrid& grid, const SkinArray& skin, std::size
          nearest(cell % grid.columns, grid.margin_columns, grid.stride_columns, skin.columns);
 }
 
-std::vector<bool> dead_taxels(const SkinProblem& whole) {
+std::vector<bool> dead_taxels(const LinearProblem& whole) {
   std::vector<bool> dead(whole.taxels);
   for (std::size_t i = 0; i < whole.sites.size(); ++i)
     if (whole.weights[i] == 0.0) dead[whole.sites[i].taxel] = true;
@@ -79,15 +79,15 @@ std::vector<bool> blind_taxels(const SkinArray& skin, const std::vector<bool>& d
 }  // namespace
 
 SkinPiece::SkinPiece(const SkinArray& skin, const Material& material,
-                     const SkinProblemOptions& options, const SkinProblem& whole)
+                     const SkinProblemOptions& options, const LinearProblem& whole)
     : skin_(skin),
       problem_(piece_of(skin, material, options, whole)),
       family_(problem_),
       prior_squares_(
-          CosineCoordinates(problem_, stabiliser_spectrum(problem_).cwiseSqrt()).squares()) {}
+          WaveCoordinates(problem_, stabiliser_spectrum(problem_).cwiseSqrt()).squares()) {}
 
-std::size_t SkinPiece::like_cell(const SkinGrid& whole, std::size_t cell) const {
-  const SkinGrid& small = problem_.grid;
+std::size_t SkinPiece::like_cell(const SurfaceGrid& whole, std::size_t cell) const {
+  const SurfaceGrid& small = problem_.grid;
   return like(cell / whole.columns, whole.rows, small.rows, whole.stride_rows) * small.columns +
          like(cell % whole.columns, whole.columns, small.columns, whole.stride_columns);
 }
@@ -98,7 +98,7 @@ double SkinPiece::largest_square() const {
   return largest * largest;
 }
 
-std::vector<double> SkinPiece::deviations(const SkinProblem& whole, double alpha,
+std::vector<double> SkinPiece::deviations(const LinearProblem& whole, double alpha,
                                           double prior_alpha) {
   const std::vector<double> own = SkinCovariance(family_, alpha, prior_alpha).deviations();
   const std::size_t cells = whole.grid.count();
@@ -112,17 +112,16 @@ std::vector<double> SkinPiece::deviations(const SkinProblem& whole, double alpha
   return all;
 }
 
-std::vector<double> SkinPiece::window_deviations(const SkinProblem& whole, double alpha,
+std::vector<double> SkinPiece::window_deviations(const LinearProblem& whole, double alpha,
                                                  double prior_alpha,
                                                  const CellWindow& window) const {
-  const SkinGrid& grid = whole.grid;
+  const SurfaceGrid& grid = whole.grid;
   const std::vector<double> own =
       SkinCovariance(family_, alpha, prior_alpha).window_deviations(problem_.grid, window);
-  const Eigen::VectorXd prior =
-      CosineCoordinates(problem_, stabiliser_spectrum(problem_).cwiseSqrt())
-          .squares(problem_.grid, window)
-          .cwiseSqrt() /
-      std::sqrt(prior_alpha);
+  const Eigen::VectorXd prior = WaveCoordinates(problem_, stabiliser_spectrum(problem_).cwiseSqrt())
+                                    .squares(problem_.grid, window)
+                                    .cwiseSqrt() /
+                                std::sqrt(prior_alpha);
   const std::vector<bool> dead = dead_taxels(whole);
   std::vector<double> near_dead(grid.count());
   for (std::size_t cell = 0; cell < near_dead.size(); ++cell)
@@ -138,22 +137,22 @@ std::vector<double> SkinPiece::window_deviations(const SkinProblem& whole, doubl
 }
 
 void SkinPiece::add_dead(std::vector<double>& deviations, const std::vector<double>& alive,
-                         const SkinProblem& whole, double alpha, double prior_alpha) {
+                         const LinearProblem& whole, double alpha, double prior_alpha) {
   const std::vector<bool> dead = dead_taxels(whole);
   if (std::find(dead.begin(), dead.end(), true) == dead.end()) return;
 
-  const SkinGrid& small = problem_.grid;
+  const SurfaceGrid& small = problem_.grid;
   const std::size_t piece_rows = std::min(skin_.rows, most_taxels);
   const std::size_t piece_columns = std::min(skin_.columns, most_taxels);
   const std::array<std::size_t, 1> middle{(piece_rows / 2) * piece_columns + piece_columns / 2};
   if (!with_dead_) {
-    SkinProblem one = problem_;
+    LinearProblem one = problem_;
     leave_out(one, middle);
     with_dead_.emplace(one);
   }
   const std::vector<double> beside = SkinCovariance(*with_dead_, alpha, prior_alpha).deviations();
 
-  const SkinGrid& grid = whole.grid;
+  const SurfaceGrid& grid = whole.grid;
   const Window here(piece_rows / 2, small.margin_rows, small.stride_rows, small.rows, dead_reach);
   const Window there(piece_columns / 2, small.margin_columns, small.stride_columns, small.columns,
                      dead_reach);
@@ -188,7 +187,7 @@ void SkinPiece::add_dead(std::vector<double>& deviations, const std::vector<doub
     }
 }
 
-double SkinPiece::deviation(const SkinProblem& whole, double alpha, double prior_alpha,
+double SkinPiece::deviation(const LinearProblem& whole, double alpha, double prior_alpha,
                             std::size_t cell, std::span<const double> weights) const {
   const std::size_t small = problem_.grid.count();
   std::vector<double> of_piece(problem_.components * small);

@@ -27,24 +27,24 @@ class SkinPiece {
  public:
   /// @param whole  the large skin's, of the same taxels and options; its dead ones do not count
   SkinPiece(const SkinArray& skin, const Material& material, const SkinProblemOptions& options,
-            const SkinProblem& whole);
+            const LinearProblem& whole);
 
   /// Of every traction of the whole [Pa per unit of noise].
   ///
   /// @param whole  as the constructor's, with any taxels dead
-  [[nodiscard]] std::vector<double> deviations(const SkinProblem& whole, double alpha,
+  [[nodiscard]] std::vector<double> deviations(const LinearProblem& whole, double alpha,
                                                double prior_alpha);
 
   /// Of the sums of normal tractions in the window around each cell of the whole. A window that
   /// holds a dead taxel's cell has at least the prior's.
-  [[nodiscard]] std::vector<double> window_deviations(const SkinProblem& whole, double alpha,
+  [[nodiscard]] std::vector<double> window_deviations(const LinearProblem& whole, double alpha,
                                                       double prior_alpha,
                                                       const CellWindow& window) const;
 
   /// Of a sum over the tractions of one cell, as if no taxel were dead.
   ///
   /// @param weights  one per component
-  [[nodiscard]] double deviation(const SkinProblem& whole, double alpha, double prior_alpha,
+  [[nodiscard]] double deviation(const LinearProblem& whole, double alpha, double prior_alpha,
                                  std::size_t cell, std::span<const double> weights) const;
 
   /// Of the largest singular value: what alphas are beside.
@@ -52,12 +52,12 @@ class SkinPiece {
 
  private:
   /// Where a cell's like is among the piece's.
-  [[nodiscard]] std::size_t like_cell(const SkinGrid& whole, std::size_t cell) const;
+  [[nodiscard]] std::size_t like_cell(const SurfaceGrid& whole, std::size_t cell) const;
   void add_dead(std::vector<double>& deviations, const std::vector<double>& alive,
-                const SkinProblem& whole, double alpha, double prior_alpha);
+                const LinearProblem& whole, double alpha, double prior_alpha);
 
   SkinArray skin_;
-  SkinProblem problem_;
+  LinearProblem problem_;
   SkinFamily family_;
   std::optional<SkinFamily> with_dead_{};  // its middle taxel; made where it is first needed
   Eigen::VectorXd prior_squares_;          // variances of the prior times its alpha

@@ -39,7 +39,7 @@ bool is_below(double share, double alpha, const UniformReadings& uniform) noexce
 constexpr double deep = 3.0;
 constexpr double as_if_times = 0.01;
 
-double felt_alpha(const SkinProblem& problem, double alpha) {
+double felt_alpha(const LinearProblem& problem, double alpha) {
   const double cell = std::min(problem.grid.spacing_y, problem.grid.spacing_z);
   const bool is_deep = std::any_of(problem.sites.begin(), problem.sites.end(),
                                    [&](const Site& site) { return site.depth > deep * cell; });
@@ -58,7 +58,7 @@ bool drag_is_hardly_seen(const UniformReadings& uniform) noexcept {
 }
 
 /// @param alpha  that is felt
-bool wants_coarse_space(const SkinGrid& grid, double alpha,
+bool wants_coarse_space(const SurfaceGrid& grid, double alpha,
                         const UniformReadings& uniform) noexcept {
   const bool cells_between = grid.stride_rows * grid.stride_columns > 1;
   return drag_is_hardly_seen(uniform) ||
@@ -66,7 +66,7 @@ bool wants_coarse_space(const SkinGrid& grid, double alpha,
 }
 
 /// Along y, along z, and turning about the middle, as tractions of norm 1. @pre  three components
-Eigen::MatrixXd rigid_motions(const SkinGrid& grid) {
+Eigen::MatrixXd rigid_motions(const SurfaceGrid& grid) {
   const auto cells = static_cast<Index>(grid.count());
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(3 * cells, 3);
   all.col(0).segment(cells, cells).setOnes();

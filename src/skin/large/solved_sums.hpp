@@ -28,7 +28,7 @@ class SolvedSums {
   /// @param make     the image of weights of length 1; without a value: there is none
   /// @return         the image of weights over the largest of them, and that one; the image is
   ///                 without a value where one that it is made of is
-  std::pair<Eigen::VectorXd, double> image(const SkinGrid& grid, std::span<const double> weights,
+  std::pair<Eigen::VectorXd, double> image(const SurfaceGrid& grid, std::span<const double> weights,
                                            Eigen::Index rows, const auto& make) {
     double largest = 0.0;
     for (const double weight : weights) largest = std::max(largest, std::abs(weight));
@@ -54,7 +54,7 @@ class SolvedSums {
 
   /// Orthonormal directions, and how much of each the weights are; they themselves where they are
   /// no polynomial on the cells that they weigh.
-  static std::vector<std::pair<Direction, double>> shares(const SkinGrid& grid,
+  static std::vector<std::pair<Direction, double>> shares(const SurfaceGrid& grid,
                                                           const Eigen::VectorXd& weights,
                                                           double size) {
     const auto cells = static_cast<Eigen::Index>(grid.count());
@@ -92,7 +92,7 @@ class SolvedSums {
   /// Orthonormal ones on some cells, up to squares of the place.
   ///
   /// @param z_first  torsion weighs the drag along y by z, and that along z by y
-  static std::vector<Eigen::VectorXd> polynomials(const SkinGrid& grid,
+  static std::vector<Eigen::VectorXd> polynomials(const SurfaceGrid& grid,
                                                   std::span<const Eigen::Index> cells,
                                                   bool z_first) {
     const auto columns = static_cast<Eigen::Index>(grid.columns);

@@ -10,10 +10,10 @@
 namespace tactile_net {
 namespace {
 
-SkinProblem checked_problem(const SkinArray& skin, const Material& material,
-                            const SkinProblemOptions& options) {
+LinearProblem checked_problem(const SkinArray& skin, const Material& material,
+                              const SkinProblemOptions& options) {
   require_known_offsets(options.unknown_offsets, "conjugate gradients by FFT");
-  SkinProblem problem = problem_without_kernel(skin, material, options);
+  LinearProblem problem = problem_without_kernel(skin, material, options);
   if (!is_lattice(skin, problem.grid))
     throw std::invalid_argument(
         "large skins are solved by FFT, for which the taxels must lie on the lattice of the grid's "
@@ -42,14 +42,14 @@ void LargeSkinSystem::weighted_sums(std::span<const double> y, std::span<double>
 }
 
 double LargeSkinSystem::size_of(double alpha, std::size_t component) const noexcept {
-  return std::sqrt(alpha * problem.area) * (component == 0 ? 1.0 : problem.tangential_weight);
+  return std::sqrt(alpha * problem.measure) * (component == 0 ? 1.0 : problem.tangential_weight);
 }
 
 /// Every traction once, with what weighs its size and its slopes to the next row and column.
 ///
 /// @param visit  (at, size, along_y, along_z); a slope beyond the grid's end weighs 0
 void LargeSkinSystem::walk_stabiliser(double alpha, const auto& visit) const noexcept {
-  const SkinGrid& grid = problem.grid;
+  const SurfaceGrid& grid = problem.grid;
   for (std::size_t u = 0, at = 0; u < problem.components; ++u) {
     const double size = size_of(alpha, u);
     const double along_y = size * (problem.smoothing_length / grid.spacing_y);
@@ -100,7 +100,7 @@ std::shared_ptr<LargeSkinSystem> make_large_skin_system(const SkinArray& skin,
   return std::make_shared<LargeSkinSystem>(skin, material, options);
 }
 
-const SkinProblem& problem_of(const LargeSkinSystem& system) noexcept { return system.problem; }
+const LinearProblem& problem_of(const LargeSkinSystem& system) noexcept { return system.problem; }
 
 std::shared_ptr<LargeSkinSystem> without_taxels(const LargeSkinSystem& system,
                                                 const std::vector<std::size_t>& taxels) {

@@ -39,7 +39,7 @@ struct LargeSkinSystem {
   [[nodiscard]] double size_of(double alpha, std::size_t component) const noexcept;
 
   SkinArray skin;
-  SkinProblem problem;  ///< without its kernel
+  LinearProblem problem;  ///< without its kernel
   std::vector<LatticeKernel> kernels;
   LatticeProducts products;
 

@@ -119,7 +119,7 @@ void LargeSkinTikhonov::use_alpha(double alpha) {
 }
 
 double LargeSkinTikhonov::alpha() const noexcept { return parts_->alpha; }
-const SkinProblem& LargeSkinTikhonov::problem() const noexcept { return parts_->system->problem; }
+const LinearProblem& LargeSkinTikhonov::problem() const noexcept { return parts_->system->problem; }
 const SkinConvergence& LargeSkinTikhonov::convergence() const noexcept {
   return parts_->convergence;
 }

@@ -20,7 +20,7 @@ constexpr std::size_t batch = 64;
 
 SkinTiles::SkinTiles(const LargeSkinSystem& system, double alpha, const Size& size)
     : system_(system), alpha_(alpha), reach_(size.reach) {
-  const SkinGrid& grid = system.problem.grid;
+  const SurfaceGrid& grid = system.problem.grid;
   rows_ = side(grid.rows, grid.stride_rows, size.cells);
   columns_ = side(grid.columns, grid.stride_columns, size.cells);
   for (const Channel& channel : channels(system.skin)) {
@@ -169,7 +169,7 @@ void SkinTiles::add_stabiliser(const Line& y, const Line& z, std::span<const Til
   const auto add = [&](std::size_t a, std::size_t b, double value) {
     for (std::size_t i = 0; i < classes.size(); ++i) classes[i].add_entry(a, b, value, folded[i]);
   };
-  const SkinProblem& problem = system_.problem;
+  const LinearProblem& problem = system_.problem;
   const double along_y = std::pow(problem.smoothing_length / problem.grid.spacing_y, 2);
   const double along_z = std::pow(problem.smoothing_length / problem.grid.spacing_z, 2);
   for (std::size_t u = 0; u < problem.components; ++u) {
@@ -190,7 +190,7 @@ void SkinTiles::add_stabiliser(const Line& y, const Line& z, std::span<const Til
 }
 
 void SkinTiles::account_for_dead(Tile& tile, const std::vector<bool>& dead) const {
-  const SkinGrid& grid = system_.problem.grid;
+  const SurfaceGrid& grid = system_.problem.grid;
   std::vector<LatticeCell> places;
   for (std::size_t taxel = 0; taxel < dead.size(); ++taxel) {
     if (!dead[taxel]) continue;
@@ -229,7 +229,7 @@ void SkinTiles::account_for_dead(Tile& tile, const std::vector<bool>& dead) cons
 
 template <typename Each>
 void SkinTiles::visit(const Tile& tile, Each&& each) const {
-  const SkinGrid& grid = system_.problem.grid;
+  const SurfaceGrid& grid = system_.problem.grid;
   for (std::size_t u = 0; u < system_.problem.components; ++u) {
     const double sign = (tile.mirrored_y && u == 1) != (tile.mirrored_z && u == 2) ? -1.0 : 1.0;
     for (std::size_t m = 0; m < rows_; ++m)

@@ -15,7 +15,7 @@ std::vector<double> readings_of(LargeSkinSystem& system, std::size_t component) 
   return weighted_product(system, uniform);
 }
 
-double least_of_a_taxel(const SkinProblem& problem, const std::vector<double>& readings) {
+double least_of_a_taxel(const LinearProblem& problem, const std::vector<double>& readings) {
   std::vector<double> of_taxel(problem.taxels);
   std::vector<bool> lives(problem.taxels);
   for (std::size_t i = 0; i < readings.size(); ++i) {

@@ -23,7 +23,7 @@ TEST_CASE("the corrected closed form is the same minimiser by another way", "[cl
 }
 
 TEST_CASE("the closed form without smoothing is the ridge solution", "[closed_form]") {
-  const InverseProblem problem =
+  const LinearProblem problem =
       make_problem({21, 0.5, {1.5}, {Quantity::stress_x}}, {1.0, 0.45}, {});
   const std::vector<double> g = random_values(21, 8);
   CHECK(relative_l2_error(solved(closed_form(problem, 1e-3), g),
@@ -36,7 +36,7 @@ TEST_CASE("the thesis' printed constant is not the minimum, its correction is", 
   const double alpha = 1e-3;
   const SensorArray array{81, 0.25, {1.5}, {Quantity::strain_x}};
   const Material material{1.0, 0.45};
-  const InverseProblem problem = make_problem(array, material, {.smoothing_length = 1.0});
+  const LinearProblem problem = make_problem(array, material, {.smoothing_length = 1.0});
   const Contact cylinder = RigidContact{.half_width = 2.0};
   const std::vector<double> g = exact_readings(array, material, std::array{cylinder});
 

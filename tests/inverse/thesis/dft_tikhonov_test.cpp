@@ -170,7 +170,7 @@ TEST_CASE("a filter is not P f = b where a contact touches the end",
   const SensorArray array{81, 0.125, {1.5}, {stress_x}};
   const std::vector<Contact> contacts = {RigidContact{.center = 4.5, .half_width = 1.0}};
   const std::vector<double> g = sampled_readings(array, pad, sample(contacts, array));
-  const ProblemOptions options{.smoothing_length = 1.0};
+  const LineProblemOptions options{.smoothing_length = 1.0};
   const std::vector<double> direct = tikhonov_solve(make_problem(array, pad, options), 1e-3, g);
   std::vector<double> filtered(81);
   std::vector<double> solved(81);

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/inverse/reconstruction.hpp>
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include <tactile_net/control/fft_convolution.hpp>
 #include <tactile_net/control/planner.hpp>
+#include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/inverse/thesis/dft.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
 #include <tactile_net/scene/reader.hpp>
@@ -12,7 +13,7 @@ int main() {
       "[reconstruct]\nmethods = [\"dft\"]\n"
       "",
       "scene.toml");
-  const InverseProblem problem = make_problem(scene.sensor, scene.material);
+  const LinearProblem problem = make_problem(scene.sensor, scene.material);
   const EstimatorPlan plan = plan_estimator(problem, 1e-4, {.structure = Structure::fft}).plan;
   ContactEstimator estimator(plan, fft_convolutions());
   std::vector<double> readings(41, 1.0), tractions(41);

@@ -75,7 +75,7 @@ Shape shape_of(const Scene& scene) {
 }
 
 Shape shape_of(const SkinScene& scene) {
-  const SkinGrid cells = grid(scene);
+  const SurfaceGrid cells = grid(scene);
   return {reading_count(scene.sensor), cells.spacing_y,
           report::traction_columns(cells, components(scene)), true};
 }

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 
 namespace tactile_net {
@@ -20,7 +20,7 @@ namespace tactile_net {
 /// @param stacked_condition  the condition of `tikhonov` for the same problem and alpha where it is
 ///                           known: saves its decomposition, a third of the work
 /// @throw as `tikhonov`
-[[nodiscard]] Reconstruction closed_form(const InverseProblem& problem, double alpha,
+[[nodiscard]] Reconstruction closed_form(const LinearProblem& problem, double alpha,
                                          std::optional<double> stacked_condition = {});
 
 }  // namespace tactile_net

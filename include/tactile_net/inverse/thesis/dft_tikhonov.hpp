@@ -4,8 +4,8 @@
 /// (inverse/fft_tikhonov.hpp) solves the system that has ends.
 ///
 /// Solves the circular system, as dft.hpp does, but frequency by frequency in the sense of the same
-/// functional as the matrix methods (problem.hpp): with A the channels x unknowns matrix of the
-/// weighted kernels' DFT at k,
+/// functional as the matrix methods (linear_problem.hpp): with A the channels x unknowns matrix of
+/// the weighted kernels' DFT at k,
 ///
 ///     |A F - G|^2 + alpha (1 + 4 l^2/D^2 sin^2(pi k / count)) |F|^2
 ///
@@ -23,7 +23,7 @@
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 #include "tactile_net/sensing/array.hpp"
 
@@ -44,7 +44,8 @@ class DftTikhonov {
   /// @param options  unknowns, smoothing length and weights; dead taxels cannot be left out
   /// @throw std::invalid_argument  as `make_problem`; there are dead taxels; the tractions do
   ///                               not lie at the taxels
-  DftTikhonov(const SensorArray& array, const Material& material, const ProblemOptions& options);
+  DftTikhonov(const SensorArray& array, const Material& material,
+              const LineProblemOptions& options);
   ~DftTikhonov();
   DftTikhonov(DftTikhonov&&) noexcept;
   DftTikhonov& operator=(DftTikhonov&&) noexcept;

@@ -17,7 +17,7 @@ namespace tactile_net::report {
 [[nodiscard]] drawing::Files run_files(const lab::SkinExperiment& experiment);
 
 /// Of every cell, "normal_3_5" of row 3 and column 5, component after component.
-[[nodiscard]] std::vector<std::string> traction_columns(const SkinGrid& grid,
+[[nodiscard]] std::vector<std::string> traction_columns(const SurfaceGrid& grid,
                                                         std::size_t components);
 
 /// What one frame amounts to, each value with its deviation; NaN where there is none. Then whether

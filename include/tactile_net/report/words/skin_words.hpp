@@ -20,7 +20,7 @@ namespace tactile_net::report {
 /// One sentence per contact.
 [[nodiscard]] std::vector<std::string> contacts_in_words(const SkinScene& scene);
 /// "tractions of 12 x 12 cells of 1 mm x 1 mm, normal and tangential"
-[[nodiscard]] std::string grid_in_words(const SkinScene& scene, const SkinGrid& grid);
+[[nodiscard]] std::string grid_in_words(const SkinScene& scene, const SurfaceGrid& grid);
 
 /// What is to be said of the readings and their answer.
 [[nodiscard]] Sentences remarks_in_words(const lab::SkinExperiment& experiment);

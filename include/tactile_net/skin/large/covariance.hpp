@@ -68,7 +68,7 @@ class LargeSkinCovariance final : public CellCovariance {
   [[nodiscard]] std::vector<double> deviations() const override;
   /// Estimated as `deviations` are; a window that holds the cell of a dead taxel gets the deviation
   /// of the prior.
-  [[nodiscard]] std::vector<double> window_deviations(const SkinGrid& grid,
+  [[nodiscard]] std::vector<double> window_deviations(const SurfaceGrid& grid,
                                                       const CellWindow& window) const override;
   /// Error of `deviations`, measured by four to six solves at the nearest alphas that are a power
   /// of two from a size of the skin; alphas near these share the result.

@@ -29,7 +29,7 @@ class LargeSkinPart {
   /// @param reach    how far the part's taxels reach beyond the cells [m], >= 0
   /// @throw std::invalid_argument  as `make_large_skin_system`; there is no such cell
   LargeSkinPart(SkinArray skin, const Material& material, SkinProblemOptions options,
-                const SkinProblem& whole, std::span<const std::size_t> cells, double reach);
+                const LinearProblem& whole, std::span<const std::size_t> cells, double reach);
 
   [[nodiscard]] const std::shared_ptr<LargeSkinSystem>& system() const noexcept { return system_; }
   /// The part's readings among those of the whole. @pre  one value per reading of the whole
@@ -47,7 +47,7 @@ class LargeSkinPart {
   [[nodiscard]] ActiveFace face(const ActiveFace& whole) const;
 
  private:
-  SkinGrid whole_;
+  SurfaceGrid whole_;
   std::size_t first_row_ = 0, first_column_ = 0;  // of the part's cells
   std::vector<std::size_t> readings_{};           // where in the whole
   std::shared_ptr<LargeSkinSystem> system_{};

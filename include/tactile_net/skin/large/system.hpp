@@ -30,7 +30,7 @@ struct LargeSkinSystem;
     const SkinArray& skin, const Material& material, const SkinProblemOptions& options);
 
 /// The system's problem, without the kernel, which is empty.
-[[nodiscard]] const SkinProblem& problem_of(const LargeSkinSystem& system) noexcept;
+[[nodiscard]] const LinearProblem& problem_of(const LargeSkinSystem& system) noexcept;
 
 /// The system with these taxels dead as well.
 /// @pre  they are taxels of the skin

@@ -1,13 +1,13 @@
 /// @file
 /// The tractions of a large skin, by FFT and conjugate gradients (target tactile_net::spectral).
 ///
-/// The minimiser of skin/problem.hpp without its matrix, boundaries and dead taxels included:
-/// conjugate gradients on the stacked matrix [W K; sqrt(alpha) L] (CGLS: P is never formed), each
-/// product O(cells log cells), preconditioned by overlapping tiles of 16 x 16 to 24 x 24 cells, and
-/// where those are slow by a coarse space too: some 30 steps where a circulant inverse takes
-/// hundreds (docs/internals/skin.md). A step takes a product with K, one with its transposed, and a
-/// solve for each tile; with the coarse space four products instead of two. Taxels lie on the
-/// lattice of the cells, and offsets are known.
+/// The minimiser of inverse/linear_problem.hpp without its matrix, boundaries and dead taxels
+/// included: conjugate gradients on the stacked matrix [W K; sqrt(alpha) L] (CGLS: P is never
+/// formed), each product O(cells log cells), preconditioned by overlapping tiles of 16 x 16 to 24 x
+/// 24 cells, and where those are slow by a coarse space too: some 30 steps where a circulant
+/// inverse takes hundreds (docs/internals/skin.md). A step takes a product with K, one with its
+/// transposed, and a solve for each tile; with the coarse space four products instead of two.
+/// Taxels lie on the lattice of the cells, and offsets are known.
 #pragma once
 
 #include <cstddef>
@@ -66,7 +66,7 @@ class LargeSkinTikhonov {
   [[nodiscard]] double alpha() const noexcept;
 
   /// The solver's problem, without the kernel, which is empty.
-  [[nodiscard]] const SkinProblem& problem() const noexcept;
+  [[nodiscard]] const LinearProblem& problem() const noexcept;
 
   /// One frame. Uses buffers of its own: one object per thread.
   ///

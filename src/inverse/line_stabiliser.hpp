@@ -1,36 +1,40 @@
 /// @file
-/// The stabiliser of problem.hpp: of each traction L'L = h/D (l^2/h^2 Q + I), of the tangential one
-/// times its weight squared. Private.
+/// The stabiliser of linear_problem.hpp on a grid of one column, a line's: of each traction
+/// L'L = m (l^2/h^2 Q + I), bidiagonal. Private.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 
+#include "inverse/stabiliser_weight.hpp"
 #include "numeric/eigen.hpp"
-#include "tactile_net/inverse/problem.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
 
-/// What L of one traction is multiplied by. @param unknown  0: the normal one
-[[nodiscard]] constexpr double stabiliser_weight(std::size_t unknown,
-                                                 double tangential_weight) noexcept {
-  return unknown == 0 ? 1.0 : tangential_weight;
+/// @throw std::invalid_argument  the problem is a skin's: its grid has several columns
+inline void require_line(const LinearProblem& problem) {
+  if (problem.grid.columns != 1)
+    throw std::invalid_argument(
+        "this method is for lines, whose tractions lie in one column: solve a skin's "
+        "problem by the methods of tactile_net/skin");
 }
 
-/// The same for the traction that column i of K belongs to.
-[[nodiscard]] inline double stabiliser_weight(const InverseProblem& problem, Eigen::Index i) {
-  const auto unknown = static_cast<std::size_t>(i) / problem.surface.count;
-  return stabiliser_weight(unknown, problem.tangential_weight);
+/// What L of the traction that column i of K belongs to is multiplied by.
+[[nodiscard]] inline double stabiliser_weight(const LinearProblem& problem, Eigen::Index i) {
+  const auto component = static_cast<std::size_t>(i) / problem.grid.rows;
+  return stabiliser_weight(component, problem.tangential_weight);
 }
 
 /// What the size of each value counts for in L. Hats fall to 0 beyond the first and the last one
 /// of a traction: these slopes are values' own, too.
-[[nodiscard]] inline Eigen::VectorXd stabiliser_sizes(const InverseProblem& problem) {
-  const Surface& surface = problem.surface;
-  const auto block = static_cast<Eigen::Index>(surface.count);
-  const double size = std::sqrt(surface.area);
-  const double end = surface.basis == SurfaceBasis::hats
-                         ? size * std::hypot(1.0, problem.smoothing_length / surface.spacing)
+[[nodiscard]] inline Eigen::VectorXd stabiliser_sizes(const LinearProblem& problem) {
+  require_line(problem);
+  const auto block = static_cast<Eigen::Index>(problem.grid.rows);
+  const double size = std::sqrt(problem.measure);
+  const double end = problem.grid.boundary_y == Boundary::zero_beyond
+                         ? size * std::hypot(1.0, problem.smoothing_length / problem.grid.spacing_y)
                          : size;
   Eigen::VectorXd sizes(static_cast<Eigen::Index>(problem.kernel.columns));
   for (Eigen::Index i = 0; i < sizes.size(); ++i) {
@@ -42,10 +46,11 @@ namespace tactile_net {
 
 /// What the slope from each value to its right neighbour counts for in L; 0 for the last value of
 /// a traction, which has none.
-[[nodiscard]] inline Eigen::VectorXd stabiliser_slopes(const InverseProblem& problem) {
-  const Surface& surface = problem.surface;
-  const auto block = static_cast<Eigen::Index>(surface.count);
-  const double slope = std::sqrt(surface.area) * problem.smoothing_length / surface.spacing;
+[[nodiscard]] inline Eigen::VectorXd stabiliser_slopes(const LinearProblem& problem) {
+  require_line(problem);
+  const auto block = static_cast<Eigen::Index>(problem.grid.rows);
+  const double slope =
+      std::sqrt(problem.measure) * problem.smoothing_length / problem.grid.spacing_y;
   Eigen::VectorXd slopes(static_cast<Eigen::Index>(problem.kernel.columns));
   for (Eigen::Index i = 0; i < slopes.size(); ++i)
     slopes(i) = i % block + 1 == block ? 0.0 : slope * stabiliser_weight(problem, i);
@@ -53,22 +58,22 @@ namespace tactile_net {
 }
 
 /// Their squares, times alpha.
-[[nodiscard]] inline Eigen::VectorXd stabiliser_couplings(const InverseProblem& problem,
+[[nodiscard]] inline Eigen::VectorXd stabiliser_couplings(const LinearProblem& problem,
                                                           double alpha = 1.0) {
-  const Surface& surface = problem.surface;
-  const auto block = static_cast<Eigen::Index>(surface.count);
-  const double ratio = problem.smoothing_length / surface.spacing;
+  require_line(problem);
+  const auto block = static_cast<Eigen::Index>(problem.grid.rows);
+  const double ratio = problem.smoothing_length / problem.grid.spacing_y;
   Eigen::VectorXd couplings(static_cast<Eigen::Index>(problem.kernel.columns));
   for (Eigen::Index i = 0; i < couplings.size(); ++i) {
     const double weight = stabiliser_weight(problem, i);
-    const double coupling = alpha * surface.area * ratio * ratio * weight * weight;
+    const double coupling = alpha * problem.measure * ratio * ratio * weight * weight;
     couplings(i) = i % block + 1 == block ? 0.0 : coupling;
   }
   return couplings;
 }
 
 /// L itself, [slopes; diagonal of sizes], 2 n x n.
-[[nodiscard]] inline Eigen::MatrixXd stabiliser(const InverseProblem& problem) {
+[[nodiscard]] inline Eigen::MatrixXd stabiliser(const LinearProblem& problem) {
   const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
   const Eigen::VectorXd sizes = stabiliser_sizes(problem);
   const Eigen::VectorXd slopes = stabiliser_slopes(problem);
@@ -84,7 +89,7 @@ namespace tactile_net {
 
 /// The triangle R of L's QR, upper bidiagonal: R'R = L'L. Its pivots are sums of positive numbers,
 /// so that the squares lose nothing.
-[[nodiscard]] inline Eigen::MatrixXd stabiliser_triangle(const InverseProblem& problem) {
+[[nodiscard]] inline Eigen::MatrixXd stabiliser_triangle(const LinearProblem& problem) {
   const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
   const Eigen::VectorXd sizes = stabiliser_sizes(problem);
   const Eigen::VectorXd couplings = stabiliser_couplings(problem);
@@ -101,11 +106,11 @@ namespace tactile_net {
 }
 
 /// |L f|_2^2.
-[[nodiscard]] inline double stabiliser_square(const InverseProblem& problem,
+[[nodiscard]] inline double stabiliser_square(const LinearProblem& problem,
                                               const Eigen::Ref<const Eigen::VectorXd>& f) {
   const Eigen::VectorXd sizes = stabiliser_sizes(problem);
   const Eigen::VectorXd couplings = stabiliser_couplings(problem);
-  const auto n = static_cast<Eigen::Index>(problem.surface.count);
+  const auto n = static_cast<Eigen::Index>(problem.grid.rows);
   double sum = 0.0;
   for (Eigen::Index start = 0; start < f.size(); start += n)
     sum += sizes.segment(start, n).cwiseProduct(f.segment(start, n)).squaredNorm() +

@@ -1,5 +1,5 @@
 /// @file
-/// Sums over the windows around a skin's cells. Private.
+/// Sums over the windows around the values of a grid. Private.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/skin/cell_window.hpp"
-#include "tactile_net/skin/grid.hpp"
+#include "tactile_net/sensing/surface_grid.hpp"
 
 namespace tactile_net {
 
@@ -26,7 +25,8 @@ inline void window_sums(double* values, std::size_t count, std::size_t stride, s
 }
 
 /// In place, of one component's values.
-inline void window_sums(const SkinGrid& grid, const CellWindow& window, std::span<double> values) {
+inline void window_sums(const SurfaceGrid& grid, const CellWindow& window,
+                        std::span<double> values) {
   for (std::size_t row = 0; row < grid.rows; ++row)
     window_sums(values.data() + row * grid.columns, grid.columns, 1, window.columns);
   for (std::size_t column = 0; column < grid.columns; ++column)

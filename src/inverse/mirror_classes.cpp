@@ -1,4 +1,4 @@
-#include "skin/mirror.hpp"
+#include "inverse/mirror_classes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +17,8 @@ using Eigen::Index;
 /// Of each reading the one that a reflection makes of it; absent: not every one has its like.
 using Mirrors = std::optional<std::vector<std::size_t>>;
 
-Mirrors mirrors(const SkinProblem& problem, Axis along) {
-  const SkinGrid& grid = problem.grid;
+Mirrors mirrors(const LinearProblem& problem, Axis along) {
+  const SurfaceGrid& grid = problem.grid;
   const double spacing = along == Axis::y ? grid.spacing_y : grid.spacing_z;
   const double centre = along == Axis::y ? grid.centre_y : grid.centre_z;
   // Kernels change by a rounding where places do.
@@ -54,9 +54,9 @@ double parity(const Site& site, Axis along, bool normal_is_odd) {
   return is_odd(site.quantity, Traction::normal, along) != normal_is_odd ? -1.0 : 1.0;
 }
 
-SkinClass class_of(const SkinProblem& problem, const Mirrors& y, const Mirrors& z, bool odd_y,
-                   bool odd_z) {
-  SkinClass one;
+MirrorClass class_of(const LinearProblem& problem, const Mirrors& y, const Mirrors& z, bool odd_y,
+                     bool odd_z) {
+  MirrorClass one;
   std::vector<Eigen::Triplet<double>> entries;
   Index count = 0;
   for (std::size_t row = 0; row < problem.sites.size(); ++row) {
@@ -81,7 +81,7 @@ SkinClass class_of(const SkinProblem& problem, const Mirrors& y, const Mirrors& 
   one.readings.resize(count, static_cast<Index>(problem.sites.size()));
   one.readings.setFromTriplets(entries.begin(), entries.end());
 
-  const SkinGrid& grid = problem.grid;
+  const SurfaceGrid& grid = problem.grid;
   Index wave = 0;
   for (std::size_t u = 0; u < problem.components; ++u)
     for (std::size_t m = 0; m < grid.rows; ++m)
@@ -98,10 +98,10 @@ SkinClass class_of(const SkinProblem& problem, const Mirrors& y, const Mirrors& 
 
 }  // namespace
 
-std::vector<SkinClass> mirror_classes(const SkinProblem& problem) {
+std::vector<MirrorClass> mirror_classes(const LinearProblem& problem) {
   const Mirrors y = mirrors(problem, Axis::y);
   const Mirrors z = mirrors(problem, Axis::z);
-  std::vector<SkinClass> classes;
+  std::vector<MirrorClass> classes;
   for (const bool odd_y : {false, true})
     for (const bool odd_z : {false, true}) {
       if ((odd_y && !y) || (odd_z && !z)) continue;
@@ -111,8 +111,8 @@ std::vector<SkinClass> mirror_classes(const SkinProblem& problem) {
   return classes;
 }
 
-SkinClass whole_class(const SkinProblem& problem, Index coordinates) {
-  SkinClass whole;
+MirrorClass whole_class(const LinearProblem& problem, Index coordinates) {
+  MirrorClass whole;
   const auto rows = static_cast<Index>(problem.sites.size());
   whole.readings.resize(rows, rows);
   whole.readings.setIdentity();
