@@ -2,7 +2,7 @@
 // Prints what was planned, how a finger's grip on it turns to a slip, and what a frame takes.
 #include <chrono>
 #include <cstdio>
-#include <tactile_net/control/skin_planner.hpp>
+#include <tactile_net/control/planner.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
 #include <tactile_net/skin/forward.hpp>
 #include <tactile_net/skin/problem.hpp>
@@ -21,10 +21,8 @@ int main() {
   const LinearProblem problem = make_problem(skin, silicone);
 
   // Before the loop, everything that allocates, throws or takes long.
-  const SkinFamily family(problem);
-  const PlannedEstimator planned =
-      plan_estimator(problem, family, /*alpha*/ 1e-4,
-                     {.accuracy = 1e-7, .noise_rms = 10.0, .friction_coefficient = 0.6});
+  const PlannedEstimator planned = plan_estimator(
+      problem, /*alpha*/ 1e-4, {.accuracy = 1e-7, .noise_rms = 10.0, .friction_coefficient = 0.6});
   std::printf("%s", planned.why().c_str());
   ContactEstimator estimator(planned.plan);
   std::vector<double> tractions(estimator.tractions());

@@ -53,8 +53,7 @@ void latency(Floors& floors) {
   (void)pin_to_one_core();
   for (const auto& [size, components] : {std::pair{16U, 1U}, std::pair{16U, 3U}}) {
     const LinearProblem problem = square_problem(size, components);
-    const PlannedEstimator planned =
-        plan_estimator(problem, SkinFamily(problem), alpha, {.diagnostics = false});
+    const PlannedEstimator planned = plan_estimator(problem, alpha, {.diagnostics = false});
     ContactEstimator estimator(planned.plan);
     const Native native(make_native(planned.plan));
     const std::vector<double> readings = random_readings(estimator.readings());

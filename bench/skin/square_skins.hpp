@@ -9,7 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "tactile_net/control/skin_planner.hpp"
+#include "tactile_net/control/planner.hpp"
+#include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace bench {

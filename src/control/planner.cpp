@@ -1,81 +1,82 @@
 #include "tactile_net/control/planner.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "control/filled_readings.hpp"
+#include "control/plan_grids.hpp"
 #include "control/planner_parts.hpp"
 #include "control/product_planner.hpp"
 #include "inverse/weighting.hpp"
-#include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
-#include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net {
 namespace {
 
-/// Whether mirroring the array mirrors a channel (+1) or negates it too (-1), as its kernel for
-/// normal traction shows; a tangential traction turns round.
-std::vector<std::int8_t> channel_signs(const LinearProblem& problem) {
-  const auto kernel = as_eigen(problem.kernel);
-  const auto taxels = static_cast<Eigen::Index>(channel_length(problem));
-  const auto values = static_cast<Eigen::Index>(problem.grid.count());
-  std::vector<std::int8_t> signs;
-  for (Eigen::Index row = 0; row < kernel.rows(); row += taxels) {
-    const Eigen::MatrixXd block = kernel.block(row, 0, taxels, values);
-    signs.push_back(block.cwiseProduct(block.reverse()).sum() >= 0.0 ? 1 : -1);
-  }
-  return signs;
+/// What planning takes of a problem's solver, for one alpha. Nothing else here knows a solver.
+struct Solution {
+  Reconstruction inverse;
+  std::unique_ptr<const Covariance> covariance{};  // the posterior's, where it is asked for
+  const CellCovariance* of_cells = nullptr;        // the same, by a family
+};
+
+Solution solution_of(const SkinFamily& family, double alpha, bool with_covariance) {
+  Solution solution{.inverse = family.reconstruction(alpha)};
+  if (!with_covariance) return solution;
+  auto covariance = std::make_unique<const SkinCovariance>(family, alpha, alpha);
+  solution.of_cells = covariance.get();
+  solution.covariance = std::move(covariance);
+  return solution;
 }
 
-/// J W K J = W K but for rounding: no dead taxels, or those of mirror images.
-bool is_symmetric(const Eigen::MatrixXd& kernel, const GridBlocks& rows,
-                  const GridBlocks& columns) {
-  const auto m = static_cast<Eigen::Index>(rows.columns);
-  const auto n = static_cast<Eigen::Index>(columns.columns);
-  double squares = 0.0;
-  for (std::size_t i = 0; i < rows.signs_z.size(); ++i)
-    for (std::size_t j = 0; j < columns.signs_z.size(); ++j) {
-      const auto block =
-          kernel.block(static_cast<Eigen::Index>(i) * m, static_cast<Eigen::Index>(j) * n, m, n);
-      const double sign = rows.signs_z[i] * columns.signs_z[j];
-      squares += (block - sign * block.reverse()).squaredNorm();
-    }
-  return std::sqrt(squares) <= 1e-12 * kernel.norm();
+Solution solution_of(const LinearProblem& problem, double alpha, bool with_covariance) {
+  if (!is_line(problem)) return solution_of(SkinFamily(problem), alpha, with_covariance);
+  Solution solution{.inverse = tikhonov(problem, alpha)};
+  if (with_covariance)
+    solution.covariance = std::make_unique<const TractionCovariance>(problem, alpha, alpha);
+  return solution;
 }
 
-/// The weight of each channel (`channel_length`), on all of its readings: dead taxels have rows of
-/// zeros anyway.
-Eigen::VectorXd line_weights(const LinearProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(channel_length(problem));
-  Eigen::VectorXd weights = as_eigen(std::span(problem.weights));
-  for (Eigen::Index row = 0; row < weights.size(); row += n) {
-    const double largest = weights.segment(row, n).maxCoeff();
-    weights.segment(row, n).setConstant(largest > 0.0 ? largest : 1.0);
-  }
-  return weights;
-}
-
-/// A convolution takes a line of values to one of as many.
+/// Structure fft is for lines alone, whose values a convolution takes to as many: a skin has two
+/// reflections, and up to 32 x 32 taxels its classes are cheaper than a transform in two
+/// dimensions.
 bool can_be_convolution(const LinearProblem& problem) {
-  return problem.grid.count() == problem.taxels && problem.grid.stride_rows == 1;
+  return is_line(problem) && problem.grid.count() == problem.taxels &&
+         problem.grid.stride_rows == 1;
+}
+
+void check_convolution(const LinearProblem& problem, const PlannerOptions& options) {
+  if (options.structure != Structure::fft || can_be_convolution(problem)) return;
+  throw std::invalid_argument(
+      is_line(problem) ? "structure fft needs the tractions at the taxels: surface = \"taxels\""
+                       : "structure fft is of line arrays: a skin has reflections");
 }
 
 /// M W^-1: from weighted readings to tractions.
+Eigen::MatrixXd of_weighted(const Reconstruction& inverse, const Eigen::VectorXd& weights) {
+  return as_eigen(inverse.transposed()).transpose() * weights.cwiseInverse().asDiagonal();
+}
+
 ProductTask reconstruction_task(const LinearProblem& problem, const Reconstruction& inverse,
                                 const PlannerOptions& options) {
-  const Eigen::MatrixXd kernel = as_eigen(problem.kernel);  // W K
   ProductTask task;
-  task.column_factors = line_weights(problem);
-  task.matrix =
-      as_eigen(inverse.transposed()).transpose() * task.column_factors.cwiseInverse().asDiagonal();
+  task.column_factors = channel_weights(problem);
+  task.matrix = of_weighted(inverse, task.column_factors);
   task.row_factors = Eigen::VectorXd::Ones(task.matrix.rows());
-  task.row_grid = line_blocks(problem.grid.count(), {1});
-  if (problem.components == 2) task.row_grid = line_blocks(problem.grid.count(), {1, -1});
-  task.column_grid = line_blocks(channel_length(problem), channel_signs(problem));
-  task.symmetric = is_symmetric(kernel, task.column_grid, task.row_grid);
-  task.explained = kernel;
+  task.row_grid = traction_grid(problem);
+  task.column_grid = reading_grid(problem);
+  task.symmetric = task.column_grid.size() > 0;
+  if (!task.symmetric) task.row_grid = {};
+  if (task.row_grid.partners.empty()) task.column_grid.partners.clear();
+  if (task.column_grid.partners.empty()) task.row_grid.partners.clear();
+  task.explained = as_eigen(problem.kernel);
   task.accuracy = options.accuracy;
   task.structure = options.structure;
   task.precision = options.precision;
@@ -85,12 +86,46 @@ ProductTask reconstruction_task(const LinearProblem& problem, const Reconstructi
   return task;
 }
 
+/// Fewer are missing among the independent ones where offsets are unknown: these take some.
+std::size_t dead_readings(const LinearProblem& problem) {
+  return static_cast<std::size_t>(std::count(problem.weights.begin(), problem.weights.end(), 0.0));
+}
+
+/// Whether dead taxels are what keeps M from being symmetric: some that are each other's mirror
+/// images do not.
+bool is_spoilt(const ProductTask& task, const LinearProblem& problem) {
+  return task.symmetric && dead_readings(problem) > 0 && !is_symmetric(task);
+}
+
+/// Turns a task into one of the whole, on readings that are filled in.
+/// @param weights  of each reading, as if its taxel lived
+void fill_in(ProductTask& task, const LinearProblem& problem, const LinearProblem& whole,
+             double alpha, const Eigen::VectorXd& weights) {
+  task.fill = filled_readings(problem, whole, task.matrix, weights);
+  task.filled = dead_readings(problem);
+  task.target =
+      std::exchange(task.matrix, of_weighted(solution_of(whole, alpha, false).inverse, weights));
+}
+
 /// W K M W^-1, eigenvalues in [0, 1): the readings that the tractions explain, and the constants
-/// where they are free.
-ProductTask prediction_task(const ProductTask& reconstruction, const Weighting& weighting) {
+/// where they are free; of what is filled in too.
+///
+/// @param problem  the whole where readings are filled in
+/// @param filled   readings that are filled in for it alone
+ProductTask prediction_task(const ProductTask& reconstruction, const LinearProblem& problem,
+                            std::size_t filled) {
+  const Eigen::MatrixXd kernel = as_eigen(problem.kernel);
+  const Weighting weighting(problem);
+  const Eigen::MatrixXd& constants = weighting.constants();
   ProductTask task;
-  task.matrix = reconstruction.explained * reconstruction.matrix +
-                weighting.constants() * weighting.constants().transpose();
+  task.matrix = kernel * reconstruction.matrix;
+  if (problem.unknown_offsets) task.matrix += constants * constants.transpose();
+  if (reconstruction.fill.size() > 0) {
+    task.fill = reconstruction.fill;
+    task.filled = filled;
+    task.target = kernel * reconstruction.target;
+    if (problem.unknown_offsets) task.target += constants * (constants.transpose() * task.fill);
+  }
   task.row_factors = reconstruction.column_factors.cwiseInverse();
   task.column_factors = reconstruction.column_factors;
   task.row_grid = reconstruction.column_grid;
@@ -102,15 +137,41 @@ ProductTask prediction_task(const ProductTask& reconstruction, const Weighting& 
   return task;
 }
 
-/// Of the normal force h sum f_v, per unit of noise: the posterior's.
-double force_deviation(const LinearProblem& problem, double alpha) {
-  std::vector<double> sum(problem.kernel.columns);
-  std::fill_n(sum.begin(), problem.grid.count(), problem.grid.spacing_y);
-  return TractionCovariance(problem, alpha, alpha).deviation(sum);
+/// Limits by which frames are judged, where the noise is known.
+void take_noise(EstimatorPlan& plan, const LinearProblem& problem, const Solution& solution,
+                const PlannerOptions& options) {
+  std::vector<double> sum(plan.tractions());
+  std::fill_n(sum.begin(), plan.values, problem.grid.area());
+  plan.force_deviation = options.noise_rms * solution.covariance->deviation(sum);
+  if (options.diagnostics)
+    plan.residual_limit =
+        options.noise_rms * noise_limit(problem.weights, independent_readings(problem));
+  if (plan.cells) add_deviations(*plan.cells, problem, *solution.of_cells, options.noise_rms);
+}
+
+/// Sizes and places of readings and tractions.
+EstimatorPlan plan_without_products(const LinearProblem& problem) {
+  EstimatorPlan plan;
+  plan.count = problem.taxels;
+  plan.channels = problem.sites.back().channel + 1;
+  plan.taxels = taxels_of_readings(problem);
+  plan.unknowns = problem.components;
+  plan.values = problem.grid.count();
+  plan.weights = problem.weights;
+  if (is_line(problem)) {
+    plan.spacing = problem.grid.spacing_y;
+    plan.centre = problem.grid.centre_y;
+    return plan;
+  }
+  plan.cells = plan_cells(problem);
+  plan.spacing = std::sqrt(plan.cells->area());
+  plan.unjudged = edge_taxels(problem);
+  return plan;
 }
 
 std::string why_no_fft(const LinearProblem& problem, const ProductTask& task,
                        const PlannedProduct& planned) {
+  if (!is_line(problem)) return {};
   if (!can_be_convolution(problem))
     return "the surface has values between the taxels or beyond them";
   if (!task.allow_fft)
@@ -123,50 +184,76 @@ std::string why_no_fft(const LinearProblem& problem, const ProductTask& task,
   return {};
 }
 
-}  // namespace
-
-PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
-                                const PlannerOptions& options) {
+void check_plan_input(const LinearProblem& problem, const PlannerOptions& options,
+                      const LinearProblem* whole) {
   check(options, problem.weights.size());
-  if (options.structure == Structure::fft && !can_be_convolution(problem))
-    throw std::invalid_argument(
-        "structure fft needs the tractions at the taxels: surface = \"taxels\"");
+  check_convolution(problem, options);
+  if (whole != nullptr &&
+      (whole->kernel.rows != problem.kernel.rows ||
+       whole->kernel.columns != problem.kernel.columns ||
+       whole->unknown_offsets != problem.unknown_offsets || dead_readings(*whole) > 0))
+    throw std::invalid_argument("the whole is of another problem, or has dead taxels");
+}
 
-  ProductTask task = reconstruction_task(problem, tikhonov(problem, alpha), options);
-  if (options.calibration) take_raw(task, *options.calibration, channel_length(problem));
+PlannedEstimator planned_estimator(const LinearProblem& problem, const Solution& solution,
+                                   double alpha, const PlannerOptions& options,
+                                   const LinearProblem* whole) {
+  ProductTask task = reconstruction_task(problem, solution.inverse, options);
+  const Eigen::VectorXd weights = task.column_factors;
+  if (options.calibration) take_raw(task, *options.calibration, problem.sites);
+  const bool fills = whole != nullptr && is_spoilt(task, problem);
+  if (fills) fill_in(task, problem, *whole, alpha, weights);
+
   PlannedProduct reconstruction = plan_product(task);
-  PlannedEstimator planned{.candidates = std::move(reconstruction.candidates),
+  PlannedEstimator planned{.plan = plan_without_products(problem),
+                           .candidates = std::move(reconstruction.candidates),
                            .asymmetry = reconstruction.asymmetry,
                            .without_fft = why_no_fft(problem, task, reconstruction)};
   EstimatorPlan& plan = planned.plan;
-  plan.count = problem.taxels;
-  plan.channels = problem.sites.back().channel + 1;
-  if (plan.readings() != problem.sites.size() || channel_length(problem) != problem.taxels)
-    for (const Site& site : problem.sites)
-      plan.taxels.push_back(static_cast<std::uint32_t>(site.taxel));
-  plan.unknowns = problem.components;
-  plan.values = problem.grid.count();
-  plan.spacing = problem.grid.spacing_y;
-  plan.centre = problem.grid.centre_y;
   plan.alpha = alpha;
   plan.reconstruction = std::move(reconstruction.plan);
-  plan.weights = problem.weights;
+  bool folds = has_reflections(plan.reconstruction.structure);
   take_options(planned, options, problem.unknown_offsets);
-  if (options.noise_rms > 0.0) {
-    plan.force_deviation = options.noise_rms * force_deviation(problem, alpha);
-    if (options.diagnostics)
-      plan.residual_limit =
-          options.noise_rms *
-          noise_limit(plan.weights, static_cast<std::size_t>(Weighting(problem).rows()));
-  }
-
+  if (options.noise_rms > 0.0) take_noise(plan, problem, solution, options);
   if (options.diagnostics) {
-    const ProductTask prediction = prediction_task(task, Weighting(problem));
+    const ProductTask prediction =
+        prediction_task(task, fills ? *whole : problem, folds ? 0 : task.filled);
+    plan.leverages = leverages_of(fills ? prediction.target : prediction.matrix);
     plan.prediction = plan_product(prediction).plan;
-    plan.leverages = leverages_of(prediction.matrix);
+    folds = folds || has_reflections(plan.prediction->structure);
   }
+  if (fills && folds) plan.fill = fill_factor(problem, task.fill, task.column_factors);
   check(plan);
   return planned;
+}
+
+}  // namespace
+
+double planning_bytes(std::size_t readings, std::size_t tractions) noexcept {
+  const auto m = static_cast<double>(readings);
+  const auto n = static_cast<double>(tractions);
+  // K and its coordinates, the family's factors, M three times, its classes twice over; and of the
+  // prediction alike: 477 MB for 24 x 24 taxels that read three stresses, of which this says 492.
+  return 8.0 * (10.0 * m * n + 7.0 * m * m);
+}
+
+PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
+                                const PlannerOptions& options, const LinearProblem* whole) {
+  check_plan_input(problem, options, whole);
+  return planned_estimator(problem, solution_of(problem, alpha, options.noise_rms > 0.0), alpha,
+                           options, whole);
+}
+
+PlannedEstimator plan_estimator(const LinearProblem& problem, const SkinFamily& family,
+                                double alpha, const PlannerOptions& options,
+                                const LinearProblem* whole) {
+  check_plan_input(problem, options, whole);
+  if (family.factors() == nullptr ||
+      family.analyse(std::vector<double>(problem.weights.size())).rows !=
+          independent_readings(problem))
+    throw std::invalid_argument("the family is of another problem");
+  return planned_estimator(problem, solution_of(family, alpha, options.noise_rms > 0.0), alpha,
+                           options, whole);
 }
 
 std::string PlannedEstimator::why() const {

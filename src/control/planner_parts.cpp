@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <stdexcept>
-#include <string>
+#include <utility>
 
 #include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
@@ -12,10 +12,10 @@
 namespace tactile_net {
 namespace {
 
-/// Whether all readings of each channel have one gain.
-bool is_constant_in_channels(const std::vector<double>& gain, std::size_t count) {
-  for (std::size_t i = 0; i < gain.size(); ++i)
-    if (gain[i] != gain[i - i % count]) return false;
+/// Whether all readings of each channel, which follow one another, have one gain.
+bool is_constant_in_channels(const std::vector<double>& gain, std::span<const Site> sites) {
+  for (std::size_t i = 1; i < gain.size(); ++i)
+    if (sites[i].channel == sites[i - 1].channel && gain[i] != gain[i - 1]) return false;
   return true;
 }
 
@@ -29,6 +29,12 @@ std::vector<double> raw_baseline(const Calibration& calibration) {
   return result;
 }
 
+double least_depth(const LinearProblem& problem) {
+  double depth = problem.sites.front().depth;
+  for (const Site& site : problem.sites) depth = std::min(depth, site.depth);
+  return depth;
+}
+
 }  // namespace
 
 void check(const PlannerOptions& options, std::size_t readings) {
@@ -37,35 +43,35 @@ void check(const PlannerOptions& options, std::size_t readings) {
   if (options.calibration) check(*options.calibration, readings);
 }
 
-void check_structure(const ProductTask& task, bool symmetric) {
-  if (!task.structure) return;
-  if (has_reflections(*task.structure) && !symmetric)
-    throw std::invalid_argument(
-        "the array is not mirror symmetric (dead or uneven taxels, gains?): " +
-        std::string(name(*task.structure)) + " cannot be used");
-  if (task.structure == Structure::fft && task.precision == Precision::float32)
-    throw std::invalid_argument("fft has precision float64 only");
-}
-
-bool low_rank_pays(const std::vector<Candidate>& tried) {
-  const auto cost_of = [&](Structure structure) {
-    double cost = std::numeric_limits<double>::infinity();
-    for (const Candidate& candidate : tried)
-      if (candidate.structure == structure && !candidate.exchanged)
-        cost = std::min(cost, candidate.cost);
-    return cost;
-  };
-  return cost_of(Structure::reflections_low_rank) < cost_of(Structure::reflections);
-}
-
-bool is_better(const Candidate& one, const Candidate& other) {
-  if (one.accurate != other.accurate) return one.accurate;
-  return one.accurate ? one.cost < other.cost : one.error_bound < other.error_bound;
-}
-
-void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count) {
+void take_raw(ProductTask& task, const Calibration& calibration, std::span<const Site> sites) {
   task.column_factors.array() *= as_eigen(std::span(calibration.gain)).array();
-  task.symmetric = task.symmetric && is_constant_in_channels(calibration.gain, count);
+  task.symmetric = task.symmetric && is_constant_in_channels(calibration.gain, sites);
+}
+
+Eigen::VectorXd channel_weights(const LinearProblem& problem) {
+  std::vector<double> largest(problem.sites.back().channel + 1);
+  for (std::size_t i = 0; i < problem.sites.size(); ++i) {
+    double& weight = largest[problem.sites[i].channel];
+    weight = std::max(weight, problem.weights[i]);
+  }
+  Eigen::VectorXd weights(std::ssize(problem.sites));
+  for (std::size_t i = 0; i < problem.sites.size(); ++i) {
+    const double weight = largest[problem.sites[i].channel];
+    weights(static_cast<Eigen::Index>(i)) = weight > 0.0 ? weight : 1.0;
+  }
+  return weights;
+}
+
+std::vector<std::uint32_t> taxels_of_readings(const LinearProblem& problem) {
+  const std::size_t channels = problem.sites.back().channel + 1;
+  bool in_order = problem.sites.size() == channels * problem.taxels;
+  std::vector<std::uint32_t> taxels;
+  for (std::size_t i = 0; i < problem.sites.size(); ++i) {
+    taxels.push_back(static_cast<std::uint32_t>(problem.sites[i].taxel));
+    in_order = in_order && problem.sites[i].taxel == i % problem.taxels;
+  }
+  if (in_order) taxels.clear();
+  return taxels;
 }
 
 void take_options(PlannedEstimator& planned, const PlannerOptions& options, bool unknown_offsets) {
@@ -102,6 +108,64 @@ double noise_limit(const std::vector<double>& weights, std::size_t degrees) {
   const auto live = static_cast<double>(
       std::count_if(weights.begin(), weights.end(), [](double weight) { return weight > 0.0; }));
   return std::sqrt(chi_squared_quantile(static_cast<double>(degrees), 1e-3) / live);
+}
+
+PlanCells plan_cells(const LinearProblem& problem) {
+  const SurfaceGrid& grid = problem.grid;
+  const double depth = least_depth(problem);
+  const auto rim = [&](double spacing) {
+    return static_cast<std::size_t>(std::lround(std::min(0.5 * depth / spacing, 1e6)));
+  };
+  return {.rows = grid.rows,
+          .columns = grid.columns,
+          .spacing_y = grid.spacing_y,
+          .spacing_z = grid.spacing_z,
+          .centre_y = grid.centre_y,
+          .centre_z = grid.centre_z,
+          .rim_rows = rim(grid.spacing_y),
+          .rim_columns = rim(grid.spacing_z)};
+}
+
+void add_deviations(PlanCells& cells, const LinearProblem& problem,
+                    const CellCovariance& covariance, double noise_rms) {
+  const CellWindow window = window_of(problem.grid, least_depth(problem));
+  cells.window_rows = window.rows;
+  cells.window_columns = window.columns;
+  cells.deviations = covariance.deviations();
+  cells.deviations.resize(problem.grid.count());
+  cells.window_deviations = covariance.window_deviations(problem.grid, window);
+  for (std::vector<double>* deviations : {&cells.deviations, &cells.window_deviations})
+    for (double& deviation : *deviations) deviation *= noise_rms;
+}
+
+std::vector<std::uint32_t> edge_taxels(const LinearProblem& problem) {
+  struct Place {
+    double y = 0.0, z = 0.0;
+  };
+  std::vector<Place> places(problem.taxels);
+  for (const Site& site : problem.sites) places[site.taxel] = {site.y, site.z};
+  std::vector<std::uint32_t> edge;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    std::vector<std::pair<double, double>> others;  // distance, direction
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const double y = places[k].y - places[i].y;
+      const double z = places[k].z - places[i].z;
+      if (y != 0.0 || z != 0.0) others.emplace_back(std::hypot(y, z), std::atan2(z, y));
+    }
+    const auto near = others.begin() + std::min<std::ptrdiff_t>(12, std::ssize(others));
+    std::partial_sort(others.begin(), near, others.end());
+    std::vector<double> directions;
+    for (auto other = others.begin(); other != near; ++other) directions.push_back(other->second);
+    std::sort(directions.begin(), directions.end());
+    double gap = 2.0 * std::numbers::pi;
+    if (!directions.empty()) {
+      gap -= directions.back() - directions.front();
+      for (std::size_t k = 1; k < directions.size(); ++k)
+        gap = std::max(gap, directions[k] - directions[k - 1]);
+    }
+    if (gap > 0.95 * std::numbers::pi) edge.push_back(static_cast<std::uint32_t>(i));
+  }
+  return edge;
 }
 
 }  // namespace tactile_net

@@ -1,36 +1,36 @@
 /// @file
-/// What planning for lines and for skins has in common. Private.
+/// What a plan has beside its products, and what it takes from options. Private.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "control/product_planner.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
+#include "tactile_net/skin/cell_window.hpp"
 
 namespace tactile_net {
 
 /// @throw std::invalid_argument  accuracy is not > 0 and finite, a calibration of other readings
 void check(const PlannerOptions& options, std::size_t readings);
 
-/// @param symmetric  the task's matrix falls into classes
-/// @throw std::invalid_argument  a structure is asked for that it does not have
-void check_structure(const ProductTask& task, bool symmetric);
-
-/// True if low rank paid in the candidates without the exchange of y and z: two factors for each
-/// class cost less than one. It then pays with the exchange too, since the ranks are the same.
-[[nodiscard]] bool low_rank_pays(const std::vector<Candidate>& tried);
-
-/// An accurate candidate before one that is not; of accurate ones the cheaper, else the one that
-/// errs less.
-[[nodiscard]] bool is_better(const Candidate& one, const Candidate& other);
-
 /// Turns a task for readings g into one for raw numbers r = g / gain + ...: the rows of K become K
 /// / gain and their weights W gain, so that W K and the tractions stay as they are.
 ///
-/// @param count  readings of a channel, which have to have one gain for the array to be symmetric
-void take_raw(ProductTask& task, const Calibration& calibration, std::size_t count);
+/// @param sites  of the readings: those of a channel have to have one gain for the array to be
+///               symmetric
+void take_raw(ProductTask& task, const Calibration& calibration, std::span<const Site> sites);
+
+/// The weight that a channel's readings have where its taxels live, on all of its readings: 1 where
+/// all are dead, whose rows are zeros anyway.
+[[nodiscard]] Eigen::VectorXd channel_weights(const LinearProblem& problem);
+
+/// The taxel of each reading; empty where every channel reads all taxels in their order.
+[[nodiscard]] std::vector<std::uint32_t> taxels_of_readings(const LinearProblem& problem);
 
 /// Fills in what the options say of a plan. Call it after the reconstruction and the weights are
 /// set.
@@ -46,5 +46,18 @@ void take_options(PlannedEstimator& planned, const PlannerOptions& options, bool
 ///
 /// @param degrees  independent readings
 [[nodiscard]] double noise_limit(const std::vector<double>& weights, std::size_t degrees);
+
+// Of skins alone: cells, in which a controller looks for what touches, and taxels at the edge. A
+// line has two ends, which its controller knows by their indices.
+
+/// Without deviations.
+[[nodiscard]] PlanCells plan_cells(const LinearProblem& problem);
+
+/// Deviations of cells and windows, by which a controller tells cells that touch from empty ones.
+void add_deviations(PlanCells& cells, const LinearProblem& problem,
+                    const CellCovariance& covariance, double noise_rms);
+
+/// Taxels that have none of their twelve nearest beyond them in some direction.
+[[nodiscard]] std::vector<std::uint32_t> edge_taxels(const LinearProblem& problem);
 
 }  // namespace tactile_net

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "control/circulant.hpp"
 #include "control/class_factors.hpp"
 #include "control/grid_classes.hpp"
-#include "control/planner_parts.hpp"
 #include "numeric/decompositions.hpp"
 
 namespace tactile_net {
@@ -41,6 +41,29 @@ double transform_rounding(std::size_t size) {
   return 2.0 * eta * std::log2(2.0 * static_cast<double>(size));
 }
 
+void check_structure(const ProductTask& task, bool symmetric) {
+  if (!task.structure) return;
+  if (has_reflections(*task.structure) && !symmetric)
+    throw std::invalid_argument(
+        "the array is not mirror symmetric (dead or uneven taxels, gains?): " +
+        std::string(name(*task.structure)) + " cannot be used");
+  if (task.structure == Structure::fft && task.precision == Precision::float32)
+    throw std::invalid_argument("fft has precision float64 only");
+}
+
+/// True if low rank paid in the candidates without the exchange of y and z: two factors for each
+/// class cost less than one. It then pays with the exchange too, since the ranks are the same.
+bool low_rank_pays(const std::vector<Candidate>& tried) {
+  const auto cost_of = [&](Structure structure) {
+    double cost = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : tried)
+      if (candidate.structure == structure && !candidate.exchanged)
+        cost = std::min(cost, candidate.cost);
+    return cost;
+  };
+  return cost_of(Structure::reflections_low_rank) < cost_of(Structure::reflections);
+}
+
 class Planner {
  public:
   explicit Planner(const ProductTask& task) : task_(task) {
@@ -48,7 +71,10 @@ class Planner {
     norm_ = norm_from_below(target);
     explained_norm_ = norm_bound(task.explained);
     whole_.push_back({target, task.row_factors, task.column_factors, task.explained});
-    if (task.row_grid.size() > 0) part_grid();
+    if (task.row_grid.size() > 0)
+      part_grid();
+    else
+      asymmetry_ = target.norm();  // no classes give anything of it
   }
 
   PlannedProduct plan() {
@@ -113,8 +139,7 @@ class Planner {
   void part_grid() {
     GridBlocks rows = task_.row_grid;
     GridBlocks columns = task_.column_grid;
-    if (!rows.partners.empty() && !columns.partners.empty())
-      exchanged_ = symmetric_classes(rows, columns, exchanged_asymmetry_);
+    if (!rows.partners.empty()) exchanged_ = symmetric_classes(rows, columns, exchanged_asymmetry_);
     rows.partners.clear();
     columns.partners.clear();
     classes_ = symmetric_classes(rows, columns, asymmetry_);
@@ -188,9 +213,18 @@ class Planner {
 
   [[nodiscard]] double rounding_of(const Circulant& circulant) const {
     const double there = transform_rounding(circulant.size);
-    // Two transforms; spectrum, scaling, product, sums over blocks and with the correction.
-    return circulant.norm * (2.0 * there + there * there +
-                             rounding(Precision::float64, 3 + task_.column_grid.signs_z.size()));
+    // Two transforms; spectrum, scaling, product, sums over blocks and with the correction; and
+    // where readings are filled in those sums.
+    return circulant.norm * fill_norm_ *
+           (2.0 * there + there * there +
+            rounding(Precision::float64, 3 + task_.column_grid.signs_z.size()) + fill_rounding());
+  }
+
+  /// Of the sums that fill readings in, over the largest of them.
+  [[nodiscard]] double fill_rounding() const {
+    return task_.fill.size() > 0
+               ? rounding(Precision::float64, static_cast<std::size_t>(task_.fill.cols()))
+               : 0.0;
   }
 
   [[nodiscard]] double cost_of(const Circulant& circulant) const {
@@ -311,12 +345,7 @@ class Planner {
     const double more = is_line() ? 0.0
                                   : static_cast<double>(folded_places) /
                                         static_cast<double>(columns > 0 ? columns + 3 : 1);
-    const double of_fill =
-        task_.fill.size() > 0
-            ? rounding(Precision::float64, static_cast<std::size_t>(task_.fill.cols())) /
-                  rounding(precision, 1)
-            : 0.0;
-    return factors * (1.0 + more + of_fill) * fill_norm_;
+    return factors * (1.0 + more + fill_rounding() / rounding(precision, 1)) * fill_norm_;
   }
 
   /// Smallest rank, at least 1, whose discarded part leaves a tenth of the accuracy for rounding.
@@ -350,6 +379,19 @@ class Planner {
 };
 
 }  // namespace
+
+bool is_better(const Candidate& one, const Candidate& other) {
+  if (one.accurate != other.accurate) return one.accurate;
+  return one.accurate ? one.cost < other.cost : one.error_bound < other.error_bound;
+}
+
+bool is_symmetric(const ProductTask& task) {
+  const ProductTask alone{.matrix = task.matrix,
+                          .row_factors = task.row_factors,
+                          .column_factors = task.column_factors};
+  return grid_classes_of(alone, task.row_grid, task.column_grid).asymmetry <=
+         largest_asymmetry * norm_from_below(task.matrix);
+}
 
 PlannedProduct plan_product(const ProductTask& task) { return Planner(task).plan(); }
 

@@ -25,13 +25,21 @@ struct ProductTask {
   bool allow_fft = false;
   bool all_candidates = false;
 
-  // Of skins.
-  /// Where readings are left out: `matrix` is the whole skin's, this is A without them, and `fill`
-  /// what they are taken to read, times all readings (theirs count as 0): target = matrix fill.
+  /// Where readings are left out: `matrix` is the whole sensor's, this is A without them, and
+  /// `fill` what they are taken to read, times all readings (theirs count as 0):
+  /// target = matrix fill.
   Eigen::MatrixXd target{};
   Eigen::MatrixXd fill{};  ///< columns x columns
   std::size_t filled = 0;  ///< readings that are left out, whose fill this product pays for
 };
+
+/// True if the matrix falls into the classes that its grids have, but for rounding.
+/// @pre  it has grids
+[[nodiscard]] bool is_symmetric(const ProductTask& task);
+
+/// An accurate candidate before one that is not; of accurate ones the cheaper, else the one that
+/// errs less.
+[[nodiscard]] bool is_better(const Candidate& one, const Candidate& other);
 
 struct PlannedProduct {
   ProductPlan plan{};

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "lab/border.hpp"
-#include "tactile_net/control/skin_planner.hpp"
+#include "tactile_net/control/planner.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
@@ -129,12 +130,9 @@ void refuse_estimated_weight(const auto& problem) {
         "state it");
 }
 
-}  // namespace
-
-PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
-                                  PlannerOptions options) {
-  const Scene& scene = problem.scene();
-  refuse_estimated_weight(problem);
+/// With what options leave open taken from the scene.
+PlannerOptions completed(const auto& problem, PlannerOptions options) {
+  const auto& scene = problem.scene();
   options.traction_limit = scene.material.youngs_modulus;
   options.noise_rms = problem.stated_noise().value_or(0.0);
   if (!options.friction_coefficient)
@@ -144,10 +142,28 @@ PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& 
   options.label = scene.title.empty() ? scene.file : scene.title;
   options.judge_baseline = true;
   options.border = problem.border();
+  return options;
+}
+
+/// @param family  the problem's, of a skin
+PlannedController controller_of(const auto& problem, const PlanAlpha& alpha,
+                                const PlannerOptions& given, const auto&... family) {
+  const PlannerOptions options = completed(problem, given);
+  std::optional<std::decay_t<decltype(problem)>> whole;
+  if (!problem.scene().dead_taxels.empty()) whole = problem.without({});
   return {.alpha = alpha,
-          .estimator = plan_estimator(problem.problem(), alpha.value, options),
+          .estimator = plan_estimator(problem.problem(), family..., alpha.value, options,
+                                      whole ? &whole->problem() : nullptr),
           .for_raw_numbers = options.calibration.has_value(),
           .needs_baseline = options.calibration && options.calibration->baseline_frames};
+}
+
+}  // namespace
+
+PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
+                                  const PlannerOptions& options) {
+  refuse_estimated_weight(problem);
+  return controller_of(problem, alpha, options);
 }
 
 void check_memory(const SkinScene& scene, double memory) {
@@ -163,26 +179,10 @@ void check_memory(const SkinScene& scene, double memory) {
 }
 
 PlannedController plan_controller(const SkinSceneProblem& problem, const PlanAlpha& alpha,
-                                  PlannerOptions options) {
-  const SkinScene& scene = problem.scene();
+                                  const PlannerOptions& options) {
   refuse_estimated_weight(problem);
-  check_memory(scene, available_memory());
-  options.traction_limit = scene.material.youngs_modulus;
-  options.noise_rms = problem.stated_noise().value_or(0.0);
-  if (!options.friction_coefficient)
-    options.friction_coefficient = scene.reconstruct.friction_limit;
-  if (!options.calibration) options.calibration = scene.calibration;
-  if (scene.quantization) options.ranges = ranges_of(scene, options.calibration);
-  options.label = scene.title.empty() ? scene.file : scene.title;
-  options.judge_baseline = true;
-  options.border = problem.border();
-  std::optional<SkinSceneProblem> whole;
-  if (!scene.dead_taxels.empty()) whole = problem.without({});
-  return {.alpha = alpha,
-          .estimator = plan_estimator(problem.problem(), problem.family(), alpha.value, options,
-                                      whole ? &whole->problem() : nullptr),
-          .for_raw_numbers = options.calibration.has_value(),
-          .needs_baseline = options.calibration && options.calibration->baseline_frames};
+  check_memory(problem.scene(), available_memory());
+  return controller_of(problem, alpha, options, problem.family());
 }
 
 namespace {

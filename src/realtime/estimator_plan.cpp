@@ -92,8 +92,7 @@ void check(const EstimatorPlan& plan) {
   require(skin || plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
   require(plan.values >= (skin ? 1 : 2) && plan.values < most, "values must be >= 2");
   if (skin) check_skin(plan);
-  require(skin || (plan.unjudged.empty() && !plan.fill),
-          "unjudged taxels and what dead taxels read are of skins alone");
+  require(skin || plan.unjudged.empty(), "unjudged taxels are of skins alone");
   require(!skin || (plan.reconstruction.structure != Structure::fft &&
                     !(plan.prediction && plan.prediction->structure == Structure::fft)),
           "fft is of lines alone");

@@ -98,6 +98,10 @@ class Writer {
     size(cells.rim_rows);
     size(cells.rim_columns);
   }
+  void fill(const Factor& factor) {
+    size(factor.rows);
+    numbers(factor.values);
+  }
   [[nodiscard]] std::vector<std::byte>& bytes() noexcept { return bytes_; }
 
  private:
@@ -233,6 +237,12 @@ class Reader {
     cells.rim_columns = size();
     return cells;
   }
+  /// @param columns  the plan's readings
+  Factor fill(std::size_t columns) {
+    Factor factor{.rows = size(), .columns = columns};
+    factor.values = numbers();
+    return factor;
+  }
   [[nodiscard]] bool at_end() const noexcept { return rest_.empty(); }
 
  private:
@@ -263,7 +273,7 @@ PlanVersion version_beside_products(const EstimatorPlan& plan) {
 
 PlanVersion version_of(const EstimatorPlan& plan) {
   const bool folds_lines =
-      !plan.cells && (has_reflections(plan.reconstruction.structure) ||
+      !plan.cells && (plan.fill || has_reflections(plan.reconstruction.structure) ||
                       (plan.prediction && has_reflections(plan.prediction->structure)));
   return folds_lines ? PlanVersion::lines : version_beside_products(plan);
 }
@@ -308,12 +318,7 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
   if (skin) {
     plan.cells = in.cells();
     plan.unjudged = in.indices();
-    if (in.flag()) {
-      Factor& fill = plan.fill.emplace();
-      fill.rows = in.size();
-      fill.columns = plan.readings();
-      fill.values = in.numbers();
-    }
+    if (in.flag()) plan.fill = in.fill(plan.readings());
   }
   if (skin && version >= PlanVersion::windows) {
     plan.cells->window_deviations = in.numbers();
@@ -324,6 +329,7 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
     plan.border = in.indices();
     plan.known_offsets = in.flag();
   }
+  if (version >= PlanVersion::lines && !in.at_end()) plan.fill = in.fill(plan.readings());
   if ((version < PlanVersion::lines ? version_beside_products(plan) : version_of(plan)) != version)
     throw std::runtime_error("the plan holds nothing of what its version is for");
   if (!in.at_end()) throw std::runtime_error("the plan goes on after its end");
@@ -377,10 +383,7 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.cells(*plan.cells);
     payload.indices(plan.unjudged);
     payload.flag(plan.fill.has_value());
-    if (plan.fill) {
-      payload.size(plan.fill->rows);
-      payload.numbers(plan.fill->values);
-    }
+    if (plan.fill) payload.fill(*plan.fill);
   }
   if (plan.cells && version >= PlanVersion::windows) {
     payload.numbers(plan.cells->window_deviations);
@@ -391,6 +394,7 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.indices(plan.border);
     payload.flag(plan.known_offsets);
   }
+  if (!plan.cells && plan.fill) payload.fill(*plan.fill);
 
   Writer file;
   file.text(magic);

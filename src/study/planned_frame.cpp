@@ -4,19 +4,20 @@
 
 #include "study/points.hpp"
 #include "tactile_net/control/fft_convolution.hpp"
-#include "tactile_net/control/skin_planner.hpp"
+#include "tactile_net/control/planner.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net::study {
 
 PlannedEstimator plan_of(const StudyInput& input, PlannerOptions options) {
   options.diagnostics = false;
-  if (!input.is_skin()) return plan_estimator(input.line().problem(), input.alpha, options);
-  const lab::SkinSceneProblem& skin = input.skin();
-  std::optional<LinearProblem> whole;
-  if (!skin.scene().dead_taxels.empty()) whole = skin.without({}).problem();
-  return plan_estimator(skin.problem(), skin.family(), input.alpha, options,
-                        whole ? &*whole : nullptr);
+  const auto plan = [&](const auto& scene, const auto&... family) {
+    std::optional<LinearProblem> whole;
+    if (!scene.scene().dead_taxels.empty()) whole = scene.without({}).problem();
+    return plan_estimator(scene.problem(), family..., input.alpha, options,
+                          whole ? &*whole : nullptr);
+  };
+  return input.is_skin() ? plan(input.skin(), input.skin().family()) : plan(input.line());
 }
 
 PlannedFrame timed_frame(const EstimatorPlan& plan, std::span<const double> readings,

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -37,13 +36,11 @@ struct Structures {
 };
 
 Structures structures_of(const StudyInput& input) {
-  if (input.is_skin()) {
-    constexpr double step = 0.1;  // each takes a decomposition of every class
-    return {.reflections = is_even(input.skin().scene().sensor), .step = step};
-  }
-  const std::vector<double>& weights = input.line().problem().weights;
-  const bool all_live = std::find(weights.begin(), weights.end(), 0.0) == weights.end();
-  return {.reflections = all_live, .fft = true};
+  Structures structures{.fft = !input.is_skin()};
+  structures.reflections =
+      input.with_scene([](const auto& scene) { return is_even(scene.sensor); });
+  if (input.is_skin()) structures.step = 0.1;  // each takes a decomposition of every class
+  return structures;
 }
 
 }  // namespace

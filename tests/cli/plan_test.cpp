@@ -110,9 +110,9 @@ TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") 
   refused({"plan", scene("recorded/thin-pad.toml")}, "has a rule for alpha");
   refused({"plan", scene("recorded/thin-pad.toml"), "--readings", "nowhere.csv"},
           "cannot be opened");
-  const std::string dead =
-      folder.write("dead.toml", small_scene + "[dead_taxels]\nindices = [0]\n");
-  refused({"plan", dead, "--structure", "reflections"}, "not mirror symmetric");
+  const std::string uneven =
+      folder.write("uneven.toml", small_scene + "[calibration]\ngain = [1.0, 2.0, 3.0]\n");
+  refused({"plan", uneven, "--structure", "reflections"}, "not mirror symmetric");
 }
 
 TEST_CASE("a plan that misses its deadline is not written, and what helps is said", "[cli][plan]") {

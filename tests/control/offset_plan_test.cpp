@@ -1,32 +1,24 @@
 // Plans of problems whose channels have a constant that nobody knows.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "tactile_net/control/planner.hpp"
-#include "tactile_net/control/skin_planner.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tests/catch.hpp"
-#include "tests/control/frames.hpp"
-#include "tests/control/skins.hpp"
+#include "tests/control/plan_cases.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
 constexpr double sigma = 1e-3;
-
-LinearProblem problem_without(std::vector<std::size_t> dead) {
-  using enum Quantity;
-  return make_problem({31, 0.5, {1.0}, {stress_x, shear_xy}}, {1.0, 0.45},
-                      {.unknowns = 2,
-                       .smoothing_length = 1.0,
-                       .dead_taxels = std::move(dead),
-                       .unknown_offsets = true});
-}
 
 struct Estimate {
   explicit Estimate(const ContactEstimator& estimator) : tractions(estimator.tractions()) {}
@@ -49,62 +41,6 @@ std::vector<double> frame(const LinearProblem& problem, double offset) {
     g[i] += normal(generator) + (problem.sites[i].channel == 0 ? offset : -2.0 * offset);
   return g;
 }
-
-}  // namespace
-
-TEST_CASE("a controller with unknown offsets answers and judges as if there were none",
-          "[planner][offset]") {
-  const LinearProblem problem = problem_without({});
-  const PlannedEstimator planned =
-      plan_estimator(problem, 1e-6, {.accuracy = 1e-9, .noise_rms = sigma});
-  ContactEstimator estimator(planned.plan);
-  const Estimate plain = estimated(estimator, frame(problem, 0.0));
-  const double offset = GENERATE(0.2, 30.0);
-  CAPTURE(offset);
-  const Estimate moved = estimated(estimator, frame(problem, offset));
-  CHECK(relative_l2_error(moved.tractions, plain.tractions) < 1e-6);
-  CHECK_THAT(moved.contact.normal_force, WithinRel(plain.contact.normal_force, 1e-6));
-  CHECK_THAT(moved.contact.residual_rms, WithinRel(plain.contact.residual_rms, 1e-3));
-  for (const Estimate* one : {&plain, &moved}) {
-    CHECK(one->contact.residual_rms < planned.plan.residual_limit);
-    CHECK_FALSE(one->contact.misfit);
-    CHECK(one->contact.outlier == -1);
-  }
-
-  // By a plan that takes offsets for known the same frame is nothing that a contact explains.
-  LinearProblem known = make_problem({31, 0.5, {1.0}, {Quantity::stress_x, Quantity::shear_xy}},
-                                     {1.0, 0.45}, {.unknowns = 2, .smoothing_length = 1.0});
-  ContactEstimator other(plan_estimator(known, 1e-6, {.noise_rms = sigma}).plan);
-  CHECK(relative_l2_error(estimated(other, frame(problem, offset)).tractions, plain.tractions) >
-        0.1);
-}
-
-TEST_CASE("one bad reading is told from its channel's offset", "[planner][offset]") {
-  const LinearProblem problem = problem_without({});
-  ContactEstimator estimator(
-      plan_estimator(problem, 1e-6, {.accuracy = 1e-9, .noise_rms = sigma}).plan);
-  std::vector<double> g = frame(problem, 5.0);
-  g[12] += 60.0 * sigma;
-  CHECK(estimated(estimator, g).contact.outlier == 12);
-}
-
-TEST_CASE("a taxel that dies later leaves its channels' offsets to the others",
-          "[planner][offset]") {
-  ContactEstimator estimator(
-      plan_estimator(problem_without({}), 1e-4, {.accuracy = 1e-10, .noise_rms = sigma}).plan);
-  std::vector<double> g = frame(problem_without({}), 0.5);
-  for (const std::size_t reading : {std::size_t{8}, std::size_t{39}}) g[reading] = 7.0;
-  REQUIRE(estimator.set_dead(8));
-  const Estimate later = estimated(estimator, g);
-
-  ContactEstimator fresh(
-      plan_estimator(problem_without({8}), 1e-4, {.accuracy = 1e-10, .noise_rms = sigma}).plan);
-  const Estimate expected = estimated(fresh, g);
-  CHECK(relative_l2_error(later.tractions, expected.tractions) < 1e-6);
-  CHECK_THAT(later.contact.residual_rms, WithinRel(expected.contact.residual_rms, 1e-5));
-}
-
-namespace {
 
 constexpr double skin_noise = 50.0;  // of some 5 kPa
 
@@ -136,82 +72,124 @@ std::vector<double> skin_frame(const Skin& skin, double offset) {
   return g;
 }
 
+/// A line or a skin, and frames of a contact with noise and offsets of so many times its readings.
+struct OffsetCase {
+  PlanCase sensor{};
+  double alpha = 0.0;
+  double noise = 0.0;
+  std::function<std::vector<double>(double offset)> frame{};
+};
+
+OffsetCase line_case(std::vector<std::size_t> dead) {
+  return {.sensor = dense_line(std::move(dead), true),
+          .alpha = 1e-6,
+          .noise = sigma,
+          .frame = [](double offset) { return frame(dense_line({}, true).problem, offset); }};
+}
+
+OffsetCase skin_case(std::vector<std::size_t> dead) {
+  return {.sensor = skin_without(std::move(dead)),
+          .alpha = 1e-4,
+          .noise = skin_noise,
+          .frame = [](double offset) { return skin_frame(skin_without({}), offset); }};
+}
+
+/// By the plan's problem, of what its tractions leave of the live readings.
+double residual_rms(const LinearProblem& problem, const std::vector<double>& readings,
+                    const std::vector<double>& tractions) {
+  const auto live =
+      static_cast<double>(std::ssize(problem.weights) -
+                          std::count(problem.weights.begin(), problem.weights.end(), 0.0));
+  return residual_norm(problem, readings, tractions) / std::sqrt(live);
+}
+
 }  // namespace
 
-TEST_CASE("a skin's plan with unknown offsets is the solver's answer, and judges it alike",
-          "[skin_plan][offset]") {
-  const double alpha = 1e-4;
-  for (const std::vector<std::size_t>& dead : {std::vector<std::size_t>{}, {14}, {0, 7, 21, 22}}) {
-    const Skin skin = skin_without(dead);
-    const SkinFamily family(skin.problem);
-    const PlannerOptions options{.accuracy = 1e-9, .noise_rms = skin_noise};
+TEST_CASE("a plan with unknown offsets is the solver's answer, and judges it alike",
+          "[planner][offset]") {
+  for (const OffsetCase& one :
+       {line_case({}), line_case({8}), skin_case({}), skin_case({14}), skin_case({0, 7, 21, 22})})
     for (const bool whole_known : {true, false}) {
-      if (dead.empty() && !whole_known) continue;
-      CAPTURE(dead, whole_known);
-      const PlannedEstimator planned = plan_estimator(
-          skin.problem, family, alpha, options, whole_known && skin.whole ? &*skin.whole : nullptr);
-      // Whoever knows the whole skin keeps its symmetry.
-      CHECK(has_reflections(planned.plan.reconstruction.structure) == whole_known);
-      CHECK(has_reflections(planned.plan.prediction->structure) == whole_known);
-      ContactEstimator estimator(planned.plan);
+      PlanCase sensor = one.sensor;
+      if (!sensor.whole && !whole_known) continue;
+      if (!whole_known) sensor.whole.reset();
+      CAPTURE(sensor.name, sensor.whole.has_value(), whole_known);
+      const PlannedEstimator made =
+          planned(sensor, one.alpha, {.accuracy = 1e-9, .noise_rms = one.noise});
+      // Whoever knows the whole keeps its symmetry.
+      CHECK(has_reflections(made.plan.reconstruction.structure) == whole_known);
+      CHECK(has_reflections(made.plan.prediction->structure) == whole_known);
+      ContactEstimator estimator(made.plan);
+      const Reconstruction solver = dense_answer(sensor.problem, one.alpha);
       std::vector<double> plain;
       for (const double offset : {0.0, 0.2, 30.0}) {
         CAPTURE(offset);
-        std::vector<double> g = skin_frame(skin, offset);
+        std::vector<double> g = one.frame(offset);
         std::vector<double> live = g;
         for (std::size_t i = 0; i < g.size(); ++i)
-          if (skin.problem.weights[i] == 0.0) {
+          if (sensor.problem.weights[i] == 0.0) {
             g[i] = std::numeric_limits<double>::quiet_NaN();
             live[i] = 0.0;
           }
-        const std::vector<double> exact = family.solve(family.analyse(live), alpha);
+        std::vector<double> exact(solver.tractions());
+        REQUIRE(solver.solve(live, exact) == FrameStatus::ok);
         const Estimate found = estimated(estimator, g);
         CHECK(relative_l2_error(found.tractions, exact) < 1e-6);
-
-        const std::vector<double> rows = weighted(skin.problem, live);
-        double squares = 0.0;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-          double left = rows[i];
-          for (std::size_t j = 0; j < exact.size(); ++j)
-            left -= skin.problem.kernel(i, j) * exact[j];
-          squares += left * left;
-        }
-        const auto dead_rows = static_cast<double>(3 * dead.size());
-        const double rms = std::sqrt(squares / (static_cast<double>(rows.size()) - dead_rows));
-        CHECK_THAT(found.contact.residual_rms, WithinRel(rms, 1e-4));
-        CHECK(found.contact.residual_rms < planned.plan.residual_limit);
+        const double rms = residual_rms(sensor.problem, live, exact);
+        CHECK_THAT(found.contact.residual_rms, WithinRel(rms, 1e-3));
+        CHECK(found.contact.residual_rms < made.plan.residual_limit);
         CHECK_FALSE(found.contact.misfit);
         CHECK(found.contact.outlier == -1);
         if (plain.empty()) plain = found.tractions;
         CHECK(relative_l2_error(found.tractions, plain) < 1e-6);
       }
     }
-  }
 }
 
-TEST_CASE("a skin's taxel that dies later leaves its channels' offsets to the others",
-          "[skin_plan][offset]") {
-  const auto planned = [](const Skin& skin) {
-    return plan_estimator(skin.problem, SkinFamily(skin.problem), 1e-4,
-                          {.accuracy = 1e-10, .noise_rms = skin_noise},
-                          skin.whole ? &*skin.whole : nullptr)
-        .plan;
+TEST_CASE("by a plan that takes offsets for known a frame with some is no contact's",
+          "[planner][offset]") {
+  const LinearProblem problem = dense_line({}, true).problem;
+  ContactEstimator estimator(plan_estimator(problem, 1e-6, {.accuracy = 1e-9}).plan);
+  ContactEstimator other(plan_estimator(dense_line({}).problem, 1e-6, {.noise_rms = sigma}).plan);
+  const Estimate plain = estimated(estimator, frame(problem, 0.0));
+  for (const double offset : {0.2, 30.0})
+    CHECK(relative_l2_error(estimated(other, frame(problem, offset)).tractions, plain.tractions) >
+          0.1);
+}
+
+TEST_CASE("one bad reading is told from its channel's offset", "[planner][offset]") {
+  const LinearProblem problem = dense_line({}, true).problem;
+  ContactEstimator estimator(
+      plan_estimator(problem, 1e-6, {.accuracy = 1e-9, .noise_rms = sigma}).plan);
+  std::vector<double> g = frame(problem, 5.0);
+  g[12] += 60.0 * sigma;
+  CHECK(estimated(estimator, g).contact.outlier == 12);
+}
+
+TEST_CASE("a taxel that dies later leaves its channels' offsets to the others",
+          "[planner][offset]") {
+  const bool skin = GENERATE(false, true);
+  const std::size_t dead = skin ? 15 : 8;
+  const auto with = [&](std::vector<std::size_t> taxels) {
+    return skin ? skin_case(std::move(taxels)) : line_case(std::move(taxels));
   };
-  const Skin whole = skin_without({});
-  ContactEstimator estimator(planned(whole));
-  const std::vector<double> g = skin_frame(whole, 3.0);
-  REQUIRE(estimator.set_dead(15));
+  const OffsetCase whole = with({});
+  const PlannerOptions options{.accuracy = 1e-10, .noise_rms = whole.noise};
+  ContactEstimator estimator(planned(whole.sensor, 1e-4, options).plan);
+  std::vector<double> g = whole.frame(3.0);
+  for (std::size_t i = 0; i < g.size(); ++i)
+    if (whole.sensor.problem.sites[i].taxel == dead) g[i] = 7.0;
+  REQUIRE(estimator.set_dead(dead));
   const Estimate later = estimated(estimator, g);
-  ContactEstimator fresh(planned(skin_without({15})));
+  ContactEstimator fresh(planned(with({dead}).sensor, 1e-4, options).plan);
   const Estimate expected = estimated(fresh, g);
   CHECK(relative_l2_error(later.tractions, expected.tractions) < 1e-5);
   CHECK_THAT(later.contact.residual_rms, WithinRel(expected.contact.residual_rms, 1e-4));
 }
 
-TEST_CASE("a whole skin whose offsets are known is no part of one whose are not",
-          "[skin_plan][offset]") {
-  const Skin skin = skin_without({14});
-  const LinearProblem known = make_problem(skin.array, skin.material);
-  CHECK_THROWS_AS(plan_estimator(skin.problem, SkinFamily(skin.problem), 1e-4, {}, &known),
-                  std::invalid_argument);
+TEST_CASE("a whole whose offsets are known is no part of one whose are not", "[planner][offset]") {
+  for (const OffsetCase& one : {skin_case({14}), line_case({8})}) {
+    const LinearProblem known = is_skin(one.sensor) ? square(6).problem : dense_line({}).problem;
+    CHECK_THROWS_AS(plan_estimator(one.sensor.problem, 1e-4, {}, &known), std::invalid_argument);
+  }
 }

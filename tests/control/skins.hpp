@@ -13,17 +13,23 @@
 
 namespace tactile_net {
 
-struct Skin {
+/// A line or a skin to plan for.
+struct PlanCase {
   std::string name{};
-  SkinArray array{};
-  Material material{.youngs_modulus = 0.25e6, .poisson_ratio = 0.48};
   LinearProblem problem{};
   std::optional<LinearProblem> whole{};  ///< where taxels are dead
 };
 
+struct Skin : PlanCase {
+  SkinArray array{};
+  Material material{.youngs_modulus = 0.25e6, .poisson_ratio = 0.48};
+};
+
 inline Skin skin_of(const std::string& name, const SkinArray& array,
                     const SkinProblemOptions& options = {}) {
-  Skin skin{.name = name, .array = array};
+  Skin skin;
+  skin.name = name;
+  skin.array = array;
   skin.problem = make_problem(array, skin.material, options);
   SkinProblemOptions alive = options;
   alive.dead_taxels.clear();

@@ -239,6 +239,41 @@ TEST_CASE("a line of one reading has no differences, and its plan comes back", "
   }
 }
 
+TEST_CASE("what dead taxels of a line are taken to read comes back, and decides as if read",
+          "[plan_file]") {
+  const Structure structure = GENERATE(Structure::dense, Structure::low_rank,
+                                       Structure::reflections, Structure::reflections_low_rank);
+  const Precision precision = GENERATE(Precision::float64, Precision::float32);
+  EstimatorPlan plan =
+      made_plan({.count = 7, .channels = 2, .structure = structure, .precision = precision});
+  ContactEstimator whole(plan);
+  const std::size_t n = plan.readings();
+  std::vector<double> readings = some_readings(n);
+  plan.weights[2] = plan.weights[9] = 0.0;
+  plan.fill = {2, n, std::vector<double>(2 * n)};
+  plan.fill->values[1] = 0.5;  // of reading 2 by its neighbours
+  plan.fill->values[3] = 0.25;
+  plan.fill->values[n + 8] = 2.0;  // of reading 9 by one
+  readings[2] = 0.5 * readings[1] + 0.25 * readings[3];
+  readings[9] = 2.0 * readings[8];
+  const Update expected = update(whole, readings);
+  const std::vector<std::byte> bytes = encode_plan(plan);
+  CHECK(bytes[8] == std::byte{9});
+  const EstimatorPlan read = decode_plan(bytes);
+  check_same(read, plan);
+  check_same(read.fill->values, plan.fill->values);
+  CHECK(encode_plan(read) == bytes);
+  ContactEstimator estimator(read);
+  readings[2] = std::numeric_limits<double>::quiet_NaN();
+  readings[9] = 1e300;
+  const Update found = update(estimator, readings);
+  REQUIRE(found.status == FrameStatus::ok);
+  CHECK(same_bits(found.tractions, expected.tractions));
+  check_batch(estimator, some_readings(20 * n));
+  plan.fill->rows = 1;
+  CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);
+}
+
 TEST_CASE("the layout is the one that the header states", "[plan_file]") {
   const std::vector<std::byte> bytes = encode_plan(made_plan({}));
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());

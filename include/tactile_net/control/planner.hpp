@@ -1,22 +1,30 @@
 /// @file
-/// From the inverse problem to a controller's plan: which structure of the reconstruction matrix
-/// M = P^-1 K' W to use for a stated accuracy, and why.
+/// From the inverse problem of a line or a skin to a controller's plan: which structure of the
+/// reconstruction matrix M = P^-1 K' W to use for a stated accuracy, and why.
 ///
-/// The pad is a low-pass filter, so M is numerically of low rank; and a uniform array is mirror
-/// symmetric, so M falls into two halves (product_plan.hpp). Both together stream 3 to 40 times
-/// fewer bytes than M itself, and bytes are what a frame's time is made of. The rank comes from the
-/// singular values, never from a fixed number: a few too few leave an answer that is far off.
+/// A regular array is its own mirror image, so M falls into classes (product_plan.hpp): two halves
+/// of a line, four quarters of a skin, and once more where a skin is square and y and z can be
+/// exchanged. That is exact: 16 x 16 taxels that read three stresses stream 0.9 MB where M has
+/// 7.4 MB. The pad is a low-pass filter, so M is numerically of low rank too, which pays for lines,
+/// deep skins and coarse accuracies. Both together stream 3 to 40 times fewer bytes than M itself,
+/// and bytes are what a frame's time is made of. The rank comes from the singular values, never
+/// from a fixed number: a few too few leave an answer that is far off.
 ///
-/// Where the pitch is fixed and the array long, that rank grows with the array. There M = T + E is
+/// Dead taxels break the symmetry: M without them is that of the whole array, on readings whose
+/// missing ones are filled in with what the live ones predict, exactly. Where so many are dead that
+/// this is dearer, and for irregular arrays, M itself is taken, or two factors of low rank.
+///
+/// Where a line's pitch is fixed and the line long, the rank grows with it. There M = T + E is
 /// cheapest, T a convolution (by FFT) and E of a small rank that does not grow: only the array's
 /// two ends differ from an endless array. T alone is percents off at the ends.
 ///
 ///     const PlannedEstimator planned =
 ///         plan_estimator(problem, 1e-3, {.accuracy = 1e-7, .friction_coefficient = 0.5});
 ///     std::puts(planned.why().c_str());            // what was chosen, and against what
-///     ContactEstimator estimator(planned.plan);    // examples/07_controller.cpp
+///     ContactEstimator estimator(planned.plan);    // examples 07_controller, 10_skin_controller
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +34,8 @@
 #include "tactile_net/sensing/calibration.hpp"
 
 namespace tactile_net {
+
+class SkinFamily;
 
 struct PlannerOptions {
   /// Accuracy of the plan, > 0. For every frame, with f = M g in double and r = W (g - K f) what it
@@ -38,12 +48,14 @@ struct PlannerOptions {
   std::optional<Structure> structure{};  ///< absent: the cheapest that is accurate enough
   std::optional<Precision> precision{};  ///< absent: the cheapest that is accurate enough
   bool diagnostics = true;  ///< residual, outliers, dead taxels at run time; costs a second product
-  /// Offer fft too, float64 only: the controller then links tactile_net::spectral (GPL where that
-  /// was built with FFTW) or brings a `Convolution` of its own. Asking for `structure` fft allows
-  /// it. Its price in the choice is FFTW's.
+  /// Offer fft too, for lines and float64 only: the controller then links tactile_net::spectral
+  /// (GPL where that was built with FFTW) or brings a `Convolution` of its own. Asking for
+  /// `structure` fft allows it. Its price in the choice is FFTW's.
   bool allow_fft = false;
   bool all_candidates = false;  ///< also try structures that cannot be the cheapest
-  double noise_rms = 0.0;       ///< rms noise of a weighted reading; 0: not known
+  /// rms noise of a weighted reading; 0: not known. A skin's forces are then summed over the cells
+  /// that touch.
+  double noise_rms = 0.0;
   double traction_limit = 0.0;  ///< Young's modulus [Pa], to doubt frames by; 0: not known
   /// Indices, rising, of the values above the outermost taxels that count: with diagnostics, frames
   /// that press there as hard as anywhere are doubted. Empty: not known.
@@ -80,14 +92,15 @@ struct PlannedEstimator {
   EstimatorPlan plan{};
   std::vector<Candidate> candidates{};
   double asymmetry = 0.0;     ///< how far M is from mirror symmetry, in the unit of the accuracy
-  std::string without_fft{};  ///< why fft is no candidate; empty: it is one
+  std::string without_fft{};  ///< why fft is no candidate of a line; empty: it is one
 
   /// The choice and what spoke against the others, a line each.
   [[nodiscard]] std::string why() const;
 };
 
-/// Plans a controller for one alpha. O((m + n) n^2) for M, and one singular value decomposition of
-/// each class.
+/// Plans a controller for one alpha, of a line or a skin. O(readings x tractions x their lesser)
+/// for M, O(readings x tractions) for each class of the reflections, and a singular value
+/// decomposition of it; with diagnostics O(readings^2 x tractions).
 ///
 /// The bound holds for rounding too: sums of n terms in float err by at most n 2^-24 of the sum of
 /// their magnitudes (Higham 2002, 3.1). That is pessimistic by about sqrt(n), so float is chosen
@@ -96,12 +109,29 @@ struct PlannedEstimator {
 /// An FFT of m points errs by at most 2 log2(2 m) eta in the 2-norm, eta = 6.7 2^-53: Higham (2002,
 /// theorem 24.2) for radix 2, a factor 2 for radices 3 and 5 and for real data.
 ///
-/// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; reflections or fft are
-///                               asked for, and the array is not symmetric (dead taxels); fft in
-///                               float32; the calibration is not one of these readings;
-///                               `check(plan)` does
+/// @param whole  where taxels are dead: the same problem with none; absent: not known, and its
+///               symmetry is not used
+/// @throw std::invalid_argument  alpha or accuracy is not > 0 and finite; the whole is of another
+///                               problem or has dead taxels; a structure is asked for that the
+///                               array does not have (reflections and fft where it is not
+///                               symmetric, fft of a skin or in float32); the calibration is not
+///                               one of these readings; `check(plan)` does
 /// @throw std::domain_error      as `tikhonov`
 [[nodiscard]] PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
-                                              const PlannerOptions& options = {});
+                                              const PlannerOptions& options = {},
+                                              const LinearProblem* whole = nullptr);
+
+/// The same by a family that has been made of the problem, which takes long of a skin.
+///
+/// @param family  the problem's
+/// @throw std::invalid_argument  also: the family is of another problem
+[[nodiscard]] PlannedEstimator plan_estimator(const LinearProblem& problem,
+                                              const SkinFamily& family, double alpha,
+                                              const PlannerOptions& options = {},
+                                              const LinearProblem* whole = nullptr);
+
+/// Largest memory that planning takes, the problem and its family included [bytes]. Compare it with
+/// what the machine has before making either.
+[[nodiscard]] double planning_bytes(std::size_t readings, std::size_t tractions) noexcept;
 
 }  // namespace tactile_net

@@ -65,22 +65,23 @@ struct PlannedController {
   std::optional<PlannedForce> force{};  ///< `planned_force`, where it was asked for
 };
 
-/// A plan is linear: the scene's constraints do not bind it.
+/// A plan is linear: the scene's constraints do not bind it. Dead taxels of the scene leave the
+/// plan the symmetry of the whole array.
 ///
 /// @param options  what they leave open is the scene's: noise, ranges and label always, friction
 ///                 coefficient and calibration where they are absent. A calibration with a baseline
 ///                 yet to be recorded makes a plan with a baseline of 0: see `needs_baseline`
 /// @throw std::invalid_argument, std::domain_error  as `plan_estimator`
 [[nodiscard]] PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
-                                                PlannerOptions options = {});
+                                                const PlannerOptions& options = {});
 
-/// Of a skin. Dead taxels of the scene leave the plan the symmetry of the whole skin.
+/// Of a skin.
 ///
 /// @throw std::invalid_argument  also: planning would take more memory than this machine has left;
 ///                               the text says how much, and nothing was allocated
 [[nodiscard]] PlannedController plan_controller(const SkinSceneProblem& problem,
                                                 const PlanAlpha& alpha,
-                                                PlannerOptions options = {});
+                                                const PlannerOptions& options = {});
 
 /// The same, of a machine with so much memory left.
 /// @param memory  [bytes]

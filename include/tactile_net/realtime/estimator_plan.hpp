@@ -80,6 +80,10 @@ struct EstimatorPlan {
   /// What is subtracted from the readings, one value each, until `set_baseline` says otherwise;
   /// empty: nothing.
   std::vector<double> baseline{};
+  /// Imputation matrix: row i gives the value put in place of the i-th reading of weight 0, linear
+  /// in all readings, those of weight 0 taken as 0. It lets the symmetric factors of an array
+  /// whose taxels all live serve it with dead ones. Absent: 0 is put in place.
+  std::optional<Factor> fill{};
   /// The taxel of each reading, < count, for an array whose taxels do not all read the same. Empty:
   /// reading i is taxel i % count's.
   std::vector<std::uint32_t> taxels{};
@@ -89,10 +93,6 @@ struct EstimatorPlan {
   std::optional<PlanCells> cells{};
   /// Taxels, < count, that are never called outliers: a load beyond the skin's edge looks just so.
   std::vector<std::uint32_t> unjudged{};
-  /// Imputation matrix: row i gives the value put in place of the i-th reading of weight 0, linear
-  /// in all readings, those of weight 0 taken as 0. It lets the whole skin's symmetric factors
-  /// serve a skin with dead taxels. Absent: 0 is put in place.
-  std::optional<Factor> fill{};
 
   [[nodiscard]] std::size_t readings() const noexcept {
     return taxels.empty() ? channels * count : taxels.size();

@@ -27,8 +27,9 @@ enum class PlanVersion : std::uint32_t {
   skin = 6,      ///< tractions of a skin's cells
   windows = 7,   ///< deviations of sums over windows of cells
   border = 8,    ///< the border beyond which nothing is seen, and whether offsets are known
-  /// Reflections of lines. Before, structures 2 and 3 stood for them, and the signs of blocks for
-  /// their grids of one row.
+  /// Reflections of lines, and what their dead taxels are taken to read, which comes last where
+  /// there is any. Before, structures 2 and 3 stood for the reflections, and the signs of blocks
+  /// for their grids of one row.
   lines = 9,
 };
 inline constexpr auto newest_plan_version = PlanVersion::lines;

@@ -35,7 +35,7 @@ std::string document_of(const std::string& file, const std::optional<Units>& uni
   json["force"] = planned.force
                       ? Json{{"planned", planned.force->planned}, {"solved", planned.force->solved}}
                       : Json(nullptr);
-  if (plan.cells) json["filled_readings"] = plan.fill ? plan.fill->rows : 0;
+  if (plan.cells || plan.fill) json["filled_readings"] = plan.fill ? plan.fill->rows : 0;
   if (units) json["units"] = units_json(*units);
   if (planned.for_raw_numbers) json["baseline"] = plan.baseline;  // empty: 0
   return text_of(json, 2);
