@@ -9,16 +9,10 @@
 namespace tactile_net::lab {
 
 DataLimits data_limits(const SceneProblem& problem) {
-  const Scene& scene = problem.scene();
-  const double modulus = scene.material.youngs_modulus;
-  DataLimits limits{.noise_rms = problem.stated_noise(),
-                    .friction_limit = scene.reconstruct.friction_limit,
-                    .largest_traction = modulus};
-  for (const Site& site : sites(scene.sensor))
-    limits.largest_readings.push_back(is_strain(site.quantity) ? 1.0 : modulus);
-
-  const double first = position(scene.sensor, 0);
-  const double last = position(scene.sensor, scene.sensor.count - 1);
+  DataLimits limits = limits_of(problem);
+  const SensorArray& sensor = problem.scene().sensor;
+  const double first = position(sensor, 0);
+  const double last = position(sensor, sensor.count - 1);
   const double middle = 0.5 * (first + last);
   const double quarter = 0.25 * (last - first);
   limits.inner = {middle - quarter, middle + quarter};

@@ -8,7 +8,6 @@
 
 #include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/skin/data_verdict.hpp"
 
 namespace tactile_net::lab {
 namespace {

@@ -57,7 +57,7 @@ class LargeSkin {
   /// |W (K f - g)|
   [[nodiscard]] double residual(std::span<const double> readings,
                                 std::span<const double> tractions);
-  /// As `SkinDataJudge`, of contacts on the tractions' own cells; where no contact explains a frame
+  /// As `DataJudge`, of contacts on the tractions' own cells; where no contact explains a frame
   /// only the taxel that fits worst is tried.
   [[nodiscard]] DataVerdict judge(std::span<const double> readings,
                                   std::span<const double> tractions);

@@ -41,6 +41,23 @@ namespace tactile_net::lab {
   return found;
 }
 
+/// By the noise, the friction limit and the stiffness that the scene states: no stress above
+/// Young's modulus, no strain above 1, no displacement beyond the taxel's depth.
+[[nodiscard]] DataLimits limits_of(const auto& problem) {
+  const auto& scene = problem.scene();
+  const double modulus = scene.material.youngs_modulus;
+  DataLimits limits{.noise_rms = problem.stated_noise(),
+                    .friction_limit = scene.reconstruct.friction_limit,
+                    .largest_traction = modulus};
+  for (const Site& site : sites(scene.sensor)) {
+    const QuantityKind kind = traits(site.quantity).kind;
+    limits.largest_readings.push_back(kind == QuantityKind::strain         ? 1.0
+                                      : kind == QuantityKind::displacement ? site.depth
+                                                                           : modulus);
+  }
+  return limits;
+}
+
 /// Tractions that may not pull cannot show that a contact does: it does where what no contact
 /// explains is explained by tractions without the constraints.
 ///

@@ -4,34 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "lab/lines_and_skins.hpp"
 #include "lab/skin_method.hpp"
 
 namespace tactile_net::lab {
-namespace {
 
-/// What strains the pad by 1 [the quantity's unit].
-double largest_reading(const Site& site, const Material& material) {
-  switch (traits(site.quantity).kind) {
-    case QuantityKind::strain:
-      return 1.0;
-    case QuantityKind::displacement:
-      return site.depth;
-    default:
-      return material.youngs_modulus;
-  }
-}
-
-}  // namespace
-
-DataLimits data_limits(const SkinSceneProblem& problem) {
-  const SkinScene& scene = problem.scene();
-  DataLimits limits{.noise_rms = problem.stated_noise(),
-                    .friction_limit = scene.reconstruct.friction_limit,
-                    .largest_traction = scene.material.youngs_modulus};
-  for (const Site& site : sites(scene.sensor))
-    limits.largest_readings.push_back(largest_reading(site, scene.material));
-  return limits;
-}
+DataLimits data_limits(const SkinSceneProblem& problem) { return limits_of(problem); }
 
 std::vector<double> without_offsets(const SkinSceneProblem& problem,
                                     std::span<const double> readings,
@@ -55,7 +33,7 @@ double largest_force(const SkinSceneProblem& problem, std::span<const double> re
          static_cast<double>(solved.grid.count());
 }
 
-SkinDataJudge data_judge(const SkinSceneProblem& problem) {
+DataJudge data_judge(const SkinSceneProblem& problem) {
   constexpr std::size_t most_cells_sought = 2400;
   const SkinScene& scene = problem.scene();
   const SurfaceGrid& own = problem.grid();
@@ -65,10 +43,10 @@ SkinDataJudge data_judge(const SkinSceneProblem& problem) {
        {SkinGridOptions{.spacing = spacing, .margin = 2.0 * depth},
         SkinGridOptions{.spacing = std::min(own.spacing_y, own.spacing_z), .margin = 2.0 * depth}})
     if (problem.stated_noise() && grid_of(scene.sensor, finer).count() <= most_cells_sought)
-      return SkinDataJudge(
+      return DataJudge(
           problem.shared_problem(), [scene, finer] { return SkinSceneProblem(scene).on(finer); },
           data_limits(problem));
-  return SkinDataJudge(problem.shared_problem(), {}, data_limits(problem));
+  return DataJudge(problem.shared_problem(), {}, data_limits(problem));
 }
 
 DataVerdict data_verdict(const SkinSceneProblem& problem, std::span<const double> readings,

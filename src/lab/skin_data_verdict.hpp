@@ -10,7 +10,6 @@
 
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
-#include "tactile_net/skin/data_verdict.hpp"
 
 namespace tactile_net::lab {
 
@@ -35,7 +34,7 @@ namespace tactile_net::lab {
 /// Contacts are sought on a grid of a quarter of the least depth, to two depths beyond the
 /// outermost taxels; where that would have very many cells, or the noise is not known, on the
 /// tractions' own.
-[[nodiscard]] SkinDataJudge data_judge(const SkinSceneProblem& problem);
+[[nodiscard]] DataJudge data_judge(const SkinSceneProblem& problem);
 
 /// By the problem's own judge.
 ///

@@ -108,7 +108,7 @@ struct SkinSceneProblem::Parts {
   std::optional<SkinFamily> family{};
   std::unique_ptr<LargeSkin> large{};
   std::optional<AlphaTables> alpha_tables{};
-  std::optional<SkinDataJudge> data_judge{};
+  std::optional<DataJudge> data_judge{};
   std::optional<std::vector<bool>> unseen{};
   std::optional<std::vector<std::size_t>> border{};
   std::optional<SkinSceneProblem> beyond{};
@@ -269,7 +269,7 @@ std::shared_ptr<const SkinCone> SkinSceneProblem::cone(double alpha) const {
   });
 }
 
-const SkinDataJudge& SkinSceneProblem::data_judge() const {
+const DataJudge& SkinSceneProblem::data_judge() const {
   const std::lock_guard lock(parts_->mutex);
   if (!parts_->data_judge) parts_->data_judge.emplace(lab::data_judge(*this));
   return *parts_->data_judge;

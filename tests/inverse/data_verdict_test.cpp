@@ -1,68 +1,19 @@
 #include "tactile_net/inverse/data_verdict.hpp"
 
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <random>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "src/inverse/single_liar.hpp"
-#include "tactile_net/inverse/line_problem.hpp"
-#include "tactile_net/inverse/reconstruction.hpp"
-#include "tactile_net/sensing/effects/noise.hpp"
-#include "tactile_net/sensing/exact.hpp"
+#include "inverse/data/single_liar.hpp"
 #include "tests/catch.hpp"
+#include "tests/inverse/judged_line.hpp"
 
 using namespace tactile_net;
 
 namespace {
 
-/// One or two channels over a half plane, and the judge of what they read.
-struct Bench {
-  SensorArray array{.count = 21, .pitch = 1.0, .depths = {1.5}, .reads = {Quantity::stress_x}};
-  Material pad{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
-  std::size_t unknowns = 1;
-  double noise = 1e-3;
-  bool stated = true;
-
-  static Bench two_tractions() {
-    Bench bench;
-    bench.array.reads.push_back(Quantity::shear_xy);
-    bench.unknowns = 2;
-    return bench;
-  }
-
-  [[nodiscard]] LinearProblem problem() const {
-    return make_problem(
-        array, pad,
-        {.unknowns = unknowns, .smoothing_length = 1.5, .surface = {.basis = SurfaceBasis::hats}});
-  }
-  [[nodiscard]] DataLimits limits() const {
-    const double end = 0.25 * static_cast<double>(array.count - 1) * array.pitch;
-    DataLimits limits{.largest_traction = pad.youngs_modulus, .inner = std::pair(-end, end)};
-    if (stated) limits.noise_rms = noise;
-    limits.largest_readings.assign(reading_count(array), pad.youngs_modulus);
-    return limits;
-  }
-  [[nodiscard]] std::vector<double> frame(const RigidContact& contact, std::size_t number) const {
-    std::vector<double> readings = exact_readings(array, pad, std::vector<Contact>{contact});
-    add_noise(readings, noise, number, 0);
-    return readings;
-  }
-  [[nodiscard]] DataVerdict judge(const std::vector<double>& readings) const {
-    const LinearProblem p = problem();
-    return DataJudge(p, limits()).judge(readings, tikhonov_solve(p, 1e-5, readings));
-  }
-};
-
-RigidContact contact_at(double place, double friction = 0.0) {
-  return {.center = place, .half_width = 2.0, .force = 0.4, .friction = friction};
-}
-
-std::vector<DataDoubt> only(DataDoubt doubt) { return {doubt}; }
+using Bench = JudgedLine;
 
 }  // namespace
 
@@ -101,15 +52,6 @@ TEST_CASE("readings in another unit are implausible, with the noise stated or no
   const DataVerdict data = bench.judge(readings);
   CHECK(data.doubts == only(DataDoubt::implausible));
   CHECK(data.strain > 1.0);
-}
-
-TEST_CASE("readings with the other sign pull, with the noise stated or not", "[data_verdict]") {
-  Bench bench = GENERATE(Bench{}, Bench::two_tractions());
-  bench.stated = GENERATE(true, false);
-  std::vector<double> readings = bench.frame(contact_at(0.3), 1);
-  REQUIRE(bench.judge(readings).consistent());
-  for (double& reading : readings) reading = -reading;
-  CHECK(bench.judge(readings).doubts == only(DataDoubt::pulls));
 }
 
 TEST_CASE("the taxel that contradicts all others is named", "[data_verdict]") {
@@ -166,7 +108,7 @@ TEST_CASE("a taxel that is found to lie is one that a bound on its gain let be s
       std::vector<double> without = before;
       without[3] = 0.0;
       before[3] = 4.0 + std::abs(4.0 * noise(random));
-      const bool sought = liars.may_be_found(before, chance, seen);
+      const bool sought = liars.may_be_in(before) && SingleLiar::may_gain(before, chance, seen);
       const bool is_found = liars.is_found(before, without, chance, seen);
       CHECK((sought || !is_found));
       found += is_found;
@@ -204,23 +146,6 @@ TEST_CASE("where more friction than the limit explains a frame the limit is doub
     CHECK(limited.has(DataDoubt::bad_taxel));
     CHECK(limited.taxel == free.taxel);
   }
-}
-
-TEST_CASE("noise alone is told from a contact", "[data_verdict]") {
-  Bench bench;
-  const LinearProblem p = bench.problem();
-  const std::vector<double> nothing(p.kernel.columns);
-  std::vector<double> noise(reading_count(bench.array));
-  add_noise(noise, bench.noise, 4, 0);
-  const DataJudge judge(p, bench.limits());
-  CHECK(judge.judge(noise, nothing).noise_alone);
-  const std::vector<double> pressed = bench.frame(contact_at(0.4), 4);
-  CHECK_FALSE(judge.judge(pressed, tikhonov_solve(p, 1e-5, pressed)).noise_alone);
-  // Without the noise nothing but readings of nothing is known to be nothing.
-  bench.stated = false;
-  const DataJudge unaware(p, bench.limits());
-  CHECK_FALSE(unaware.judge(noise, nothing).noise_alone);
-  CHECK(unaware.judge(std::vector<double>(noise.size()), nothing).noise_alone);
 }
 
 TEST_CASE("a baseline is told from a load, whichever its sign, and its size", "[data_verdict]") {
@@ -318,35 +243,6 @@ TEST_CASE("contacts narrower than the tractions' grid are sought on a finer one"
   const std::vector<double> f = tikhonov_solve(coarse, 1e-6, readings);
   CHECK_FALSE(DataJudge(coarse, bench.limits()).judge(readings, f).consistent());
   CHECK(DataJudge(coarse, fine, bench.limits()).judge(readings, f).consistent());
-}
-
-TEST_CASE("a frame without a reading is consistent, one beyond doubles is not", "[data_verdict]") {
-  const Bench bench;
-  const LinearProblem p = bench.problem();
-  const std::vector<double> nothing(p.kernel.columns);
-  const DataJudge judge(p, {.noise_rms = bench.noise});
-  CHECK(judge.judge(std::vector<double>(21), nothing).consistent());
-  const double largest = std::numeric_limits<double>::max();
-  CHECK(judge.judge(std::vector<double>(21, largest), nothing).doubts == only(DataDoubt::misfit));
-}
-
-TEST_CASE("limits out of range and sizes that do not fit are refused", "[data_verdict]") {
-  const LinearProblem p = Bench{}.problem();
-  const auto refused = [&](const DataLimits& limits) {
-    CHECK_THROWS_AS(DataJudge(p, limits), std::invalid_argument);
-  };
-  refused({.noise_rms = 0.0});
-  refused({.noise_rms = std::numeric_limits<double>::infinity()});
-  refused({.friction_limit = -1.0});
-  refused({.largest_traction = 0.0});
-  refused({.largest_readings = {1.0}});
-  refused({.largest_readings = std::vector<double>(21)});
-  CHECK_THROWS_AS(DataJudge(p, Bench::two_tractions().problem(), {}), std::invalid_argument);
-  const DataJudge judge(p, {});
-  const std::vector<double> f(p.kernel.columns);
-  CHECK_THROWS_AS(judge.judge(std::vector<double>(20), f), std::invalid_argument);
-  CHECK_THROWS_AS(judge.judge(std::vector<double>(21), std::vector<double>(3)),
-                  std::invalid_argument);
 }
 
 TEST_CASE("a memory of the frames before changes no doubt", "[data_verdict]") {

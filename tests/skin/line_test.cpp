@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "tactile_net/inverse/constrained.hpp"
-#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
@@ -62,6 +61,5 @@ TEST_CASE("methods for lines refuse a skin's problem", "[skin][line]") {
   refuses([&] { (void)tikhonov(problem, 1e-3); });
   refuses([&] { const TikhonovFamily family(problem); });
   refuses([&] { const ConstrainedTikhonov cone(problem, 1e-3, {.nonnegative = true}); });
-  refuses([&] { const DataJudge judge(problem, {.noise_rms = 1.0}); });
   refuses([&] { (void)identifiability(problem); });
 }

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/data_verdict.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
@@ -65,7 +65,7 @@ TEST_CASE("a judge makes no matrix of its own but those of its cones", "[skin][m
   const std::vector<double> tractions(problem->kernel.columns);
   DataVerdict verdict;
   const int made = matrices_made(*problem, [&] {
-    const SkinDataJudge judge(problem, {}, {.noise_rms = 1e-3});
+    const DataJudge judge(problem, {}, {.noise_rms = 1e-3});
     verdict = judge.judge(readings, tractions);
   });
   CHECK_FALSE(verdict.consistent());

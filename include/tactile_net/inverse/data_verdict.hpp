@@ -21,12 +21,19 @@
 /// noise or 5 % of the largest reading would, and nothing odd is left. A lie just like a needle
 /// that presses is not told from one, and of two neighbours either may be named.
 ///
+/// Lines and skins are judged alike, by contacts that are found in two ways. On a line a
+/// non-negative least squares finds the nearest contact of all. On a skin friction's cones are
+/// searched with less and less smoothing (skin/cone.hpp), which bounds that distance from above:
+/// first among the tractions found, and no further than the verdict needs. Constants added to a
+/// channel are not looked for there, and nothing is kept from frame to frame.
+///
 ///     const DataJudge judge(problem, {.noise_rms = 1.0, .largest_traction = pad.youngs_modulus});
 ///     const DataVerdict data = judge.judge(readings, tractions);
 ///     data.consistent();                     // or data.doubts: name(data.doubts.front())
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -84,13 +91,15 @@ struct DataLimits {
   /// Empty: readings are not judged.
   std::vector<double> largest_readings{};
   /// Interior of the array, [first, last] in m. Only a contact larger than the array needs loads
-  /// outside it: that tells an offset from a load. Absent: offsets are not tested.
+  /// outside it: that tells an offset from a load. Absent: offsets are not tested. Of a line.
   std::optional<std::pair<double, double>> inner{};
 };
 
+class KeptContacts;
+
 /// What explained the last frames, to be handed to `DataJudge::judge`. Frames that follow one
 /// another are mostly explained by the same places, pressed a little more or less: that saves the
-/// search. Use one for each judge and thread.
+/// search. Use one for each judge and thread. Of a line: a skin's judge leaves it as it is.
 class DataMemory {
  public:
   DataMemory();
@@ -100,33 +109,38 @@ class DataMemory {
 
  private:
   friend class DataJudge;
-  struct Kept;
-  std::unique_ptr<Kept> kept_;
+  std::unique_ptr<KeptContacts> kept_;
 };
 
 /// Judges frames of one problem. Const: threads may share one.
 class DataJudge {
  public:
-  /// O(rows x columns).
+  /// Of a line O(rows x columns). Of a skin O(1): factors are made when a frame first needs them.
   ///
-  /// @param problem   the one whose tractions are judged
+  /// @param problem   the one whose tractions are judged; kept, and copied unless it is shared
   /// @param contacts  the same rows on the surface on which contacts are sought: fine enough for
-  ///                  narrow ones, and beyond the array's ends; absent: the problem itself
+  ///                  narrow ones, and of a line beyond the array's ends; absent, or an empty
+  ///                  function: the problem itself. A function is called at most once: of a line at
+  ///                  once, of a skin when a frame first needs it
   /// @throw std::invalid_argument  a limit is not > 0, or a size does not fit
   DataJudge(const LinearProblem& problem, DataLimits limits);
   DataJudge(const LinearProblem& problem, const LinearProblem& contacts, DataLimits limits);
+  DataJudge(std::shared_ptr<const LinearProblem> problem, std::function<LinearProblem()> contacts,
+            DataLimits limits);
   ~DataJudge();
   DataJudge(DataJudge&&) noexcept;
   DataJudge& operator=(DataJudge&&) noexcept;
 
   /// One frame: a product by K where the tractions found are nearly a contact's own, or the memory
-  /// knows one; else a few non-negative least squares of a handful of free columns each. Allocates.
+  /// knows one. Else of a line a few non-negative least squares of a handful of free columns each;
+  /// of a skin up to three searches, and where no contact explains the frame as many for a few
+  /// taxels left out and for the sign turned round. Allocates.
   ///
   /// @param readings   g, one per row of K, finite
   /// @param tractions  that a method found for them [Pa]
   /// @param memory     of this judge; the doubts are the same without one, but for a single taxel
   ///                   at the edge of what is odd
-  /// @throw std::invalid_argument  a size does not fit
+  /// @throw std::invalid_argument  a size does not fit, also of the problem that `contacts` makes
   [[nodiscard]] DataVerdict judge(std::span<const double> readings,
                                   std::span<const double> tractions,
                                   DataMemory* memory = nullptr) const;

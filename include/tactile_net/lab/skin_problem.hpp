@@ -14,10 +14,10 @@
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/data_verdict.hpp"
 #include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -82,7 +82,7 @@ class SkinSceneProblem {
   [[nodiscard]] std::shared_ptr<const SkinCone> cone(double alpha) const;
 
   /// Whether readings can be true.
-  [[nodiscard]] const SkinDataJudge& data_judge() const;
+  [[nodiscard]] const DataJudge& data_judge() const;
   /// `unseen_cells` (skin_sight.hpp).
   [[nodiscard]] const std::vector<bool>& unseen() const;
   /// The cells above the outermost live taxels, and where dead ones leave a hole: `border_cells`

@@ -3,8 +3,8 @@
 #include <variant>
 
 #include "lab/check/judgement.hpp"
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/gain_changes.hpp"
-#include "tactile_net/skin/data_verdict.hpp"
 
 namespace tactile_net::lab {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "lab/pattern_cache.hpp"
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/missing.hpp"
@@ -15,7 +16,6 @@
 #include "tactile_net/sensing/resultant.hpp"
 #include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/covariance.hpp"
-#include "tactile_net/skin/data_verdict.hpp"
 
 namespace tactile_net::lab {
 namespace {
