@@ -13,8 +13,8 @@
 
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -110,7 +110,7 @@ bool compare_rules(std::size_t frames) {
     SkinProblemOptions options;
     options.components = setting.reads.size() == 1 ? 1 : 3;
     const LinearProblem problem = make_problem(skin, silicone, options);
-    const SkinFamily family(problem);
+    const TikhonovFamily family(problem);
     const AlphaTables tables(family.singular_values(), independent_readings(problem));
     const double largest =
         *std::max_element(family.singular_values().begin(), family.singular_values().end());
@@ -166,9 +166,8 @@ void compare_shares(std::size_t count) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (const Contact& contact : contacts(skin, problem, 12)) {
     const NoisyReadings noisy = with_noise(contact, 1e-3 * std::pow(50.0, unit(random)), random);
-    problem.tangential_weight =
-        likeliest_tangential_weight<SkinFamily>(problem, noisy.readings, noisy.rms);
-    const SkinFamily family(problem);
+    problem.tangential_weight = likeliest_tangential_weight(problem, noisy.readings, noisy.rms);
+    const TikhonovFamily family(problem);
     const FilterFrame frame = family.analyse(noisy.readings);
     const double alpha = choose_alone(frame, AlphaRule::aicc).alpha;
     const auto at = [&](double share) {

@@ -30,7 +30,7 @@ int main() {
 
   // What tractions to expect before any reading: the prior, whose size the rule gml estimates.
   const double prior = choose_alone(frame, AlphaRule::gml).alpha;
-  const TractionCovariance covariance(problem, alpha, prior);
+  const TractionCovariance covariance(family, alpha, prior);
   const NoiseEstimate noise =
       estimate_noise(problem, readings, tractions, covariance.degrees_of_freedom());
   const UncertainResultant contact = resultant_of(problem, tractions, covariance, noise.rms());

@@ -29,7 +29,7 @@ double products_of(const ProductPlan& plan) {
 
 /// 1e4 frames of 16 x 16 x 3: a loop of `update`, `update_batch` on one thread and on all, Eigen's
 /// dense product, and what the products alone would take in registers.
-void measure_batch(Floors& floors, const LinearProblem& problem, const SkinFamily& family,
+void measure_batch(Floors& floors, const LinearProblem& problem, const TikhonovFamily& family,
                    bool diagnostics) {
   constexpr std::size_t frames = 10000;
   const PlannedEstimator planned =
@@ -93,7 +93,7 @@ void measure_batch(Floors& floors, const LinearProblem& problem, const SkinFamil
 
 void batches(Floors& floors) {
   const LinearProblem problem = square_problem(16, 3);
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   for (const bool diagnostics : {false, true}) measure_batch(floors, problem, family, diagnostics);
 }
 

@@ -34,7 +34,7 @@ struct Case {
   double limit;  // over summing the dense matrix
 };
 
-void measure(Floors& floors, const LinearProblem& problem, const SkinFamily& family,
+void measure(Floors& floors, const LinearProblem& problem, const TikhonovFamily& family,
              const Case& one) {
   PlannedEstimator planned;
   const double planning = seconds_of([&] {
@@ -100,7 +100,7 @@ void single_frames(Floors& floors, const std::vector<std::string>& skins) {
       ++i;
     if (!wanted) continue;
     const LinearProblem problem = square_problem(cases[first].size, cases[first].components);
-    const SkinFamily family(problem);
+    const TikhonovFamily family(problem);
     for (std::size_t k = first; k < i; ++k) measure(floors, problem, family, cases[k]);
   }
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tactile_net/control/planner.hpp"
-#include "tactile_net/skin/family.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace bench {

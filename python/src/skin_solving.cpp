@@ -68,7 +68,7 @@ class SkinSolver {
     if (!product_) return answer_of(*problem_, readings, frame).tractions;
     for (const double reading : readings)
       if (!std::isfinite(reading)) throw bad_frame(FrameStatus::not_finite, readings, frame);
-    const SkinFamily& family = problem_->family();
+    const TikhonovFamily& family = problem_->family();
     std::vector<double> found =
         family.solve(family.analyse(readings), *problem_->scene().reconstruct.alpha);
     if (!std::all_of(found.begin(), found.end(), [](double f) { return std::isfinite(f); }))

@@ -13,9 +13,10 @@
 #include "control/product_planner.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net {
 namespace {
@@ -23,24 +24,12 @@ namespace {
 /// What planning takes of a problem's solver, for one alpha. Nothing else here knows a solver.
 struct Solution {
   Reconstruction inverse;
-  std::unique_ptr<const Covariance> covariance{};  // the posterior's, where it is asked for
-  const CellCovariance* of_cells = nullptr;        // the same, by a family
+  std::optional<TractionCovariance> covariance{};  // the posterior's, where it is asked for
 };
 
-Solution solution_of(const SkinFamily& family, double alpha, bool with_covariance) {
+Solution solution_of(const TikhonovFamily& family, double alpha, bool with_covariance) {
   Solution solution{.inverse = family.reconstruction(alpha)};
-  if (!with_covariance) return solution;
-  auto covariance = std::make_unique<const SkinCovariance>(family, alpha, alpha);
-  solution.of_cells = covariance.get();
-  solution.covariance = std::move(covariance);
-  return solution;
-}
-
-Solution solution_of(const LinearProblem& problem, double alpha, bool with_covariance) {
-  if (!is_line(problem)) return solution_of(SkinFamily(problem), alpha, with_covariance);
-  Solution solution{.inverse = tikhonov(problem, alpha)};
-  if (with_covariance)
-    solution.covariance = std::make_unique<const TractionCovariance>(problem, alpha, alpha);
+  if (with_covariance) solution.covariance.emplace(family, alpha, alpha);
   return solution;
 }
 
@@ -104,7 +93,7 @@ void fill_in(ProductTask& task, const LinearProblem& problem, const LinearProble
   task.fill = filled_readings(problem, whole, task.matrix, weights);
   task.filled = dead_readings(problem);
   task.target =
-      std::exchange(task.matrix, of_weighted(solution_of(whole, alpha, false).inverse, weights));
+      std::exchange(task.matrix, of_weighted(TikhonovFamily(whole).reconstruction(alpha), weights));
 }
 
 /// W K M W^-1, eigenvalues in [0, 1): the readings that the tractions explain, and the constants
@@ -146,7 +135,7 @@ void take_noise(EstimatorPlan& plan, const LinearProblem& problem, const Solutio
   if (options.diagnostics)
     plan.residual_limit =
         options.noise_rms * noise_limit(problem.weights, independent_readings(problem));
-  if (plan.cells) add_deviations(*plan.cells, problem, *solution.of_cells, options.noise_rms);
+  if (plan.cells) add_deviations(*plan.cells, problem, *solution.covariance, options.noise_rms);
 }
 
 /// Sizes and places of readings and tractions.
@@ -240,11 +229,12 @@ double planning_bytes(std::size_t readings, std::size_t tractions) noexcept {
 PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
                                 const PlannerOptions& options, const LinearProblem* whole) {
   check_plan_input(problem, options, whole);
-  return planned_estimator(problem, solution_of(problem, alpha, options.noise_rms > 0.0), alpha,
-                           options, whole);
+  return planned_estimator(problem,
+                           solution_of(TikhonovFamily(problem), alpha, options.noise_rms > 0.0),
+                           alpha, options, whole);
 }
 
-PlannedEstimator plan_estimator(const LinearProblem& problem, const SkinFamily& family,
+PlannedEstimator plan_estimator(const LinearProblem& problem, const TikhonovFamily& family,
                                 double alpha, const PlannerOptions& options,
                                 const LinearProblem* whole) {
   check_plan_input(problem, options, whole);

@@ -8,6 +8,7 @@
 
 #include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
+#include "tactile_net/skin/resultant.hpp"
 
 namespace tactile_net {
 namespace {

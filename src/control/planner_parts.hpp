@@ -10,8 +10,8 @@
 #include "control/product_planner.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
-#include "tactile_net/skin/cell_window.hpp"
 
 namespace tactile_net {
 

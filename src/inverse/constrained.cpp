@@ -1,5 +1,6 @@
 #include "tactile_net/inverse/constrained.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -36,6 +37,31 @@ Matrix edges(const LinearProblem& problem, const Constraints& constraints) {
     map(t, t) = -limit;
   }
   return map;
+}
+
+ActiveFace active_face(const LinearProblem& problem, const Constraints& constraints,
+                       std::span<const std::size_t> free) {
+  check(problem, constraints);
+  const std::size_t n = problem.grid.count();
+  const auto is_free = [&](std::size_t column) {
+    return std::binary_search(free.begin(), free.end(), column);
+  };
+  ActiveFace face;
+  for (const std::size_t column : free) {
+    if (column >= problem.components * n)
+      throw std::invalid_argument("the face is of another problem: it has more variables");
+    const std::size_t cell = column % n;
+    ActiveFace::Direction direction{.cell = cell};
+    if (constraints.friction_limit && !(is_free(cell) && is_free(cell + n))) {
+      const double limit = *constraints.friction_limit;
+      const double size = std::hypot(1.0, limit);
+      direction.along = {1.0 / size, (column < n ? limit : -limit) / size, 0.0};
+    } else {
+      direction.along[column / n] = 1.0;
+    }
+    face.free.push_back(direction);
+  }
+  return face;
 }
 
 struct ConstrainedTikhonov::System {

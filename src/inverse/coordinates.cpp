@@ -17,6 +17,12 @@ using Eigen::Index;
 Eigen::MatrixXd along_both(Eigen::MatrixXd columns, const Eigen::MatrixXd& left,
                            const Eigen::MatrixXd& right) {
   const Index cells = left.cols() * right.cols();
+  if (right.size() == 1) {  // a line's: all of its columns by one product
+    for (Index start = 0; start < columns.rows(); start += cells)
+      columns.middleRows(start, cells) =
+          (left * columns.middleRows(start, cells)).eval() * right(0, 0);
+    return columns;
+  }
   for (Index j = 0; j < columns.cols(); ++j)
     for (Index start = 0; start < columns.rows(); start += cells) {
       Eigen::Map<RowMajor> x(columns.col(j).data() + start, left.rows(), right.rows());

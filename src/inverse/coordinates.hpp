@@ -28,6 +28,8 @@ class TractionCoordinates {
                                                 const CellWindow& window) const = 0;
   /// Tractions of a component, if T T' joins none of two components; 0: it may.
   [[nodiscard]] virtual Eigen::Index component_size() const noexcept = 0;
+  /// What L stretches each coordinate by, where T is a rotation but for that; empty: it is not.
+  [[nodiscard]] virtual Eigen::VectorXd stretch() const { return {}; }
 };
 
 /// Waves along y and z (axis_waves.hpp), wave (m, n) of component u at the place of value (m, n):
@@ -47,6 +49,7 @@ class WaveCoordinates final : public TractionCoordinates {
   [[nodiscard]] Eigen::Index component_size() const noexcept override {
     return y_.rows() * z_.rows();
   }
+  [[nodiscard]] Eigen::VectorXd stretch() const override { return stretch_; }
 
   /// stretch C' f: the coordinates of tractions.
   [[nodiscard]] Eigen::MatrixXd coordinates(const Eigen::MatrixXd& tractions) const;

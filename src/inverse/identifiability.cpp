@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "inverse/coordinates.hpp"
 #include "inverse/line_stabiliser.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
@@ -222,17 +223,16 @@ ModeSpace hidden_modes(const LinearProblem& problem) {
 }
 
 ModeSpace hidden_modes(const LinearProblem& problem, const TikhonovFamily& family) {
-  // K = U diag(gamma) V' R, and of each traction R's singular values lie between sqrt(h/D) and that
-  // times the condition of L, times the traction's weight.
+  // W K = U diag(gamma) V' T^-1, and the squares of T^-1's singular values are L's spectrum. Where
+  // there are fewer gammas than tractions some of these are hidden.
   const std::span<const double> gamma = family.singular_values();
-  const double size = std::sqrt(problem.measure);
-  const double ratio = problem.smoothing_length / problem.grid.spacing_y;
-  const double weight = problem.components == 2 ? problem.tangential_weight : 1.0;
-  const double least = size * std::min(1.0, weight);
-  const double most = size * std::max(1.0, weight) * std::sqrt(1.0 + 5.0 * ratio * ratio);
-  if (problem.kernel.rows >= problem.kernel.columns &&
-      gamma.back() * least > 2.0 * floor_of(problem, gamma.front() * most))
-    return {};
+  if (gamma.size() == problem.kernel.columns) {
+    const auto [least, most] = std::minmax_element(gamma.begin(), gamma.end());
+    const Eigen::VectorXd squares = stabiliser_spectrum(problem);
+    if (*least * std::sqrt(squares.minCoeff()) >
+        2.0 * floor_of(problem, *most * std::sqrt(squares.maxCoeff())))
+      return {};
+  }
   return hidden_modes(problem);
 }
 

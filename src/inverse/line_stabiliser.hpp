@@ -57,21 +57,6 @@ inline void require_line(const LinearProblem& problem) {
   return slopes;
 }
 
-/// Their squares, times alpha.
-[[nodiscard]] inline Eigen::VectorXd stabiliser_couplings(const LinearProblem& problem,
-                                                          double alpha = 1.0) {
-  require_line(problem);
-  const auto block = static_cast<Eigen::Index>(problem.grid.rows);
-  const double ratio = problem.smoothing_length / problem.grid.spacing_y;
-  Eigen::VectorXd couplings(static_cast<Eigen::Index>(problem.kernel.columns));
-  for (Eigen::Index i = 0; i < couplings.size(); ++i) {
-    const double weight = stabiliser_weight(problem, i);
-    const double coupling = alpha * problem.measure * ratio * ratio * weight * weight;
-    couplings(i) = i % block + 1 == block ? 0.0 : coupling;
-  }
-  return couplings;
-}
-
 /// L itself, [slopes; diagonal of sizes], 2 n x n.
 [[nodiscard]] inline Eigen::MatrixXd stabiliser(const LinearProblem& problem) {
   const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
@@ -87,34 +72,17 @@ inline void require_line(const LinearProblem& problem) {
   return l;
 }
 
-/// The triangle R of L's QR, upper bidiagonal: R'R = L'L. Its pivots are sums of positive numbers,
-/// so that the squares lose nothing.
-[[nodiscard]] inline Eigen::MatrixXd stabiliser_triangle(const LinearProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(problem.kernel.columns);
-  const Eigen::VectorXd sizes = stabiliser_sizes(problem);
-  const Eigen::VectorXd couplings = stabiliser_couplings(problem);
-  Eigen::MatrixXd r = Eigen::MatrixXd::Zero(n, n);
-  double passed_on = 0.0;  // by elimination, from the left neighbour
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double own = sizes(i) * sizes(i) + passed_on;
-    const double pivot = own + couplings(i);
-    r(i, i) = std::sqrt(pivot);
-    passed_on = couplings(i) * (own / pivot);
-    if (couplings(i) > 0.0) r(i, i + 1) = -couplings(i) / r(i, i);
-  }
-  return r;
-}
-
 /// |L f|_2^2.
 [[nodiscard]] inline double stabiliser_square(const LinearProblem& problem,
                                               const Eigen::Ref<const Eigen::VectorXd>& f) {
   const Eigen::VectorXd sizes = stabiliser_sizes(problem);
-  const Eigen::VectorXd couplings = stabiliser_couplings(problem);
+  const Eigen::VectorXd slopes = stabiliser_slopes(problem);
   const auto n = static_cast<Eigen::Index>(problem.grid.rows);
   double sum = 0.0;
   for (Eigen::Index start = 0; start < f.size(); start += n)
     sum += sizes.segment(start, n).cwiseProduct(f.segment(start, n)).squaredNorm() +
-           couplings(start) * (f.segment(start + 1, n - 1) - f.segment(start, n - 1)).squaredNorm();
+           slopes(start) * slopes(start) *
+               (f.segment(start + 1, n - 1) - f.segment(start, n - 1)).squaredNorm();
   return sum;
 }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "inverse/checks.hpp"
+#include "inverse/family_factors.hpp"
 #include "inverse/line_stabiliser.hpp"
-#include "inverse/standard_form.hpp"
-#include "inverse/weighting.hpp"
 #include "numeric/require.hpp"
 
 namespace tactile_net {
@@ -65,7 +65,7 @@ std::vector<std::vector<Range>> ranges(const SurfaceGrid& grid, double narrowest
 struct LoadWindows::Windows {
   struct Window {
     std::vector<Index> columns{};  // of K: the window's values, of each traction
-    Eigen::MatrixXd u{};           // of its standard form
+    Eigen::MatrixXd u{};           // of the family on the window's face
     Eigen::MatrixXd from_components{};
     Eigen::MatrixXd hidden{};     // what no reading shows, the root of its covariance times alpha
     Eigen::VectorXd gamma2{};     // squares
@@ -74,25 +74,28 @@ struct LoadWindows::Windows {
   };
 
   Windows(const LinearProblem& problem, double narrowest) : weighting(problem) {
-    const Eigen::MatrixXd k = as_eigen(problem.kernel);
-    const Eigen::MatrixXd l = stabiliser(problem);
+    require_line(problem);
     const auto block = static_cast<Index>(problem.grid.count());
     const auto levels = ranges(problem.grid, narrowest);
     for (auto level = levels.rbegin(); level != levels.rend(); ++level)  // the whole surface first
       for (const Range& range : *level) {
         Window window;
+        ActiveFace face;
         for (std::size_t unknown = 0; unknown < problem.components; ++unknown)
-          for (Index i = 0; i < range.count; ++i)
-            window.columns.push_back(static_cast<Index>(unknown) * block + range.first + i);
-        fill(window, k, l, -std::log(static_cast<double>(level->size())));
+          for (Index i = range.first; i < range.first + range.count; ++i) {
+            window.columns.push_back(static_cast<Index>(unknown) * block + i);
+            face.free.push_back({.cell = static_cast<std::size_t>(i)});
+            face.free.back().along[unknown] = 1.0;
+          }
+        fill(window, TikhonovFamily(problem, face), -std::log(static_cast<double>(level->size())));
         all.push_back(std::move(window));
       }
   }
 
-  void fill(Window& window, const Eigen::MatrixXd& k, const Eigen::MatrixXd& l, double log_prior) {
-    const StandardForm form(
-        k(Eigen::indexing::all, window.columns),
-        HouseholderQr(Eigen::MatrixXd(l(Eigen::indexing::all, window.columns))).triangle());
+  /// @param family  on the window's face
+  void fill(Window& window, const TikhonovFamily& family, double log_prior) {
+    const std::shared_ptr<const TikhonovFamily::Factors> factors = family.factors();
+    const TikhonovFamily::Factors::Block& form = factors->blocks.front();
     const Index n = form.v.rows();
     const Index components = form.v.cols();
     if (alphas.size() == 0) {
@@ -102,12 +105,13 @@ struct LoadWindows::Windows {
         alphas(a) =
             form.gamma(0) * form.gamma(0) * largest_alpha * std::ldexp(1.0, -static_cast<int>(a));
     }
-    window.from_components =
-        form.from_components(Eigen::MatrixXd(Eigen::MatrixXd::Identity(components, components)));
+    const auto inside = [&](const Eigen::MatrixXd& coordinates) -> Eigen::MatrixXd {
+      return factors->coordinates->tractions(coordinates)(window.columns, Eigen::indexing::all);
+    };
+    window.from_components = inside(form.v);
     window.hidden.resize(n, 0);
     if (components < n)
-      window.hidden = solve_upper(form.triangle, Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n) -
-                                                                 form.v * form.v.transpose()));
+      window.hidden = inside(Eigen::MatrixXd::Identity(n, n) - form.v * form.v.transpose());
     window.gamma2 = form.gamma.cwiseAbs2();
     window.u = form.u;
     window.lost.resize(window_alphas, components);
@@ -131,9 +135,9 @@ LoadWindows& LoadWindows::operator=(LoadWindows&&) noexcept = default;
 
 std::size_t LoadWindows::count() const noexcept { return windows_->all.size(); }
 
-TractionCovariance LoadWindows::covariance(std::span<const double> readings,
-                                           std::span<const double> tractions, double alpha,
-                                           double noise_rms) const {
+RootCovariance LoadWindows::covariance(std::span<const double> readings,
+                                       std::span<const double> tractions, double alpha,
+                                       double noise_rms) const {
   const Windows& windows = *windows_;
   const auto n = static_cast<Index>(windows.all.front().columns.size());
   check_readings(readings, static_cast<std::size_t>(windows.weighting.size()));
@@ -195,7 +199,7 @@ TractionCovariance LoadWindows::covariance(std::span<const double> readings,
     s.col(i) = columns[static_cast<std::size_t>(i)] * (sigma / noise_rms);
 
   const auto& gamma2 = windows.all.front().gamma2.array();
-  return {root, (gamma2 / (gamma2 + alpha)).sum()};
+  return {std::move(root), (gamma2 / (gamma2 + alpha)).sum()};
 }
 
 }  // namespace tactile_net

@@ -9,7 +9,7 @@
 #include "inverse/family_factors.hpp"
 #include "inverse/sections.hpp"
 #include "inverse/welch_periodogram.hpp"
-#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 
 namespace tactile_net {
 namespace {
@@ -21,6 +21,7 @@ constexpr std::size_t most_bins = 64;
 struct Alike {
   TikhonovFamily family;
   std::vector<std::size_t> sections;
+  Eigen::MatrixXd u;        // the family's left vectors
   Eigen::MatrixXd spectra;  // of u's columns, at the periodogram's frequencies
   Eigen::MatrixXd fourier;  // of rows, likewise
 };
@@ -66,12 +67,13 @@ struct LongArrayFamily::Parts {
   }
 
   void add(TikhonovFamily family, const std::vector<std::size_t>& of) {
-    const TikhonovFamily::Factors& factors = family.factors();
+    const TikhonovFamily::Factors& factors = *family.factors();
+    Eigen::MatrixXd u = factors.left_vectors();
     // What these sections' living taxels count for together.
-    Eigen::VectorXd counts = Eigen::VectorXd::Zero(factors.form.u.rows());
+    Eigen::VectorXd counts = Eigen::VectorXd::Zero(u.rows());
     for (const std::size_t s : of) counts += tapers(s);
     counts.array() *= (factors.weighting.weights().array() != 0.0).cast<double>();
-    const Eigen::VectorXd share = factors.form.u.cwiseAbs2().transpose() * counts;
+    const Eigen::VectorXd share = u.cwiseAbs2().transpose() * counts;
     gamma.insert(gamma.end(), factors.gamma.begin(), factors.gamma.end());
     shares.insert(shares.end(), share.begin(), share.end());
 
@@ -85,7 +87,7 @@ struct LongArrayFamily::Parts {
         rows_of.push_back(static_cast<Eigen::Index>(part * all_bins + k * every - 1));
     Eigen::MatrixXd spectra = factors.spectra().of_u(rows_of, Eigen::indexing::all);
     Eigen::MatrixXd fourier = factors.spectra().fourier(rows_of, Eigen::indexing::all);
-    alikes.push_back({std::move(family), of, std::move(spectra), std::move(fourier)});
+    alikes.push_back({std::move(family), of, std::move(u), std::move(spectra), std::move(fourier)});
   }
 
   /// Of every row of a section.
@@ -140,7 +142,7 @@ FilterFrame LongArrayFamily::analyse(std::span<const double> readings) const {
       tapers.col(k) = parts.tapers(s);
     }
     const Eigen::MatrixXd tapered = pieces.cwiseProduct(tapers);
-    const Eigen::MatrixXd& u = alike.family.factors().form.u;
+    const Eigen::MatrixXd& u = alike.u;
     const Eigen::MatrixXd whole = u.transpose() * pieces;
     Eigen::MatrixXd beta = u.transpose() * tapered;
     const Eigen::VectorXd powers = whole.cwiseProduct(beta).rowwise().sum();

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace tactile_net {
 namespace {
@@ -23,9 +24,9 @@ Mirrors mirrors(const LinearProblem& problem, Axis along) {
   const double centre = along == Axis::y ? grid.centre_y : grid.centre_z;
   // Kernels change by a rounding where places do.
   const double rounding = 1e-12 * (std::abs(centre) + spacing);
-  std::map<std::tuple<std::size_t, double, double>, std::vector<std::size_t>> lines;
+  std::map<std::tuple<std::size_t, double, double, double>, std::vector<std::size_t>> lines;
   const auto key = [&](const Site& site) {
-    return std::tuple(site.channel, site.depth, along == Axis::y ? site.z : site.y);
+    return std::tuple(site.channel, site.depth, site.width, along == Axis::y ? site.z : site.y);
   };
   const auto place = [&](const Site& site) {
     return (along == Axis::y ? site.y : site.z) - centre;
@@ -105,8 +106,10 @@ std::vector<MirrorClass> mirror_classes(const LinearProblem& problem) {
   for (const bool odd_y : {false, true})
     for (const bool odd_z : {false, true}) {
       if ((odd_y && !y) || (odd_z && !z)) continue;
-      // One without waves still has readings, which no traction explains.
-      classes.push_back(class_of(problem, y, z, odd_y, odd_z));
+      MirrorClass one = class_of(problem, y, z, odd_y, odd_z);
+      // One without waves may have readings, which no traction explains. A line has nothing that is
+      // odd along z.
+      if (one.readings.rows() > 0 || !one.waves.empty()) classes.push_back(std::move(one));
     }
   return classes;
 }

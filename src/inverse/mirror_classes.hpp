@@ -16,7 +16,7 @@ struct MirrorClass {
   std::vector<Eigen::Index> waves;                        ///< columns of W K in waves
 };
 
-/// One where nothing mirrors itself, else two or four.
+/// One where nothing mirrors itself, else two or four, but those of which there is nothing.
 [[nodiscard]] std::vector<MirrorClass> mirror_classes(const LinearProblem& problem);
 
 /// All readings, and so many coordinates.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "inverse/alpha_criteria.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 
 namespace tactile_net {
 
@@ -55,6 +56,19 @@ double likeliest_tangential_weight(
     for (const std::ptrdiff_t way : {step, -step})
       while (best + way >= 0 && best + way <= last && value(best + way) < value(best)) best += way;
   return weights[static_cast<std::size_t>(best)];
+}
+
+double likeliest_tangential_weight(LinearProblem problem, std::span<const double> readings,
+                                   std::optional<double> noise_rms) {
+  if (problem.components == 1) return 1.0;
+  return likeliest_tangential_weight([&](double weight) {
+    problem.tangential_weight = weight;
+    const TikhonovFamily family(problem);
+    const FilterFrame frame = family.analyse(readings);
+    return negative_log_evidence(frame, AlphaTables(family.singular_values(), frame.rows),
+                                 noise_rms) +
+           negative_log_prior(weight);
+  });
 }
 
 }  // namespace tactile_net

@@ -2,50 +2,37 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <mutex>
+#include <limits>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "inverse/checks.hpp"
 #include "inverse/degrees_of_freedom.hpp"
+#include "inverse/face_coordinates.hpp"
 #include "inverse/family_factors.hpp"
 #include "inverse/stacked.hpp"
+#include "inverse/window_sums.hpp"
+#include "numeric/decompositions.hpp"
+#include "tactile_net/inverse/error_bound.hpp"
 
 namespace tactile_net {
 namespace {
 
+using Eigen::Index;
+
 /// Cosines and sines of the frequencies 1 ... count / 2, for every channel.
-Eigen::MatrixXd fourier_rows(Eigen::Index count, Eigen::Index channels) {
-  const Eigen::Index bins = count / 2;
+Eigen::MatrixXd fourier_rows(Index count, Index channels) {
+  const Index bins = count / 2;
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2 * bins * channels, count * channels);
-  for (Eigen::Index k = 0; k < bins; ++k)
-    for (Eigen::Index i = 0; i < count; ++i) {
+  for (Index k = 0; k < bins; ++k)
+    for (Index i = 0; i < count; ++i) {
       const double turn = static_cast<double>((k + 1) * i % count) / static_cast<double>(count);
-      for (Eigen::Index c = 0; c < channels; ++c) {
+      for (Index c = 0; c < channels; ++c) {
         rows(2 * bins * c + k, count * c + i) = std::cos(2.0 * std::numbers::pi * turn);
         rows(2 * bins * c + bins + k, count * c + i) = std::sin(2.0 * std::numbers::pi * turn);
       }
     }
   return rows;
-}
-
-/// Of L, at most: of one traction's, times the heavier one's weight over the lighter one's.
-double stabiliser_condition(const LinearProblem& problem) {
-  const double last = stabiliser_weight(problem, as_eigen(problem.kernel).cols() - 1);
-  return std::hypot(1.0, 2.0 * problem.smoothing_length / problem.grid.spacing_y) *
-         std::max(last, 1.0 / last);
-}
-
-/// Of the columns of `edges` that are free.
-StandardForm face(const LinearProblem& problem, const Constraints& constraints,
-                  std::span<const std::size_t> free) {
-  if (free.empty()) throw std::invalid_argument("every traction is held at zero: no family of any");
-  const Matrix all = edges(problem, constraints);
-  return {problem, as_eigen(all)(Eigen::indexing::all, std::vector(free.begin(), free.end()))};
 }
 
 /// Of readings in the space of rows: a matrix-vector product per alpha.
@@ -64,7 +51,7 @@ class DensePeriodogram final : public ResidualPeriodogram {
     const Eigen::VectorXd rate = spectra * as_eigen(change);
     std::fill(values.begin(), values.end(), 0.0);
     std::fill(slopes.begin(), slopes.end(), 0.0);
-    for (Eigen::Index i = 0; i < residual.size(); ++i) {
+    for (Index i = 0; i < residual.size(); ++i) {
       const auto bin = static_cast<std::size_t>(i) % bins_;
       values[bin] += residual(i) * residual(i);
       slopes[bin] += 2.0 * residual(i) * rate(i);
@@ -73,14 +60,15 @@ class DensePeriodogram final : public ResidualPeriodogram {
 
   void powers(std::span<const double> left, std::size_t components,
               std::span<double> values) const override {
-    const auto rows = static_cast<Eigen::Index>(components);
-    const Eigen::Map<const Eigen::MatrixXd> all(left.data(), rows, std::ssize(left) / rows);
+    if (bins_ == 0) return;
+    const auto bins = static_cast<Index>(bins_);
+    const Index count = std::ssize(values) / bins;
+    const Eigen::Map<const Eigen::MatrixXd> all(left.data(), static_cast<Index>(components), count);
     const Eigen::MatrixXd residuals = factors_->spectra().of_u * all;
     const Eigen::VectorXd& spectrum = outside();
-    const auto bins = static_cast<Eigen::Index>(bins_);
-    Eigen::Map<Eigen::MatrixXd> sums(values.data(), bins, all.cols());
+    Eigen::Map<Eigen::MatrixXd> sums(values.data(), bins, count);
     sums.setZero();
-    for (Eigen::Index k = 0; k < residuals.rows(); k += bins)
+    for (Index k = 0; k < residuals.rows(); k += bins)
       sums.array() +=
           (residuals.middleRows(k, bins).colwise() + spectrum.segment(k, bins)).array().square();
   }
@@ -99,36 +87,164 @@ class DensePeriodogram final : public ResidualPeriodogram {
   mutable Eigen::VectorXd outside_{};
 };
 
+bool is_kept(const RowMajor& roots) {
+  constexpr std::size_t most = std::size_t{256} << 20;  // bytes
+  return static_cast<std::size_t>(roots.size()) * sizeof(double) <= most;
+}
+
+/// The most by which L stretches one traction more than another.
+double condition_of_stabiliser(const LinearProblem& problem) {
+  const Eigen::VectorXd spectrum = stabiliser_spectrum(problem);
+  return std::sqrt(spectrum.maxCoeff() / spectrum.minCoeff());
+}
+
+/// sqrt(gamma^2 + alpha), nothing squared.
+Eigen::VectorXd stacked_sizes(const Eigen::VectorXd& gammas, double alpha) {
+  const double root = std::sqrt(alpha);
+  return gammas.unaryExpr([=](double gamma) { return std::hypot(gamma, root); });
+}
+
+/// gamma / (gamma^2 + alpha), nothing squared.
+double tikhonov_filter(double gamma, double alpha) {
+  const double size = std::hypot(gamma, std::sqrt(alpha));
+  return gamma / size / size;
+}
+
 }  // namespace
 
-TikhonovFamily::Factors::Factors(const LinearProblem& problem, StandardForm standard,
-                                 double condition)
-    : line(channel_length(problem)),
+TikhonovFamily::Factors::Factors(const LinearProblem& problem,
+                                 std::shared_ptr<const TractionCoordinates> basis,
+                                 std::vector<MirrorClass> classes)
+    : line(problem.grid.columns == 1 ? channel_length(problem) : 0),
       weighting(problem),
-      stabiliser_condition(condition),
-      form(std::move(standard)),
-      gamma(form.gamma.begin(), form.gamma.end()) {}
+      coordinates(std::move(basis)),
+      stabiliser_condition(condition_of_stabiliser(problem)) {
+  const Eigen::MatrixXd all = coordinates->sums(as_eigen(problem.kernel).transpose());  // T' K' W
+  for (MirrorClass& part : classes) {
+    const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
+    const Eigen::MatrixXd transposed = selected * part.readings.transpose();
+    Block block{.part = std::move(part)};
+    if (transposed.size() > 0) {
+      Svd svd = long_singular_value_decomposition(transposed);
+      block.u = std::move(svd.v);
+      block.v = std::move(svd.u);
+      block.gamma = std::move(svd.values);
+    } else {
+      block.u.resize(transposed.cols(), 0);
+      block.v.resize(transposed.rows(), 0);
+    }
+    gamma.insert(gamma.end(), block.gamma.begin(), block.gamma.end());
+    blocks.push_back(std::move(block));
+  }
+}
+
+Eigen::MatrixXd TikhonovFamily::Factors::components(const Eigen::MatrixXd& from) const {
+  Eigen::MatrixXd result(std::ssize(gamma), from.cols());
+  Index first = 0;
+  for (const Block& block : blocks) {
+    result.middleRows(first, block.gamma.size()) =
+        block.v.transpose() * from(block.part.waves, Eigen::indexing::all);
+    first += block.gamma.size();
+  }
+  return result;
+}
+
+Eigen::MatrixXd TikhonovFamily::Factors::from_components(const Eigen::MatrixXd& from) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(coordinates->count(), from.cols());
+  Index first = 0;
+  for (const Block& block : blocks) {
+    result(block.part.waves, Eigen::indexing::all) =
+        block.v * from.middleRows(first, block.gamma.size());
+    first += block.gamma.size();
+  }
+  return result;
+}
+
+Eigen::MatrixXd TikhonovFamily::Factors::left_vectors() const {
+  Eigen::MatrixXd result(weighting.size(), std::ssize(gamma));
+  Index first = 0;
+  for (const Block& block : blocks) {
+    result.middleCols(first, block.gamma.size()) = block.part.readings.transpose() * block.u;
+    first += block.gamma.size();
+  }
+  return result;
+}
+
+double TikhonovFamily::Factors::stacked_condition(double alpha) const {
+  const Eigen::VectorXd stretch = coordinates->stretch();
+  double most = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  Index rows = 0;
+  for (const Block& block : blocks) {
+    const Index n = std::ssize(block.part.waves);
+    if (n == 0) continue;
+    // Rotations are left out: T^-1 and U.
+    const Eigen::MatrixXd own = Eigen::VectorXd(stretch(block.part.waves)).asDiagonal();
+    const Eigen::MatrixXd shown = block.v.transpose() * own;
+    const bool wide = n > shown.rows();  // some show in no reading
+    Eigen::MatrixXd stacked(shown.rows() + (wide ? n : 0), n);
+    stacked.topRows(shown.rows()) = stacked_sizes(block.gamma, alpha).asDiagonal() * shown;
+    if (wide) stacked.bottomRows(n) = std::sqrt(alpha) * (own - block.v * shown);
+    const Eigen::VectorXd sizes = tactile_net::singular_values(StackedQr(stacked).triangle());
+    most = std::max(most, sizes(0));
+    least = std::min(least, sizes(n - 1));
+    rows += stacked.rows();
+  }
+  require_full_rank(most / least, static_cast<std::size_t>(rows));
+  return most / least;
+}
+
+std::shared_ptr<const RowMajor> TikhonovFamily::Factors::roots() const {
+  const std::lock_guard lock(kept_.mutex);
+  if (kept_.roots) return kept_.roots;
+  auto made = std::make_shared<RowMajor>(coordinates->traction_count(), std::ssize(gamma));
+  Index first = 0;
+  for (const Block& block : blocks) {
+    Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(coordinates->count(), block.gamma.size());
+    vectors(block.part.waves, Eigen::indexing::all) = block.v;
+    made->middleCols(first, block.gamma.size()) = coordinates->tractions(vectors);
+    first += block.gamma.size();
+  }
+  if (is_kept(*made)) kept_.roots = made;
+  return made;
+}
+
+std::shared_ptr<const RowMajor> TikhonovFamily::Factors::window_roots(
+    const SurfaceGrid& grid, const CellWindow& window) const {
+  const std::shared_ptr<const RowMajor> cells = roots();
+  const std::lock_guard lock(kept_.mutex);
+  if (kept_.windows && kept_.windows->first.rows == window.rows &&
+      kept_.windows->first.columns == window.columns)
+    return kept_.windows->second;
+  Eigen::MatrixXd sums = cells->topRows(static_cast<Index>(grid.count()));
+  for (Index j = 0; j < sums.cols(); ++j)
+    window_sums(grid, window, std::span(sums.col(j).data(), grid.count()));
+  auto made = std::make_shared<const RowMajor>(sums);
+  if (is_kept(*made)) kept_.windows.emplace(window, made);
+  return made;
+}
 
 const TikhonovFamily::Factors::Spectra& TikhonovFamily::Factors::spectra() const {
   std::call_once(spectra_made_, [this] {
     // Noise is white in any order of the readings.
-    const auto length = static_cast<Eigen::Index>(line);
-    spectra_.fourier = fourier_rows(length, form.u.rows() / length);
-    spectra_.of_u = spectra_.fourier * form.u;
+    const auto length = static_cast<Index>(line);
+    spectra_.fourier = fourier_rows(length, weighting.size() / length);
+    spectra_.of_u = spectra_.fourier * left_vectors();
   });
   return spectra_;
 }
 
 TikhonovFamily::TikhonovFamily(const LinearProblem& problem)
-    : factors_(std::make_shared<const Factors>(problem, StandardForm(problem),
-                                               stabiliser_condition(problem))) {}
+    : factors_(
+          std::make_shared<const Factors>(problem,
+                                          std::make_shared<const WaveCoordinates>(
+                                              problem, stabiliser_spectrum(problem).cwiseSqrt()),
+                                          mirror_classes(problem))) {}
 
-TikhonovFamily::TikhonovFamily(const LinearProblem& problem, const Constraints& constraints,
-                               std::span<const std::size_t> free) {
-  StandardForm form = face(problem, constraints, free);
-  const Eigen::VectorXd sizes = tactile_net::singular_values(form.triangle);
-  factors_ =
-      std::make_shared<const Factors>(problem, std::move(form), sizes(0) / sizes(sizes.size() - 1));
+TikhonovFamily::TikhonovFamily(const LinearProblem& problem, const ActiveFace& face) {
+  auto coordinates = std::make_shared<const FaceCoordinates>(problem, face);
+  std::vector<MirrorClass> whole{whole_class(problem, coordinates->count())};
+  factors_ = std::make_shared<const Factors>(problem, std::move(coordinates), std::move(whole));
 }
 TikhonovFamily::~TikhonovFamily() = default;
 TikhonovFamily::TikhonovFamily(TikhonovFamily&&) noexcept = default;
@@ -136,11 +252,15 @@ TikhonovFamily& TikhonovFamily::operator=(TikhonovFamily&&) noexcept = default;
 
 std::span<const double> TikhonovFamily::singular_values() const noexcept { return factors_->gamma; }
 
+std::size_t TikhonovFamily::classes() const noexcept { return factors_->blocks.size(); }
+
 double TikhonovFamily::condition(double alpha) const noexcept {
   const double root = std::sqrt(alpha);
-  const bool wide = factors_->form.v.rows() > factors_->form.u.rows();  // some show in no reading
-  return std::hypot(factors_->gamma.front(), root) /
-         std::hypot(wide ? 0.0 : factors_->gamma.back(), root);
+  const std::vector<double>& gamma = factors_->gamma;
+  if (gamma.empty()) return 1.0;  // no reading depends on the tractions
+  const auto [least, most] = std::minmax_element(gamma.begin(), gamma.end());
+  const bool wide = factors_->coordinates->count() > std::ssize(gamma);
+  return std::hypot(*most, root) / std::hypot(wide ? 0.0 : *least, root);
 }
 
 double TikhonovFamily::stacked_condition(double alpha) const noexcept {
@@ -154,55 +274,53 @@ double TikhonovFamily::degrees_of_freedom(double alpha) const noexcept {
 FilterFrame TikhonovFamily::analyse(std::span<const double> readings) const {
   const Factors& factors = *factors_;
   check_readings(readings, static_cast<std::size_t>(factors.weighting.size()));
-
-  FilterFrame frame{.gamma = factors.gamma, .beta = std::vector<double>(factors.gamma.size())};
-  frame.rows = static_cast<std::size_t>(factors.weighting.rows());
+  FilterFrame frame{.gamma = factors.gamma,
+                    .rows = static_cast<std::size_t>(factors.weighting.rows())};
   Eigen::VectorXd g = factors.weighting(readings);
   frame.scale = g.cwiseAbs().maxCoeff();
   if (frame.scale > 0.0) g = g / frame.scale;
-
-  Eigen::Map<Eigen::VectorXd> beta(frame.beta.data(), std::ssize(frame.beta));
-  beta = factors.form.u.transpose() * g;
-  g -= factors.form.u * beta;
-  frame.outside = g.norm();
-  frame.periodogram = std::make_shared<DensePeriodogram>(factors_, std::move(g));
+  Eigen::VectorXd outside = Eigen::VectorXd::Zero(g.size());
+  for (const Factors::Block& block : factors.blocks) {
+    Eigen::VectorXd own = block.part.readings * g;
+    const Eigen::VectorXd beta = block.u.transpose() * own;
+    own -= block.u * beta;
+    frame.beta.insert(frame.beta.end(), beta.begin(), beta.end());
+    frame.outside = std::hypot(frame.outside, own.norm());
+    if (factors.line > 0) outside += block.part.readings.transpose() * own;
+  }
+  if (factors.line > 0)
+    frame.periodogram = std::make_shared<DensePeriodogram>(factors_, std::move(outside));
   return frame;
-}
-
-Reconstruction TikhonovFamily::reconstruction(double alpha) const {
-  check_alpha(alpha);
-  const Factors& factors = *factors_;
-  const double root = std::sqrt(alpha);
-  const StandardForm& form = factors.form;
-  const Eigen::VectorXd sizes =
-      form.gamma.unaryExpr([=](double gamma) { return std::hypot(gamma, root); });
-  const Eigen::VectorXd filter = form.gamma.cwiseQuotient(sizes).cwiseQuotient(sizes);
-  const Eigen::MatrixXd readings = factors.weighting.applied(form.u.transpose());
-
-  // [W K; sqrt(alpha) L] has the singular values of this: its rotations are left out.
-  const Eigen::Index n = form.v.rows();
-  Eigen::MatrixXd components = form.v.transpose() * form.triangle;
-  const bool wide = n > form.v.cols();  // some show in no reading
-  Eigen::MatrixXd rotated(components.rows() + (wide ? n : 0), n);
-  rotated.topRows(components.rows()) = sizes.asDiagonal() * components;
-  if (wide) rotated.bottomRows(n) = root * (form.triangle - form.v * components);
-  return {from_eigen(form.from_components(filter.asDiagonal() * readings)),
-          StackedQr(rotated).condition()};
 }
 
 std::vector<double> TikhonovFamily::solve(const FilterFrame& frame, double alpha) const {
   check_alpha(alpha);
   check_same_family(frame, factors_->gamma);
-  const Factors& factors = *factors_;
-  const double root = std::sqrt(alpha);
   Eigen::VectorXd y(std::ssize(frame.beta));
-  for (Eigen::Index i = 0; i < y.size(); ++i) {
+  for (Index i = 0; i < y.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const double size = std::hypot(frame.gamma[at], root);  // gamma^2 + alpha is its square
-    y(i) = frame.beta[at] * (frame.gamma[at] / size) / size;
+    y(i) = frame.beta[at] * tikhonov_filter(frame.gamma[at], alpha);
   }
-  const Eigen::VectorXd f = factors.form.from_components(y) * frame.scale;
+  const Eigen::VectorXd f =
+      factors_->coordinates->tractions(factors_->from_components(y)) * frame.scale;
   return {f.begin(), f.end()};
+}
+
+Reconstruction TikhonovFamily::reconstruction(double alpha) const {
+  check_alpha(alpha);
+  const Factors& factors = *factors_;
+  Eigen::MatrixXd coordinates =
+      Eigen::MatrixXd::Zero(factors.coordinates->count(), factors.weighting.size());
+  for (const Factors::Block& block : factors.blocks) {
+    const Eigen::VectorXd filters =
+        block.gamma.unaryExpr([=](double gamma) { return tikhonov_filter(gamma, alpha); });
+    const Eigen::MatrixXd own = block.v * filters.asDiagonal() * block.u.transpose();
+    coordinates(block.part.waves, Eigen::indexing::all) =
+        factors.weighting.applied(Eigen::MatrixXd(own * block.part.readings));
+  }
+  const bool exactly = factors.line > 0 && factors.coordinates->stretch().size() > 0;
+  return {from_eigen(factors.coordinates->tractions(coordinates)),
+          exactly ? factors.stacked_condition(alpha) : stacked_condition(alpha)};
 }
 
 }  // namespace tactile_net

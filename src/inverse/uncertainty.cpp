@@ -2,135 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "inverse/checks.hpp"
-#include "inverse/family_factors.hpp"
-#include "inverse/line_stabiliser.hpp"
 #include "inverse/significance.hpp"
 #include "inverse/weighting.hpp"
 #include "realtime/line_contacts.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net {
-
-std::vector<double> Covariance::deviations_of(std::span<const std::vector<double>> weights) const {
-  std::vector<double> all;
-  for (const std::vector<double>& one : weights) all.push_back(deviation(one));
-  return all;
-}
-
-Matrix Covariance::covariances(std::span<const std::vector<double>> weights) const {
-  const std::size_t count = weights.size();
-  Matrix all{count, count, std::vector<double>(count * count)};
-  for (std::size_t i = 0; i < count; ++i)
-    for (std::size_t j = 0; j <= i; ++j) all(i, j) = all(j, i) = covariance(weights[i], weights[j]);
-  return all;
-}
-
-/// C = sigma^2 S S'.
-struct TractionCovariance::Factor {
-  Factor(Eigen::MatrixXd s, double degrees_of_freedom)
-      : root(std::move(s)), degrees(degrees_of_freedom) {}
-
-  /// Of tractions that are all certain.
-  explicit Factor(Eigen::Index tractions) : root(Eigen::MatrixXd::Zero(tractions, 0)) {}
-
-  /// @param form  of the free variables
-  Factor(const StandardForm& form, double alpha, double prior_alpha) {
-    check_alpha(alpha);
-    check_alpha(prior_alpha);
-    const double smoothing = std::sqrt(alpha);
-    Eigen::VectorXd size(form.gamma.size());
-    for (Eigen::Index i = 0; i < size.size(); ++i) {
-      // Noise gamma / (gamma^2 + alpha), and what is smoothed away alpha / (gamma^2 + alpha) of a
-      // prior whose deviation is 1 / sqrt(prior_alpha).
-      const double gamma = form.gamma(i);
-      const double whole = std::hypot(gamma, smoothing);
-      size(i) = std::hypot(gamma, smoothing * (smoothing / std::sqrt(prior_alpha))) / whole / whole;
-      degrees += (gamma / whole) * (gamma / whole);
-    }
-    const Eigen::MatrixXd known = form.from_components(Eigen::MatrixXd(size.asDiagonal()));
-    if (form.v.rows() == form.v.cols()) {
-      root = known;
-      return;
-    }
-    // What no reading shows is as large as the prior says: 1 / sqrt(prior_alpha) on the complement
-    // of V, whose projector is its own square.
-    const Eigen::Index n = form.v.rows();
-    Eigen::MatrixXd hidden = Eigen::MatrixXd::Identity(n, n) - form.v * form.v.transpose();
-    hidden = form.tractions_of(hidden) / std::sqrt(prior_alpha);
-    root.resize(hidden.rows(), known.cols() + n);
-    root << known, hidden;
-  }
-  Eigen::MatrixXd root;  // S
-  double degrees = 0.0;
-};
-
-TractionCovariance::TractionCovariance(const TikhonovFamily& family, double alpha,
-                                       double prior_alpha)
-    : factor_(std::make_unique<const Factor>(family.factors().form, alpha, prior_alpha)) {}
-
-TractionCovariance::TractionCovariance(const LinearProblem& problem, double alpha,
-                                       double prior_alpha)
-    : factor_(std::make_unique<const Factor>(StandardForm(problem), alpha, prior_alpha)) {}
-
-TractionCovariance::TractionCovariance(const LinearProblem& problem, double alpha,
-                                       double prior_alpha, const Constraints& constraints,
-                                       std::span<const std::size_t> free) {
-  check_alpha(alpha);
-  check_alpha(prior_alpha);
-  if (free.empty())
-    factor_ = std::make_unique<const Factor>(static_cast<Eigen::Index>(problem.kernel.columns));
-  else
-    factor_ = std::make_unique<const Factor>(
-        TikhonovFamily(problem, constraints, free).factors().form, alpha, prior_alpha);
-}
-
-TractionCovariance::TractionCovariance(const Matrix& root, double degrees_of_freedom)
-    : factor_(std::make_unique<const Factor>(as_eigen(root), degrees_of_freedom)) {}
-
-TractionCovariance::TractionCovariance(std::span<const MixtureTerm> terms) {
-  if (terms.empty()) throw std::invalid_argument("a covariance of no estimate");
-  const Eigen::Index rows = terms.front().covariance->factor_->root.rows();
-  Eigen::MatrixXd root(rows, 0);
-  double degrees = 0.0;
-  for (const auto& [probability, covariance, difference] : terms) {
-    const Factor& factor = *covariance->factor_;
-    if (factor.root.rows() != rows || std::ssize(difference) != rows)
-      throw std::invalid_argument("covariances of estimates that differ in size");
-    const Eigen::Index first = root.cols();
-    const double share = std::sqrt(probability);
-    root.conservativeResize(rows, first + factor.root.cols() + 1);
-    root.middleCols(first, factor.root.cols()) = share * factor.root;
-    root.rightCols<1>() = share * as_eigen(std::span(difference));
-    degrees += probability * factor.degrees;
-  }
-  factor_ = std::make_unique<const Factor>(std::move(root), degrees);
-}
-
-TractionCovariance::~TractionCovariance() = default;
-TractionCovariance::TractionCovariance(TractionCovariance&&) noexcept = default;
-TractionCovariance& TractionCovariance::operator=(TractionCovariance&&) noexcept = default;
-
-std::vector<double> TractionCovariance::deviations() const {
-  const Eigen::VectorXd norms = factor_->root.rowwise().norm();
-  return {norms.begin(), norms.end()};
-}
-
-double TractionCovariance::deviation(std::span<const double> weights) const {
-  check_weights(weights, static_cast<std::size_t>(factor_->root.rows()));
-  return (factor_->root.transpose() * as_eigen(weights)).norm();
-}
-
-double TractionCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
-  check_weights(a, static_cast<std::size_t>(factor_->root.rows()));
-  check_weights(b, static_cast<std::size_t>(factor_->root.rows()));
-  return (factor_->root.transpose() * as_eigen(a)).dot(factor_->root.transpose() * as_eigen(b));
-}
-
-double TractionCovariance::degrees_of_freedom() const noexcept { return factor_->degrees; }
 
 double residual_norm(const LinearProblem& problem, std::span<const double> readings,
                      std::span<const double> tractions) {

@@ -87,7 +87,7 @@ class SkinSource final : public CircuitSource {
     return skin_network_problem(problem_.problem(), alpha, readings_);
   }
   std::vector<double> direct(double alpha) const override {
-    const SkinFamily& family = problem_.family();
+    const TikhonovFamily& family = problem_.family();
     return family.solve(family.analyse(readings_), alpha);
   }
   std::vector<double> readings_per_length() const override {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -196,16 +195,7 @@ const std::vector<std::size_t>& SceneProblem::border() const {
 double SceneProblem::residual(std::span<const double> readings,
                               std::span<const double> tractions) const {
   if (is_large()) return products().residual(readings, tractions);
-  const LinearProblem& problem = this->problem();
-  const std::vector<double> explained = weighted(problem, readings);
-  double size = 0.0;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    if (problem.weights[i] == 0.0) continue;
-    const std::span<const double> row = problem.kernel.row(i);
-    size = std::hypot(size,
-                      std::inner_product(row.begin(), row.end(), tractions.begin(), -explained[i]));
-  }
-  return size;
+  return residual_norm(problem(), readings, tractions);
 }
 
 const ModeSpace& SceneProblem::hidden() const {

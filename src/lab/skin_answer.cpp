@@ -165,7 +165,7 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
   answer.verdict = verdict_of(answer.alpha.verdict);
   answer.condition = method->stacked_condition(answer.alpha.value);
   require_full_rank(method->condition(answer.alpha.value), readings.size() + problem.tractions());
-  std::optional<SkinFamily> face;
+  std::optional<TikhonovFamily> face;
   if (problem.constraints()) {
     answer.cone = method->solve_in_cones(readings, answer.alpha.value);
     if (answer.cone->status != FrameStatus::ok) throw FrameOverflow();

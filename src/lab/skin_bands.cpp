@@ -13,10 +13,10 @@
 #include "lab/large_skin.hpp"
 #include "lab/skin_constraint_bias.hpp"
 #include "numeric/robust.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/stabiliser.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
-#include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -285,7 +285,7 @@ double pitch_in_depths(const SkinArray& skin) {
 }
 
 void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
-               const FilterFrame& frame, const std::optional<SkinFamily>& face,
+               const FilterFrame& frame, const std::optional<TikhonovFamily>& face,
                std::span<const double> readings) {
   const SurfaceGrid& grid = problem.grid();
   const double alpha = answer.alpha.value;
@@ -304,10 +304,10 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
     const AlphaTables tables(left.gamma, left.rows, left.shares);
     return prior_of(left, tables, alpha, problem.stated_noise()).alpha;
   };
-  const auto covariance_on = [&](const SkinFamily& some) {
-    return SkinCovariance(some, alpha, prior_on_face(some.analyse(readings)));
+  const auto covariance_on = [&](const TikhonovFamily& some) {
+    return TractionCovariance(some, alpha, prior_on_face(some.analyse(readings)));
   };
-  std::optional<SkinCovariance> of_face;
+  std::optional<TractionCovariance> of_face;
   std::vector<double> touching = answer.deviations;
   if (face) {
     of_face.emplace(covariance_on(*face));
@@ -360,7 +360,7 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
   // Friction's limit holds a contact together; where nothing but pulling is forbidden its rim is
   // not certain.
   const bool loose = on_face && held && !problem.constraints()->friction_limit;
-  std::optional<SkinCovariance> of_rim;
+  std::optional<TractionCovariance> of_rim;
   std::optional<LargeContacts> of_parts;
   std::unique_ptr<const Covariance> of_large;
   if (on_face && held && problem.is_large()) {
@@ -370,8 +370,8 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
         [&](const LargeSkinPart& part) { return problem.large().readings_of(part, readings, f); },
         alpha, prior_on_face, of_contact);
   } else if (loose && face) {
-    of_rim.emplace(
-        covariance_on(SkinFamily(problem.problem(), with_cells_beside(answer.cone->face, grid))));
+    of_rim.emplace(covariance_on(
+        TikhonovFamily(problem.problem(), with_cells_beside(answer.cone->face, grid))));
   }
   const Covariance& known = of_large          ? *of_large
                             : of_rim          ? static_cast<const Covariance&>(*of_rim)

@@ -16,7 +16,7 @@ namespace tactile_net::lab {
 ///
 /// @param face  what constraints leave free; absent: there are none, or they leave nothing
 void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
-               const FilterFrame& frame, const std::optional<SkinFamily>& face,
+               const FilterFrame& frame, const std::optional<TikhonovFamily>& face,
                std::span<const double> readings);
 
 /// Taxels that lie further apart than this, in depths, hardly see what presses between them: what

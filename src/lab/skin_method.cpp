@@ -2,7 +2,7 @@
 
 #include "lab/large_skin.hpp"
 #include "lab/skin_data_verdict.hpp"
-#include "tactile_net/skin/covariance.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -34,7 +34,7 @@ class DenseMethod final : public SkinMethod {
   }
   [[nodiscard]] std::unique_ptr<const CellCovariance> covariance(
       double alpha, double prior_alpha) const override {
-    return std::make_unique<SkinCovariance>(problem_.family(), alpha, prior_alpha);
+    return std::make_unique<TractionCovariance>(problem_.family(), alpha, prior_alpha);
   }
   [[nodiscard]] double residual(std::span<const double> readings,
                                 std::span<const double> tractions) const override {

@@ -8,10 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
-#include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
-#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/large/covariance.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 
@@ -25,7 +24,7 @@ class SkinMethod {
   virtual ~SkinMethod() = default;
 
   [[nodiscard]] virtual FilterFrame analyse(std::span<const double> readings) const = 0;
-  /// As `SkinFamily`'s.
+  /// As `TikhonovFamily`'s.
   [[nodiscard]] virtual double condition(double alpha) const = 0;
   [[nodiscard]] virtual double stacked_condition(double alpha) const = 0;
   [[nodiscard]] virtual double degrees_of_freedom(double alpha) const = 0;

@@ -105,7 +105,7 @@ struct SkinSceneProblem::Parts {
   bool is_large;
   std::optional<Constraints> constraints;
   std::shared_ptr<const LinearProblem> problem{};
-  std::optional<SkinFamily> family{};
+  std::optional<TikhonovFamily> family{};
   std::unique_ptr<LargeSkin> large{};
   std::optional<AlphaTables> alpha_tables{};
   std::optional<DataJudge> data_judge{};
@@ -167,7 +167,7 @@ void SkinSceneProblem::prepare() const {
     (void)family();
 }
 
-const SkinFamily& SkinSceneProblem::family() const {
+const TikhonovFamily& SkinSceneProblem::family() const {
   const std::lock_guard lock(parts_->mutex);
   if (!parts_->family) parts_->family.emplace(problem());
   return *parts_->family;

@@ -1,6 +1,8 @@
 #include "tactile_net/lab/uncertainty.hpp"
 
 #include <cmath>
+#include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace tactile_net::lab {
@@ -19,7 +21,8 @@ double degrees_of_freedom(const SceneFrame& frame, const FrameResult& result) {
   if (!result.constrained) return scene.family().degrees_of_freedom(alpha);
   const std::vector<std::size_t>& free = result.constrained->free;
   if (free.empty()) return 0.0;
-  return TikhonovFamily(scene.problem(), *scene.constraints(), free).degrees_of_freedom(alpha);
+  return TikhonovFamily(scene.problem(), active_face(scene.problem(), *scene.constraints(), free))
+      .degrees_of_freedom(alpha);
 }
 
 /// As the readings have it that no load explains, beyond the array's ends or elsewhere.
@@ -52,33 +55,33 @@ std::vector<double> without_margins(std::span<const double> all, const Surface& 
 }
 
 /// Of the error of any tractions by one functional, whose minimiser lies apart from them.
-TractionCovariance covariance_about(const SceneFrame& frame, std::span<const double> tractions,
-                                    double alpha, double rms) {
+MixtureCovariance covariance_about(const SceneFrame& frame, std::span<const double> tractions,
+                                   double alpha, double rms) {
   const SceneProblem& scene = frame.problem();
   std::vector<double> difference = scene.family().solve(frame.analysed(), alpha);
   for (std::size_t i = 0; i < difference.size(); ++i)
     difference[i] = rms > 0.0 ? (tractions[i] - difference[i]) / rms : 0.0;
-  const TractionCovariance own(scene.family(), alpha, prior_of(frame, alpha));
-  const TractionCovariance::MixtureTerm term{.covariance = &own,
-                                             .difference = std::move(difference)};
-  return TractionCovariance(std::span(&term, 1));
+  return MixtureCovariance({{.covariance = std::make_shared<TractionCovariance>(
+                                 scene.family(), alpha, prior_of(frame, alpha)),
+                             .difference = std::move(difference)}});
 }
 
 /// What `covariance` makes of the frame with its weight, or with each that the readings leave
 /// likely; of several the sum, each as likely as they make it.
 template <class OfFrame>
-TractionCovariance over_weights(const SceneFrame& frame, std::size_t tractions,
-                                const OfFrame& covariance) {
-  if (frame.likely_weights().empty()) return covariance(frame);
-  std::vector<TractionCovariance> covariances;
+std::shared_ptr<const Covariance> over_weights(const SceneFrame& frame, std::size_t tractions,
+                                               const OfFrame& covariance) {
+  const auto of = [&](const SceneFrame& one) -> std::shared_ptr<const Covariance> {
+    return std::make_shared<const std::invoke_result_t<OfFrame, const SceneFrame&>>(
+        covariance(one));
+  };
+  if (frame.likely_weights().empty()) return of(frame);
+  std::vector<MixtureCovariance::Term> terms;
   for (const auto& [weight, probability] : frame.likely_weights())
-    covariances.push_back(covariance(frame.weighed(weight)));
-  std::vector<TractionCovariance::MixtureTerm> terms;
-  for (std::size_t i = 0; i < covariances.size(); ++i)
-    terms.push_back({.probability = frame.likely_weights()[i].probability,
-                     .covariance = &covariances[i],
+    terms.push_back({.probability = probability,
+                     .covariance = of(frame.weighed(weight)),
                      .difference = std::vector<double>(tractions)});
-  return TractionCovariance(terms);
+  return std::make_shared<const MixtureCovariance>(std::move(terms));
 }
 
 }  // namespace
@@ -119,13 +122,13 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
       return weighed.reaching_beyond().problem().load_windows().covariance(frame.readings(), f,
                                                                            alpha, rms);
     };
-    fill(over_weights(frame, f.size(), windows), f, grid);
+    fill(*over_weights(frame, f.size(), windows), f, grid);
   } else if (result.constrained || !frame.likely_weights().empty()) {
     const auto about = [&](const SceneFrame& weighed) {
       const bool is_own = weighed.estimated_weight() == frame.estimated_weight();
       return covariance_about(weighed, tractions, is_own ? alpha : weighed.alpha().value, rms);
     };
-    fill(over_weights(frame, tractions.size(), about), tractions, scene.surface());
+    fill(*over_weights(frame, tractions.size(), about), tractions, scene.surface());
   } else {
     fill(scene.covariance(alpha, prior_of(frame, alpha)), tractions, scene.surface());
   }

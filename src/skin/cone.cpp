@@ -1,6 +1,5 @@
 #include "tactile_net/skin/cone.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "skin/cone_search.hpp"
@@ -9,18 +8,6 @@ namespace tactile_net {
 
 double constrained_alpha(AlphaRule rule, double alpha) noexcept {
   return rule == AlphaRule::rgcv || rule == AlphaRule::aicc ? 0.5 * alpha : alpha;
-}
-
-Matrix edges(const LinearProblem& problem, const ActiveFace& face) {
-  const std::size_t cells = problem.grid.count();
-  Matrix map{problem.components * cells, face.free.size(),
-             std::vector<double>(problem.components * cells * face.free.size())};
-  for (std::size_t j = 0; j < face.free.size(); ++j) {
-    const auto& [cell, along] = face.free[j];
-    if (cell >= cells) throw std::invalid_argument("a face of another problem");
-    for (std::size_t u = 0; u < problem.components; ++u) map(u * cells + cell, j) = along[u];
-  }
-  return map;
 }
 
 struct SkinCone::System {

@@ -9,7 +9,7 @@
 #include "numeric/eigen.hpp"
 #include "skin/cone_search.hpp"
 #include "skin/rest_of_rows.hpp"
-#include "tactile_net/skin/family.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 
 namespace tactile_net {
 namespace {
@@ -65,7 +65,7 @@ class Cones {
  private:
   double square() {
     if (square_) return *square_;
-    const SkinFamily family(*problem_);
+    const TikhonovFamily family(*problem_);
     double largest = 0.0;
     for (const double gamma : family.singular_values()) largest = std::max(largest, gamma);
     square_ = largest * largest;

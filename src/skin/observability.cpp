@@ -7,10 +7,10 @@
 #include <numbers>
 #include <utility>
 
+#include "inverse/family_factors.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
 #include "numeric/named.hpp"
-#include "skin/family_factors.hpp"
 #include "skin/skin_symbol.hpp"
 #include "skin/wave_symbol.hpp"
 
@@ -76,11 +76,11 @@ struct Spectrum {
 };
 
 Spectrum spectrum_of(const LinearProblem& problem) {
-  const SkinFamily::Factors factors(
+  const TikhonovFamily::Factors factors(
       problem,
       std::make_shared<const WaveCoordinates>(
           problem, Eigen::VectorXd::Ones(static_cast<Index>(problem.kernel.columns))),
-      mirror_classes(problem), 1.0);
+      mirror_classes(problem));
   // Of readings that are all zero there is none.
   const double largest =
       factors.gamma.empty() ? 0.0 : *std::max_element(factors.gamma.begin(), factors.gamma.end());

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 
 namespace tactile_net {
 

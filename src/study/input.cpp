@@ -78,7 +78,7 @@ StudyInput input_of(const SkinScene& scene) {
     input.truth.emplace_back(first, first + cells);
   input.alpha = problem.alpha(input.readings).value;
   input.solution = tikhonov_solve(problem.problem(), input.alpha, input.readings);
-  const SkinFamily& family = problem.family();
+  const TikhonovFamily& family = problem.family();
   input.agreement =
       relative_l2_error(family.solve(family.analyse(input.readings), input.alpha), input.solution);
   take_noise(input, problem.stated_noise(), largest);

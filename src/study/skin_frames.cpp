@@ -25,7 +25,7 @@ StudySection skin_factorisations(const StudyInput& input, const lab::Clock& cloc
   const LinearProblem& problem = input.skin().problem();
   const WorkCurve every_alpha{.family = WorkCurve::Family::singular_values};
   attempt(section, every_alpha, {}, [&] {
-    const SkinFamily& family = input.skin().family();
+    const TikhonovFamily& family = input.skin().family();
     std::vector<double> f;
     const lab::Seconds seconds = lab::time_of(
         [&] { f = family.solve(family.analyse(input.readings), input.alpha); }, 0.03, clock);

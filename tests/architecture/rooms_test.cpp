@@ -94,7 +94,7 @@ const std::vector<Rule> rules{
      {},
      {"src/numeric/", "src/calibration/press_design.hpp", "src/control/grid_classes.cpp",
       "src/grasp/two_fingers.cpp", "src/inverse/mirror_classes.hpp",
-      "src/inverse/sparse_stabiliser.hpp", "src/skin/face_coordinates.hpp"},
+      "src/inverse/sparse_stabiliser.hpp", "src/inverse/face_coordinates.hpp"},
      library},
     {"Boost's tables of Gauss' rules",
      {"boost/math/quadrature/gauss.hpp"},

@@ -300,7 +300,7 @@ TEST_CASE("who has a problem's family need not make it twice", "[planner]") {
     const PlannerOptions options{.accuracy = 1e-9, .noise_rms = 1e-3};
     const EstimatorPlan alone = planned(sensor, 1e-4, options).plan;
     const EstimatorPlan shared =
-        plan_estimator(sensor.problem, SkinFamily(sensor.problem), 1e-4, options).plan;
+        plan_estimator(sensor.problem, TikhonovFamily(sensor.problem), 1e-4, options).plan;
     CHECK(shared.cells.has_value() == is_skin(sensor));
     CHECK_THAT(shared.force_deviation, WithinRel(alone.force_deviation, 1e-6));
     const std::vector<double> readings = frame_for(sensor, 2);
@@ -315,7 +315,8 @@ TEST_CASE("what cannot be planned is refused", "[planner]") {
     CHECK_THROWS_AS(planned(sensor, 1e-4, {.accuracy = 0.0}), std::invalid_argument);
     const LinearProblem other = is_skin(sensor) ? square(6).problem : coarse_line({}).problem;
     CHECK_THROWS_AS(plan_estimator(sensor.problem, 1e-4, {}, &other), std::invalid_argument);
-    CHECK_THROWS_AS(plan_estimator(other, SkinFamily(sensor.problem), 1e-4), std::invalid_argument);
+    CHECK_THROWS_AS(plan_estimator(other, TikhonovFamily(sensor.problem), 1e-4),
+                    std::invalid_argument);
   }
   const PlanCase dead = dense_line({3});
   CHECK_THROWS_AS(plan_estimator(dead.problem, 1e-4, {}, &dead.problem), std::invalid_argument);

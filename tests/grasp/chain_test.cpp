@@ -59,7 +59,7 @@ TEST_CASE("noise of the readings reaches the torques as the covariance says", "[
   const Reconstruction inverse = tikhonov(problem, alpha);
   const std::vector<double> exact = sampled_readings(array, pad_material, sample(dragged(), array));
   // A prior without size: what is smoothed away is not drawn here.
-  const TractionCovariance covariance(problem, alpha, 1e200);
+  const TractionCovariance covariance(TikhonovFamily(problem), alpha, 1e200);
   std::vector<double> f(2 * array.count);
   const auto measured = [&](const std::vector<double>& readings) {
     REQUIRE(inverse.solve(readings, f) == FrameStatus::ok);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/skin/family.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tests/catch.hpp"
@@ -105,7 +105,7 @@ TEST_CASE("skins of any shape are solved to their condition, against 50 digits",
                                                  {.tangential_weight = 2.0,
                                                   .dead_taxels = shape.dead,
                                                   .grid = {.spacing = 1.25, .margin = 1.0}});
-      const SkinFamily family(problem);
+      const TikhonovFamily family(problem);
       for (const auto& [place, alpha, unit] :
            {Frame{0.0, 1e-8, 1.0}, Frame{1.5, 1e-2, 1e-150}, Frame{6.0, 1e-6, 1e150}}) {
         const SkinLoad load = SkinContact{.y = place,

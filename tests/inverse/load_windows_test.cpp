@@ -80,7 +80,7 @@ TEST_CASE("with one window the bands are those of every amplitude, as likely as 
   }
   c /= total;
 
-  const TractionCovariance covariance = windows.covariance(readings, f, windows_alpha, pad_noise);
+  const RootCovariance covariance = windows.covariance(readings, f, windows_alpha, pad_noise);
   const std::vector<double> deviations = covariance.deviations();
   for (Eigen::Index i = 0; i < n; ++i)
     CHECK_THAT(deviations[static_cast<std::size_t>(i)], WithinRel(std::sqrt(c(i, i)), 0.01));
@@ -100,7 +100,7 @@ TEST_CASE("a contact in the middle leaves the ends certain, one at the end does 
     return windows.covariance(readings, f, windows_alpha, pad_noise).deviations().back();
   };
   const double alike =
-      TractionCovariance(problem, windows_alpha, windows_alpha).deviations().back();
+      TractionCovariance(TikhonovFamily(problem), windows_alpha, windows_alpha).deviations().back();
   CHECK(deviation_at_end(0.0) < 0.2 * alike);
   CHECK(deviation_at_end(7.7) > 5.0 * deviation_at_end(0.0));
 }

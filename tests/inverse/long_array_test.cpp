@@ -8,6 +8,7 @@
 #include "tactile_net/inverse/long_array_covariance.hpp"
 #include "tactile_net/inverse/long_array_family.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/sampled.hpp"

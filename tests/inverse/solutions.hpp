@@ -30,7 +30,7 @@ inline EvidenceAnswer solve_by_evidence(const LinearProblem& problem,
   const TikhonovFamily family(problem);
   const FilterFrame frame = family.analyse(readings);
   EvidenceAnswer answer{.alpha = choose_alone(frame, AlphaRule::evidence, sigma).alpha};
-  const TractionCovariance covariance(problem, answer.alpha, answer.alpha);
+  const TractionCovariance covariance(family, answer.alpha, answer.alpha);
   answer.contact = resultant_of(problem, family.solve(frame, answer.alpha), covariance, sigma);
   return answer;
 }

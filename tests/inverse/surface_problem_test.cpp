@@ -120,10 +120,12 @@ TEST_CASE("what no reading shows is as uncertain as the prior says", "[surface]"
   options.surface.margin = 60e-3;
   const LinearProblem problem = make_problem(array, silicone, options);
   const double prior = 1e-3;
-  const std::vector<double> deviations = TractionCovariance(problem, prior, prior).deviations();
+  const std::vector<double> deviations =
+      TractionCovariance(TikhonovFamily(problem), prior, prior).deviations();
   LinearProblem blind = problem;
   for (double& value : blind.kernel.values) value = 0.0;
-  const std::vector<double> none = TractionCovariance(blind, prior, prior).deviations();
+  const std::vector<double> none =
+      TractionCovariance(TikhonovFamily(blind), prior, prior).deviations();
   CHECK_THAT(deviations.front(), WithinRel(none.front(), 1e-3));
   CHECK(deviations[deviations.size() / 2] < 0.5 * none[none.size() / 2]);
 }

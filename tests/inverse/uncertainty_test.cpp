@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
@@ -16,13 +17,11 @@
 
 using namespace tactile_net;
 
-namespace {}  // namespace
-
 TEST_CASE("the covariance is the inverse of P", "[uncertainty]") {
   for (const auto& [name, problem] : sample_problems()) {
     CAPTURE(name);
     const Eigen::MatrixXd c = view(normal_matrix(problem, 1e-2)).inverse();
-    const TractionCovariance covariance(problem, 1e-2, 1e-2);
+    const TractionCovariance covariance(TikhonovFamily(problem), 1e-2, 1e-2);
     const std::vector<double> deviations = covariance.deviations();
     for (std::size_t i = 0; i < deviations.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
@@ -48,7 +47,8 @@ TEST_CASE("the error's covariance is noise and what is smoothed away", "[uncerta
     const Eigen::MatrixXd m = p.inverse() * k.transpose();
     const Eigen::MatrixXd lost = Eigen::MatrixXd::Identity(k.cols(), k.cols()) - m * k;
     const Eigen::MatrixXd c = m * m.transpose() + lost * l.inverse() * lost.transpose() / prior;
-    const std::vector<double> deviations = TractionCovariance(problem, alpha, prior).deviations();
+    const std::vector<double> deviations =
+        TractionCovariance(TikhonovFamily(problem), alpha, prior).deviations();
     for (std::size_t i = 0; i < deviations.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       CHECK_THAT(deviations[i], WithinRel(std::sqrt(c(at, at)), 1e-9));
@@ -60,14 +60,18 @@ TEST_CASE("held variables are certain, and more freedom is less certainty", "[un
   const LinearProblem problem =
       make_problem({21, 0.5, {1.0}, {Quantity::stress_x}}, {1.0, 0.45}, {.smoothing_length = 1.0});
   const std::vector<std::size_t> free = {8, 9, 10, 11};
-  const auto some = TractionCovariance(problem, 1e-3, 1e-3, {}, free).deviations();
-  const auto all = TractionCovariance(problem, 1e-3, 1e-3).deviations();
+  const auto some =
+      TractionCovariance(TikhonovFamily(problem, active_face(problem, {}, free)), 1e-3, 1e-3)
+          .deviations();
+  const auto all = TractionCovariance(TikhonovFamily(problem), 1e-3, 1e-3).deviations();
   for (std::size_t i = 0; i < 21; ++i) {
     if (i < 8 || i > 11) CHECK(some[i] == 0.0);
     CHECK(some[i] <= all[i]);
   }
-  for (const double none : TractionCovariance(problem, 1e-3, 1e-3, {}, {}).deviations())
-    CHECK(none == 0.0);
+  // Where everything is held a covariance has no root.
+  const RootCovariance none(Matrix{21, 0, {}}, 0.0);
+  CHECK(none.deviations() == std::vector<double>(21));
+  CHECK(none.deviation(std::vector<double>(21, 1.0)) == 0.0);
 }
 
 TEST_CASE("bands hold the truth at about their stated rate, forces too", "[uncertainty]") {
@@ -99,7 +103,7 @@ TEST_CASE("bands hold the truth at about their stated rate, forces too", "[uncer
     if (choice.verdict != AlphaVerdict::ok) continue;
     const double alpha = choice.alpha;
     const std::vector<double> f = family.solve(spectrum, alpha);
-    const TractionCovariance covariance(problem, alpha,
+    const TractionCovariance covariance(family, alpha,
                                         choose_alpha(spectrum, AlphaRule::gml).alpha);
     const NoiseEstimate estimate =
         estimate_noise(problem, g, f, covariance.degrees_of_freedom(), noise);
@@ -141,7 +145,7 @@ TEST_CASE("an error of the model is told from the noise", "[uncertainty]") {
     const LinearProblem problem =
         make_problem(array, pad, {.unknowns = 2, .smoothing_length = 1.5});
     const double alpha = 1e-8;
-    const TractionCovariance covariance(problem, alpha, alpha);
+    const TractionCovariance covariance(TikhonovFamily(problem), alpha, alpha);
     return estimate_noise(problem, g, tikhonov_solve(problem, alpha, g),
                           covariance.degrees_of_freedom(), 1e-5)
         .model_rms;
@@ -153,7 +157,7 @@ TEST_CASE("an error of the model is told from the noise", "[uncertainty]") {
 TEST_CASE("without a force there is neither centre nor angle", "[uncertainty]") {
   const LinearProblem problem =
       make_problem({21, 0.5, {1.0}, {Quantity::stress_x}}, {1.0, 0.45}, {.smoothing_length = 1.0});
-  const TractionCovariance covariance(problem, 1e-3, 1e-3);
+  const TractionCovariance covariance(TikhonovFamily(problem), 1e-3, 1e-3);
   const UncertainResultant none = resultant_of(problem, std::vector<double>(21), covariance, 1e-3);
   CHECK(none.normal.value == 0.0);
   CHECK_FALSE(none.tangential.has_value());

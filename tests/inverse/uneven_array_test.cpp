@@ -63,6 +63,17 @@ std::vector<double> pressed(const SensorArray& array, const RigidContact& contac
 
 }  // namespace
 
+TEST_CASE("taxels mirror themselves only where their widths do", "[uneven][property]") {
+  const auto classes = [](double width_of_last) {
+    std::vector<Taxel> taxels = taxels_of(even);
+    for (Taxel& taxel : taxels) taxel.width = 1e-3;
+    taxels.back().width = width_of_last;
+    return TikhonovFamily(make_problem(uneven_array(taxels), silicone, on_grid(2))).classes();
+  };
+  CHECK(classes(1e-3) == 2);
+  CHECK(classes(2e-3) == 1);
+}
+
 TEST_CASE("an even array taxel by taxel has the same readings and the same K", "[uneven]") {
   const SensorArray listed = uneven_array(taxels_of(even));
   CHECK(reading_names(listed) == reading_names(even));

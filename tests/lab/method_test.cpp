@@ -111,7 +111,7 @@ TEST_CASE("the bands' prior is gml judged alone, whatever the other rules say", 
     const AlphaChoice alone =
         choose_alone(frame.analysed(), AlphaRule::gml, problem.stated_noise());
     const double prior = alone.verdict == AlphaVerdict::ok ? alone.alpha : result.alpha->value;
-    const TractionCovariance covariance(problem.problem(), result.alpha->value, prior);
+    const TractionCovariance covariance(problem.family(), result.alpha->value, prior);
     std::vector<double> expected = covariance.deviations();
     for (double& deviation : expected) deviation *= bands.noise.rms();
     CHECK(bands.deviation == expected);

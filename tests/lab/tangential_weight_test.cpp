@@ -189,8 +189,9 @@ TEST_CASE("an active set's alpha is what the rule chooses on the tractions left 
   const SolvedFrame found = solved_frame(problem, frame.readings);
   CHECK(name(*found.result.alpha->rule) == rule);
   REQUIRE(found.result.constrained.has_value());
-  const TikhonovFamily face(problem.problem(), *problem.constraints(),
-                            found.result.constrained->free);
+  const TikhonovFamily face(
+      problem.problem(),
+      active_face(problem.problem(), *problem.constraints(), found.result.constrained->free));
   const AlphaChoice own =
       choose_alone(face.analyse(frame.readings), *found.result.alpha->rule, problem.stated_noise());
   CHECK_THAT(found.result.alpha->value, WithinRel(own.alpha, 0.05));

@@ -2,8 +2,8 @@
 
 #include <limits>
 
-#include "tactile_net/skin/covariance.hpp"
-#include "tactile_net/skin/family.hpp"
+#include "tactile_net/inverse/covariance.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/dragged_frame.hpp"
 #include "tests/skin/skins.hpp"
@@ -127,7 +127,7 @@ TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone]
   const SkinConeSolution found =
       SkinCone(frame.problem, alpha, {.friction_limit = 0.8}).solve(frame.readings, 5000, 1e-10);
   REQUIRE(found.stick > 0);
-  const SkinFamily face(frame.problem, found.face);
+  const TikhonovFamily face(frame.problem, found.face);
   const std::vector<double> f = face.solve(face.analyse(frame.readings), alpha);
   // A face is flat where the cone is round: equal to first order only where nothing slides.
   CHECK(distance(f, found.tractions) <= 0.1 * norm(found.tractions));
@@ -135,7 +135,7 @@ TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone]
   // Without friction's limit a face is flat: equal.
   const SkinConeSolution pressed =
       SkinCone(frame.problem, alpha, {.nonnegative = true}).solve(frame.readings, 20000, 1e-12);
-  const SkinFamily flat(frame.problem, pressed.face);
+  const TikhonovFamily flat(frame.problem, pressed.face);
   CHECK(distance(flat.solve(flat.analyse(frame.readings), alpha), pressed.tractions) <=
         1e-6 * norm(pressed.tractions));
 }
@@ -159,20 +159,20 @@ TEST_CASE("a face's family is the least, whichever way its stabiliser is factore
         }
       }
     }
-    const SkinFamily family(frame.problem, face);
+    const TikhonovFamily family(frame.problem, face);
     const std::vector<double> f = family.solve(family.analyse(frame.readings), alpha);
     // P f = b along every direction that is free, and f holds no other.
     const std::vector<double> image = product(normal_matrix(frame.problem, alpha), f);
     const std::vector<double> right = normal_right_side(frame.problem, frame.readings);
-    const Matrix free = edges(frame.problem, face);
     double left = 0.0;
     double whole = 0.0;
-    for (std::size_t j = 0; j < free.columns; ++j) {
+    for (const auto& [cell, along] : face.free) {
       double gradient = 0.0;
       double of_right = 0.0;
-      for (std::size_t i = 0; i < free.rows; ++i) {
-        gradient += free(i, j) * (image[i] - right[i]);
-        of_right += free(i, j) * right[i];
+      for (std::size_t u = 0; u < 3; ++u) {
+        const std::size_t i = u * frame.problem.grid.count() + cell;
+        gradient += along[u] * (image[i] - right[i]);
+        of_right += along[u] * right[i];
       }
       left = std::hypot(left, gradient);
       whole = std::hypot(whole, of_right);
@@ -182,7 +182,7 @@ TEST_CASE("a face's family is the least, whichever way its stabiliser is factore
     CHECK(left <= 1e-8 * whole);
     for (std::size_t cell = 1; cell < frame.problem.grid.count(); cell += 2) CHECK(f[cell] == 0.0);
     // And a sum's deviation is that of its own variance.
-    const SkinCovariance covariance(family, alpha, alpha);
+    const TractionCovariance covariance(family, alpha, alpha);
     const std::vector<double> deviations = covariance.deviations();
     std::vector<double> one(f.size());
     one[0] = 2.0;
@@ -193,7 +193,7 @@ TEST_CASE("a face's family is the least, whichever way its stabiliser is factore
 
 TEST_CASE("without constraints that bind the cone's tractions are the family's", "[skin][cone]") {
   const SkinFrame frame = dragged_frame(6, 11);
-  const SkinFamily family(frame.problem);
+  const TikhonovFamily family(frame.problem);
   const std::vector<double> free = family.solve(family.analyse(frame.readings), 1e-2);
   const SkinConeSolution found =
       SkinCone(frame.problem, 1e-2, {.nonnegative = false}).solve(frame.readings, 5000, 1e-12);
@@ -214,7 +214,7 @@ TEST_CASE("a dense array's cone is found within the steps that were promised", "
 TEST_CASE("the constraints take away half of the error", "[skin][cone][alpha]") {
   const SkinArray skin = square_skin(10, 2e-3);
   const LinearProblem problem = make_problem(skin, silicone);
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   std::mt19937 random(31);
   double without = 0.0;
   double with = 0.0;
@@ -250,8 +250,8 @@ TEST_CASE("a frame that stops early, is none, or is empty, is said to be so", "[
   CHECK(silent.separation == frame.problem.grid.count());
   CHECK(norm(silent.tractions) == 0.0);
   CHECK(silent.face.free.empty());
-  CHECK_THROWS_WITH(SkinFamily(frame.problem, silent.face), ContainsSubstring("held at zero"));
-  CHECK_THROWS_WITH(SkinFamily(frame.problem, ActiveFace{{{10000, {1.0, 0.0, 0.0}}}}),
+  CHECK_THROWS_WITH(TikhonovFamily(frame.problem, silent.face), ContainsSubstring("held at zero"));
+  CHECK_THROWS_WITH(TikhonovFamily(frame.problem, ActiveFace{{{10000, {1.0, 0.0, 0.0}}}}),
                     ContainsSubstring("another problem"));
   CHECK_THROWS_WITH(SkinCone(frame.problem, 1.0, {.friction_limit = 0.0}),
                     ContainsSubstring("friction_limit"));

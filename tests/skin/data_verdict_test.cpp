@@ -6,7 +6,7 @@
 
 #include "inverse/data/frame_judge.hpp"
 #include "tactile_net/inverse/alpha.hpp"
-#include "tactile_net/skin/family.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/judged_line.hpp"
 #include "tests/skin/skins.hpp"
@@ -38,7 +38,7 @@ class Bench {
 
  private:
   LinearProblem problem_ = make_problem(square_skin(8, 2e-3), silicone);
-  SkinFamily family_;
+  TikhonovFamily family_;
   std::mt19937 random_{17};
 };
 
@@ -81,7 +81,7 @@ struct PressedSkin {
 
   SkinArray skin = square_skin(6, 2e-3);
   LinearProblem problem = make_problem(skin, silicone);
-  SkinFamily family{problem};
+  TikhonovFamily family{problem};
   double rms = 0.0;
   std::vector<double> readings{};
 };
@@ -271,7 +271,7 @@ TEST_CASE("a skin's limit of friction that is too low is doubted, and no taxel",
   std::mt19937 random(3);
   std::vector<double> readings = exact_readings(skin, silicone, std::vector<SkinLoad>{contact});
   const double rms = add_noise(readings, 0.01, random);
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   const FilterFrame seen = family.analyse(readings);
   const std::vector<double> found = family.solve(seen, choose_alone(seen, AlphaRule::aicc).alpha);
   const auto judged = [&](std::optional<double> limit) {
@@ -303,7 +303,7 @@ TEST_CASE("constants that are not known change no verdict of a skin", "[skin][da
   std::mt19937 random(5);
   const SkinArray skin = square_skin(6, 2e-3);
   const LinearProblem problem = make_problem(skin, silicone, {.unknown_offsets = true});
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   std::vector<double> readings = exact_readings(skin, silicone, random_contacts(random, 3e-3));
   const double rms = add_noise(readings, 0.01, random);
   const DataJudge judge(

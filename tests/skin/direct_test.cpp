@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/comparison.hpp"
-#include "tactile_net/skin/family.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -52,7 +52,7 @@ TEST_CASE("the frame by a QR satisfies the normal equations, and is the classes'
     const std::vector<double> readings = random_numbers(problem.weights.size(), 3);
     const std::vector<double> f = tikhonov_solve(problem, direct_alpha, readings);
     CHECK(gradient(problem, readings, f) < 1e-10);
-    const SkinFamily family(problem);
+    const TikhonovFamily family(problem);
     CHECK(relative_l2_error(family.solve(family.analyse(readings), direct_alpha), f) < 1e-11);
   }
 }

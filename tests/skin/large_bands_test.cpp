@@ -3,10 +3,11 @@
 
 #include "src/skin/large/band_probes.hpp"
 #include "tactile_net/inverse/alpha.hpp"
-#include "tactile_net/skin/covariance.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/skin/large/covariance.hpp"
 #include "tactile_net/skin/large/family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
+#include "tactile_net/skin/resultant.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/large_skins.hpp"
 
@@ -21,12 +22,12 @@ TEST_CASE("bands of a large skin are those of its decomposition", "[skin][large]
                   {.spacing = spacing});
     if (spacing < 1e-3) skin.rows = 15;
     const LinearProblem dense = make_problem(skin, silicone, options);
-    const SkinFamily family(dense);
+    const TikhonovFamily family(dense);
     const double alpha = 1e-4 * std::pow(family.singular_values().front(), 2);
     LargeSkinTikhonov solver(skin, silicone, options, alpha);
     LargeSkinBands bands(solver, skin, silicone, options);
     for (const double prior : {alpha, 0.1 * alpha}) {
-      const SkinCovariance exact(family, alpha, prior);
+      const TractionCovariance exact(family, alpha, prior);
       const LargeSkinCovariance large(bands, prior, 1.0);
       const auto expected = exact.deviations();
       const auto found = large.deviations();
@@ -60,7 +61,7 @@ TEST_CASE("bands of single cells are off by what is said of them", "[skin][large
     const SkinProblemOptions options = with_dead(dead);
     const LinearProblem dense = make_problem(skin, silicone, options);
     REQUIRE(dense.grid.count() == 24 * 24);
-    const SkinFamily family(dense);
+    const TikhonovFamily family(dense);
     const double size = std::pow(family.singular_values().front(), 2);
     for (const double share : {1e-2, 1e-4, 1e-6}) {
       LargeSkinTikhonov solver(skin, silicone, options, share * size);
@@ -68,7 +69,7 @@ TEST_CASE("bands of single cells are off by what is said of them", "[skin][large
         CAPTURE(dead.size(), share, prior / size);
         LargeSkinBands bands(solver, skin, silicone, options);
         const LargeSkinCovariance large(bands, prior, 1.0);
-        const auto expected = SkinCovariance(family, share * size, prior).deviations();
+        const auto expected = TractionCovariance(family, share * size, prior).deviations();
         // What is solved for is the deviation itself.
         for (const BandProbe& probe : band_probes(dense)) {
           const std::vector<double> probed = probed_deviations(solver, prior, probe);
@@ -103,12 +104,12 @@ TEST_CASE("bands are wide in a block of dead taxels, and at its rim a sixth too 
     for (std::size_t column = 5; column < 11; ++column) block.push_back(16 * row + column);
   const SkinProblemOptions options = with_dead(block);
   const LinearProblem dense = make_problem(skin, silicone, options);
-  const SkinFamily family(dense);
+  const TikhonovFamily family(dense);
   const double alpha = 1e-4 * std::pow(family.singular_values().front(), 2);
   LargeSkinTikhonov solver(skin, silicone, options, alpha);
   LargeSkinBands bands(solver, skin, silicone, options);
   const auto found = LargeSkinCovariance(bands, alpha, 1.0).deviations();
-  const auto expected = SkinCovariance(family, alpha, alpha).deviations();
+  const auto expected = TractionCovariance(family, alpha, alpha).deviations();
   for (std::size_t i = 0; i < found.size(); ++i) {
     CHECK(found[i] > 0.83 * expected[i]);
     CHECK(found[i] < 4.0 * expected[i]);
@@ -136,12 +137,12 @@ TEST_CASE("sums that follow from sums before need no solve, and have their devia
           "[skin][large]") {
   const SkinArray skin = square_skin(12, 2e-3);
   const LinearProblem dense = make_problem(skin, silicone);
-  const SkinFamily family(dense);
+  const TikhonovFamily family(dense);
   const double alpha = 1e-3 * size_of(dense);
   LargeSkinTikhonov solver(skin, silicone, {}, alpha);
   LargeSkinBands bands(solver, skin, silicone, {});
   const LargeSkinCovariance large(bands, 0.5 * alpha, 1.0);
-  const SkinCovariance exact(family, alpha, 0.5 * alpha);
+  const TractionCovariance exact(family, alpha, 0.5 * alpha);
   const std::size_t cells = dense.grid.count();
   std::vector<double> press(3 * cells), drag(3 * cells), both(3 * cells);
   for (std::size_t i = 0; i < cells; i += 3) press[i] = drag[cells + i] = 1e-6;
@@ -203,7 +204,7 @@ TEST_CASE("bands of a large skin have the same bits whatever was asked for befor
   const std::vector<double> forth = answers({0, 1, 2, 3, 4, 5}, false);
   CHECK(answers({5, 4, 3, 2, 1, 0}, false) == forth);
   CHECK(answers({2, 5, 0, 4, 1, 3}, true) == forth);
-  const SkinCovariance exact(SkinFamily(dense), alpha, 0.5 * alpha);
+  const TractionCovariance exact(TikhonovFamily(dense), alpha, 0.5 * alpha);
   for (std::size_t i = 0; i < sums.size(); ++i)
     CHECK_THAT(forth[i], WithinRel(exact.deviation(sums[i]), 1e-5));
 }

@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/covariance.hpp"
 #include "tactile_net/skin/large/cone.hpp"
 #include "tactile_net/skin/large/face.hpp"
 #include "tactile_net/skin/large/family.hpp"
@@ -69,10 +69,10 @@ struct Solved {
 void check_bands(std::size_t components, double prior_share) {
   const Solved s(components);
   CAPTURE(components, prior_share);
-  const SkinFamily family(s.dense, s.found.face);
+  const TikhonovFamily family(s.dense, s.found.face);
   const double prior = prior_share * s.alpha;
-  const SkinCovariance exact(family, s.alpha, prior);
-  const SkinCovariance free(SkinFamily(s.dense), s.alpha, prior);
+  const TractionCovariance exact(family, s.alpha, prior);
+  const TractionCovariance free(TikhonovFamily(s.dense), s.alpha, prior);
   const LargeSkinPart whole(s.skin, silicone, s.options, s.dense, s.contact, 1.0);
   REQUIRE(problem_of(*whole.system()).grid.count() == s.dense.grid.count());
   const LargeSkinFaceCovariance large(whole, whole.face(s.found.face), s.alpha, prior, 1.0, free);
@@ -148,7 +148,7 @@ TEST_CASE("degrees of freedom on a face are those of its decomposition", "[skin]
   const Solved s;
   const auto system = make_large_skin_system(s.skin, silicone, s.options);
   const LargeSkinFamily large(system, s.found.face);
-  const SkinFamily dense(s.dense, s.found.face);
+  const TikhonovFamily dense(s.dense, s.found.face);
   for (const double factor : {1.0, 100.0}) {
     const double expected = dense.degrees_of_freedom(factor * s.alpha);
     const double spread = std::max(large.degrees_deviation(factor * s.alpha), 0.01 * expected);

@@ -14,7 +14,7 @@
 #include "src/skin/large/system.hpp"
 #include "src/skin/large/uniform_readings.hpp"
 #include "tactile_net/inverse/stabiliser.hpp"
-#include "tactile_net/skin/family.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
@@ -66,7 +66,7 @@ inline double normal_residual(const LinearProblem& problem, double alpha, std::s
 
 /// The square of the largest singular value.
 inline double size_of(const LinearProblem& problem) {
-  return std::pow(SkinFamily(problem).singular_values().front(), 2);
+  return std::pow(TikhonovFamily(problem).singular_values().front(), 2);
 }
 
 inline double dot(std::span<const double> a, std::span<const double> b) {
@@ -88,7 +88,7 @@ inline void check_reaches_minimiser(const SkinArray& skin, const Material& mater
                                     std::vector<std::size_t> dead) {
   const SkinProblemOptions options = with_dead(std::move(dead));
   const LinearProblem dense = make_problem(skin, material, options);
-  const SkinFamily family(dense);
+  const TikhonovFamily family(dense);
   const double size = std::pow(family.singular_values().front(), 2);
   const std::vector<double> readings = readings_of(dense, 1);
   LargeSkinTikhonov solver(skin, material, options, size);

@@ -4,8 +4,8 @@
 #include "src/skin/large/lattice_products.hpp"
 #include "src/skin/large/tiles.hpp"
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/large/cone.hpp"
 #include "tactile_net/skin/large/family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
@@ -185,7 +185,7 @@ TEST_CASE("large skins of any shape are solved", "[skin][large]") {
 TEST_CASE("alpha of a large skin is that of all singular values", "[skin][large]") {
   const SkinArray skin = square_skin(16, 2e-3);
   const LinearProblem dense = make_problem(skin, silicone);
-  const SkinFamily family(dense);
+  const TikhonovFamily family(dense);
   const double size = std::pow(family.singular_values().front(), 2);
   LargeSkinTikhonov solver(skin, silicone, {}, 1e-4 * size);
   const LargeSkinFamily large(solver);

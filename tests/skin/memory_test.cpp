@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/family.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -49,8 +49,8 @@ TEST_CASE("a copy of a skin's matrix is counted", "[skin][memory]") {
 
 TEST_CASE("cones copy a skin's matrix once, and take it into cosines in place", "[skin][memory]") {
   const auto problem = shared_problem();
-  REQUIRE(SkinFamily(*problem).classes() == 4);  // whose matrices are a quarter as large
-  CHECK(matrices_made(*problem, [&] { (void)SkinFamily(*problem); }) <= 1);
+  REQUIRE(TikhonovFamily(*problem).classes() == 4);  // whose matrices are a quarter as large
+  CHECK(matrices_made(*problem, [&] { (void)TikhonovFamily(*problem); }) <= 1);
   CHECK(matrices_made(*problem, [&] {
           const SkinCone cone(*problem, 1e-3, {.nonnegative = true, .friction_limit = 0.5});
           (void)cone.with_alpha(1e-4);

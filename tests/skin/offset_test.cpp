@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tests/catch.hpp"
@@ -34,7 +34,7 @@ std::vector<double> with_offsets(std::vector<double> readings, const SkinArray& 
 
 std::vector<double> solved(const LinearProblem& problem, const std::vector<double>& readings,
                            double alpha) {
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   return family.solve(family.analyse(readings), alpha);
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("every other map of readings knows the offsets", "[skin][offset]") {
   const std::vector<double> readings = readings_of(skin);
   const std::vector<double> moved = with_offsets(readings, skin, {1e3, -2e3, 5e2});
   const double alpha = 1e-4 * std::pow(norm(problem.kernel.values), 2);
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   const std::vector<double> f = solved(problem, readings, alpha);
   std::vector<double> mapped(f.size());
   REQUIRE(family.reconstruction(alpha).solve(moved, mapped) == FrameStatus::ok);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/covariance.hpp"
 #include "tactile_net/skin/resultant.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/pad_material.hpp"
@@ -57,7 +57,7 @@ constexpr std::array<Truth, 5> truths{
 void check_pad(const std::string& set, const SkinArray& skin, const Recording& recording) {
   const LinearProblem problem = make_problem(
       skin, pad_material, {.channel_rms = {39.7, 10.8, 10.6}, .grid = {.spacing = 1e-3}});
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   const AlphaTables tables(family.singular_values(), independent_readings(problem));
   for (std::size_t frame = 0; frame < truths.size(); ++frame) {
     CAPTURE(set, frame);
@@ -69,9 +69,9 @@ void check_pad(const std::string& set, const SkinArray& skin, const Recording& r
     const SkinConeSolution found =
         SkinCone(problem, alpha, {.friction_limit = 0.8}).solve(readings);
     REQUIRE(found.verdict == ConstrainedVerdict::ok);
-    const SkinFamily face(problem, found.face);
+    const TikhonovFamily face(problem, found.face);
     const FilterFrame seen = face.analyse(readings);
-    const SkinCovariance covariance(face, alpha, choose_alone(seen, AlphaRule::gml).alpha);
+    const TractionCovariance covariance(face, alpha, choose_alone(seen, AlphaRule::gml).alpha);
     const double noise =
         estimate_noise(problem, readings, found.tractions, covariance.degrees_of_freedom()).rms();
     std::vector<double> bands = covariance.deviations();

@@ -11,8 +11,8 @@
 
 #include "realtime/touching_cells.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/covariance.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -53,9 +53,9 @@ TEST_CASE("bands are the root of the diagonal of the inverse normal matrix",
   // With the prior's alpha the same the covariance is P^-1: P C w = w for every w.
   LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
   if (GENERATE(false, true)) leave_out(problem, std::vector<std::size_t>{2});
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   const double alpha = 1e-3;
-  const SkinCovariance covariance(family, alpha, alpha);
+  const TractionCovariance covariance(family, alpha, alpha);
   const Matrix p = normal_matrix(problem, alpha);
   const std::size_t n = p.rows;
   const std::vector<double> deviations = covariance.deviations();
@@ -72,7 +72,7 @@ TEST_CASE("bands are the root of the diagonal of the inverse normal matrix",
     CHECK_THAT(covariance.deviation(unit), WithinRel(deviations[i], 1e-10));
   }
   CHECK_THAT(covariance.degrees_of_freedom(), WithinRel(family.degrees_of_freedom(alpha), 1e-14));
-  CHECK_THROWS_WITH(SkinCovariance(family, 0.0, 1.0), ContainsSubstring("alpha"));
+  CHECK_THROWS_WITH(TractionCovariance(family, 0.0, 1.0), ContainsSubstring("alpha"));
 }
 
 TEST_CASE("several sums at once err as each by itself, whatever they are over",
@@ -81,8 +81,8 @@ TEST_CASE("several sums at once err as each by itself, whatever they are over",
       make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
   const std::size_t cells = problem.grid.count();
   const std::size_t n = 3 * cells;
-  const SkinFamily family(problem);
-  const SkinCovariance covariance(family, 1e-3, 1e-2);  // more tractions than readings
+  const TikhonovFamily family(problem);
+  const TractionCovariance covariance(family, 1e-3, 1e-2);  // more tractions than readings
   std::vector<std::vector<double>> sums(6, std::vector<double>(n));
   for (std::size_t i = 0; i < cells; ++i) sums[0][i] = 1e-6;  // a force
   sums[1][7] = 0.8;                                           // the margin of a cell
@@ -119,18 +119,18 @@ TEST_CASE("several sums at once err as each by itself, whatever they are over",
 TEST_CASE("what a family keeps for bands serves every alpha, and changes none",
           "[skin][covariance]") {
   const LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone, {});
-  const SkinFamily used(problem);
-  (void)SkinCovariance(used, 1e-5, 1e-1).deviations();
-  const SkinFamily fresh(problem);
-  CHECK(SkinCovariance(used, 1e-3, 1e-2).deviations() ==
-        SkinCovariance(fresh, 1e-3, 1e-2).deviations());
+  const TikhonovFamily used(problem);
+  (void)TractionCovariance(used, 1e-5, 1e-1).deviations();
+  const TikhonovFamily fresh(problem);
+  CHECK(TractionCovariance(used, 1e-3, 1e-2).deviations() ==
+        TractionCovariance(fresh, 1e-3, 1e-2).deviations());
 }
 
 TEST_CASE("two deviations hold about the share of the truth that they promise",
           "[skin][covariance]") {
   const SkinArray skin = square_skin(10, 3e-3);
   const LinearProblem problem = make_problem(skin, silicone);
-  const SkinFamily family(problem);
+  const TikhonovFamily family(problem);
   const AlphaTables tables(family.singular_values(), independent_readings(problem));
   const SurfaceGrid& grid = problem.grid;
   std::mt19937 random(44);
@@ -145,9 +145,9 @@ TEST_CASE("two deviations hold about the share of the truth that they promise",
     const double rms = add_noise(readings, 1e-3 * std::pow(50.0, unit(random)), random);
     const FilterFrame frame = family.analyse(readings);
     const double alpha = choose_alone(frame, tables, AlphaRule::rgcv).alpha;
-    const auto share = [&](const SkinFamily& of, double at, std::span<const double> f) {
+    const auto share = [&](const TikhonovFamily& of, double at, std::span<const double> f) {
       const FilterFrame seen = of.analyse(readings);
-      const SkinCovariance covariance(of, at, choose_alone(seen, AlphaRule::gml).alpha);
+      const TractionCovariance covariance(of, at, choose_alone(seen, AlphaRule::gml).alpha);
       const double noise =
           estimate_noise(problem, readings, f, covariance.degrees_of_freedom(), rms).rms();
       const std::vector<double> deviations = covariance.deviations();
@@ -167,7 +167,7 @@ TEST_CASE("two deviations hold about the share of the truth that they promise",
     covered += share(family, alpha, family.solve(frame, alpha));
     const double less = constrained_alpha(AlphaRule::rgcv, alpha);
     const SkinConeSolution found = SkinCone(problem, less, {.friction_limit = 0.8}).solve(readings);
-    constrained += share(SkinFamily(problem, found.face), less, found.tractions);
+    constrained += share(TikhonovFamily(problem, found.face), less, found.tractions);
   }
   CHECK(covered / count >= 0.95);
   CHECK(covered / count <= 0.998);
@@ -461,8 +461,9 @@ TEST_CASE("deviations of windows are those of their sums, inside and on a face",
   const double alpha = 1e-3;
   const SkinConeSolution held = SkinCone(problem, alpha, {.friction_limit = 0.5}).solve(readings);
   REQUIRE_FALSE(held.face.free.empty());
-  for (const SkinFamily& family : {SkinFamily(problem), SkinFamily(problem, held.face)}) {
-    const SkinCovariance covariance(family, alpha, 0.3 * alpha);
+  for (const TikhonovFamily& family :
+       {TikhonovFamily(problem), TikhonovFamily(problem, held.face)}) {
+    const TractionCovariance covariance(family, alpha, 0.3 * alpha);
     const CellWindow window{.rows = 2, .columns = 1};
     const std::vector<double> found = covariance.window_deviations(grid, window);
     REQUIRE(found.size() == grid.count());

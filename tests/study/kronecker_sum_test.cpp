@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tactile_net/skin/family.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tests/catch.hpp"
 #include "tests/control/skins.hpp"
 
@@ -63,7 +63,7 @@ TEST_CASE("all Kronecker products together are the matrix itself", "[kronecker]"
   for (const Skin& skin :
        {square(4), rectangle(3, 5), rectangle(1, 6), square(5, 1, {7}), two_depths(4)}) {
     CAPTURE(skin.name);
-    const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(skin_alpha);
+    const Reconstruction inverse = TikhonovFamily(skin.problem).reconstruction(skin_alpha);
     KroneckerSum sum = KroneckerTerms(skin.problem, inverse).sum(1e-15);
     CHECK(product_error(sum, inverse, noise(inverse.readings())) < 1e-12);
   }
@@ -72,7 +72,7 @@ TEST_CASE("all Kronecker products together are the matrix itself", "[kronecker]"
 TEST_CASE("a sum's error is what it says, below what was asked for, and falls with its terms",
           "[kronecker]") {
   const Skin skin = rectangle(4, 6);
-  const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(skin_alpha);
+  const Reconstruction inverse = TikhonovFamily(skin.problem).reconstruction(skin_alpha);
   const KroneckerTerms terms(skin.problem, inverse);
   double before = 1.0;
   std::size_t terms_before = 0;
@@ -92,7 +92,7 @@ TEST_CASE("a sum's error is what it says, below what was asked for, and falls wi
 TEST_CASE("Kronecker products are of even skins, of their own inverse, and of a bounded size",
           "[kronecker]") {
   const Skin skin = square(4);
-  const Reconstruction inverse = SkinFamily(skin.problem).reconstruction(skin_alpha);
+  const Reconstruction inverse = TikhonovFamily(skin.problem).reconstruction(skin_alpha);
   CHECK_THROWS_AS(KroneckerTerms(square(5).problem, inverse), std::invalid_argument);
   CHECK_THROWS_AS(KroneckerTerms(skin.problem, inverse).sum(0.0), std::invalid_argument);
   std::vector<SkinTaxel> taxels;
@@ -100,6 +100,6 @@ TEST_CASE("Kronecker products are of even skins, of their own inverse, and of a 
     taxels.push_back({"", 2e-3 * i, 1e-3 * i * i, 3e-3, {Quantity::stress_x}});
   const Skin uneven = skin_of("uneven", uneven_skin(taxels), {.components = 1});
   CHECK_THROWS_WITH(
-      KroneckerTerms(uneven.problem, SkinFamily(uneven.problem).reconstruction(skin_alpha)),
+      KroneckerTerms(uneven.problem, TikhonovFamily(uneven.problem).reconstruction(skin_alpha)),
       ContainsSubstring("rows and columns"));
 }

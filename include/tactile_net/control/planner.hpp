@@ -35,7 +35,7 @@
 
 namespace tactile_net {
 
-class SkinFamily;
+class TikhonovFamily;
 
 struct PlannerOptions {
   /// Accuracy of the plan, > 0. For every frame, with f = M g in double and r = W (g - K f) what it
@@ -126,7 +126,7 @@ struct PlannedEstimator {
 /// @param family  the problem's
 /// @throw std::invalid_argument  also: the family is of another problem
 [[nodiscard]] PlannedEstimator plan_estimator(const LinearProblem& problem,
-                                              const SkinFamily& family, double alpha,
+                                              const TikhonovFamily& family, double alpha,
                                               const PlannerOptions& options = {},
                                               const LinearProblem* whole = nullptr);
 

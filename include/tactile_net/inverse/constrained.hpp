@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/active_face.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
@@ -71,5 +72,12 @@ class ConstrainedTikhonov {
 /// The map from the constrained variables to the tractions, f = E z, (unknowns x count) x
 /// variables: the cone's edges, or the identity.
 [[nodiscard]] Matrix edges(const LinearProblem& problem, const Constraints& constraints);
+
+/// The face that free variables span: where both edges of a cone are free every direction is.
+///
+/// @param free  columns of `edges`, as in `ConstrainedSolution`, in rising order
+/// @throw std::invalid_argument  as `edges`; there is no such column
+[[nodiscard]] ActiveFace active_face(const LinearProblem& problem, const Constraints& constraints,
+                                     std::span<const std::size_t> free);
 
 }  // namespace tactile_net

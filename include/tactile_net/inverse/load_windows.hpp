@@ -21,7 +21,7 @@
 /// as docs/internals/numerics.md has measured.
 ///
 ///     const LoadWindows windows(problem, depth);  // once
-///     const TractionCovariance covariance = windows.covariance(readings, f, alpha, noise_rms);
+///     const RootCovariance covariance = windows.covariance(readings, f, alpha, noise_rms);
 ///     resultant_of(problem, f, covariance, noise_rms).normal.deviation;  // uncertainty.hpp
 #pragma once
 
@@ -29,8 +29,8 @@
 #include <memory>
 #include <span>
 
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
-#include "tactile_net/inverse/uncertainty.hpp"
 
 namespace tactile_net {
 
@@ -58,9 +58,9 @@ class LoadWindows {
   /// @param alpha      of the estimate: its degrees of freedom are the covariance's
   /// @param noise_rms  of one weighted reading, > 0
   /// @throw std::invalid_argument  a size does not fit, a value is not finite or out of its range
-  [[nodiscard]] TractionCovariance covariance(std::span<const double> readings,
-                                              std::span<const double> tractions, double alpha,
-                                              double noise_rms) const;
+  [[nodiscard]] RootCovariance covariance(std::span<const double> readings,
+                                          std::span<const double> tractions, double alpha,
+                                          double noise_rms) const;
 
  private:
   struct Windows;

@@ -1,7 +1,7 @@
 /// @file
 /// Bands of an array too long for one decomposition (target tactile_net::spectral).
 ///
-/// The covariance of uncertainty.hpp without its matrix: every traction's deviation from the
+/// The covariance of covariance.hpp without its factors: every traction's deviation from the
 /// sections of long_array_family.hpp, and sums over the whole array, such as the force, exactly, by
 /// conjugate gradients: with x = P^-1 weights their variance is
 ///
@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/long_array_family.hpp"
-#include "tactile_net/inverse/uncertainty.hpp"
 
 namespace tactile_net {
 

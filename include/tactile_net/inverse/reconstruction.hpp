@@ -57,7 +57,8 @@ class Reconstruction {
 
 /// One frame solved directly, without building M: as `tikhonov`, cheaper for a single frame. Of a
 /// skin by a QR of the whole problem in the waves of its stabiliser, O((m + n) min(m, n)^2):
-/// no symmetry is used, so that it checks what `SkinFamily` finds by classes and singular values.
+/// no symmetry is used, so that it checks what `TikhonovFamily` finds by classes and singular
+/// values.
 ///
 /// @return f [Pa], components x values
 /// @throw as `tikhonov`; std::invalid_argument if readings have the wrong size or are not finite

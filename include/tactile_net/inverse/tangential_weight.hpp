@@ -8,9 +8,13 @@
 /// alpha that suits it best (MacKay 1992; two weights of one functional: Brezinski and others
 /// 2003).
 ///
+///     const double weight = likeliest_tangential_weight(problem, readings, noise_rms);
+///
+/// For many frames, with a family of each weight made once:
+///
 ///     double best = 1.0, least = infinity;
 ///     for (const double weight : tangential_weights) {
-///       const TikhonovFamily& family = of(weight);  // each made once
+///       const TikhonovFamily& family = of(weight);
 ///       const FilterFrame frame = family.analyse(readings);
 ///       const double value = negative_log_evidence(frame, tables(weight), noise_rms) +
 ///                            negative_log_prior(weight);
@@ -69,23 +73,11 @@ inline constexpr std::array tangential_weights = {
 /// The likeliest of `tangential_weights` for a frame, each tried with a family of its own; 1 with
 /// one component, or if nothing was read.
 ///
-/// @tparam Family    `TikhonovFamily` of a line's problem, `SkinFamily` of a skin's
 /// @param noise_rms  of one weighted reading, > 0; absent: not known
 /// @throw std::invalid_argument  readings have the wrong size or are not finite; noise_rms is not
 ///                               > 0
-template <typename Family>
 [[nodiscard]] double likeliest_tangential_weight(LinearProblem problem,
                                                  std::span<const double> readings,
-                                                 std::optional<double> noise_rms = {}) {
-  if (problem.components == 1) return 1.0;
-  return likeliest_tangential_weight([&](double weight) {
-    problem.tangential_weight = weight;
-    const Family family(problem);
-    const FilterFrame frame = family.analyse(readings);
-    return negative_log_evidence(frame, AlphaTables(family.singular_values(), frame.rows),
-                                 noise_rms) +
-           negative_log_prior(weight);
-  });
-}
+                                                 std::optional<double> noise_rms = {});
 
 }  // namespace tactile_net

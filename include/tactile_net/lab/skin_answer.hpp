@@ -28,7 +28,7 @@ struct SkinAnswer {
   DataVerdict data{};                ///< whether the readings can be true
   double degrees_of_freedom = 0.0;   ///< of the readings that the tractions use up, under
                                      ///< constraints those that these leave free
-  double condition = 0.0;            ///< `SkinFamily::stacked_condition`
+  double condition = 0.0;            ///< `TikhonovFamily::stacked_condition`
   std::vector<std::size_t> cells{};  ///< that touch: `find_contacts`
   UncertainWrench wrench{};          ///< of those cells; of all where none is certain to touch
   std::optional<SkinFriction> friction{};   ///< absent with one component, or where nothing touches

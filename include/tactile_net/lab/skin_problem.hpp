@@ -15,10 +15,10 @@
 #include "tactile_net/inverse/alpha_tables.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net::lab {
@@ -52,7 +52,7 @@ class SkinSceneProblem {
   [[nodiscard]] LargeSkin& large() const;
   /// What all frames share and no frame is asked for.
   void prepare() const;
-  [[nodiscard]] const SkinFamily& family() const;
+  [[nodiscard]] const TikhonovFamily& family() const;
   /// Of this frame's family; of a large skin each frame has its own, and the last one is kept.
   [[nodiscard]] const AlphaTables& alpha_tables(const FilterFrame& frame) const;
 

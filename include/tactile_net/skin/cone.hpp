@@ -8,38 +8,23 @@
 /// and relaxation 1.6, in the family's classes, factored once for all frames.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/active_face.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
-#include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 
 namespace tactile_net {
 
-/// The face of the friction cones on which a solution lies: the directions in which tractions may
-/// still change. None in a cell in separation, two along the cone in slip, all in stick.
-struct ActiveFace {
-  struct Direction {
-    std::size_t cell = 0;
-    std::array<double, 3> along{};  ///< direction of (p, q_y, q_z), of length 1
-  };
-  std::vector<Direction> free{};
-};
-
-/// The directions of a face as columns: tractions x directions.
-/// @throw std::invalid_argument  a cell is not the problem's
-[[nodiscard]] Matrix edges(const LinearProblem& problem, const ActiveFace& face);
-
 /// The answer to one frame. Unless the status is `ok`, no other member is set.
 struct SkinConeSolution {
   FrameStatus status = FrameStatus::ok;
-  /// [Pa], in the order of `SkinFamily::solve`; they obey the constraints exactly.
+  /// [Pa], in the order of `TikhonovFamily::solve`; they obey the constraints exactly.
   std::vector<double> tractions{};
   ConstrainedVerdict verdict = ConstrainedVerdict::ok;
   /// |f - proj(f - (P f - b) / lambda_max)| lambda_max / |b|: 0 at the minimum alone.
@@ -58,7 +43,7 @@ struct SkinConeSolution {
 
 class SkinCone {
  public:
-  /// Factors the problem, at the cost of a `SkinFamily`.
+  /// Factors the problem, at the cost of a `TikhonovFamily`.
   ///
   /// @throw std::invalid_argument  alpha is not > 0; friction_limit is not > 0, or there is one
   ///                               component only

@@ -5,7 +5,7 @@
 ///     const SkinArray skin{.rows = 16, .columns = 16, .pitch_y = 2e-3, .pitch_z = 2e-3,
 ///                          .depths = {3e-3}, .reads = reads};
 ///     const LinearProblem problem = make_problem(skin, silicone, SkinProblemOptions{});
-///     const SkinFamily family(problem);                       // family.hpp
+///     const TikhonovFamily family(problem);                   // inverse/tikhonov_family.hpp
 ///     const FilterFrame frame = family.analyse(readings);
 ///     const double alpha = choose_alpha(frame, AlphaRule::rgcv).alpha;
 ///     const std::vector<double> tractions = family.solve(frame, alpha);

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
-#include "tactile_net/skin/cell_window.hpp"
 #include "tactile_net/skin/grid.hpp"
 
 namespace tactile_net {
@@ -36,6 +35,10 @@ namespace tactile_net {
                                                      std::span<const double> tractions,
                                                      std::span<const double> deviations,
                                                      double rim = 0.0);
+
+/// The window that reaches `reach` from a cell's middle, no larger than the grid.
+/// @param reach  [m], >= 0 and finite
+[[nodiscard]] CellWindow window_of(const SurfaceGrid& grid, double reach);
 
 /// Deviations of the sums over the windows around cells, the noise included.
 struct WindowBands {

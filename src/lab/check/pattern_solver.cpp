@@ -8,6 +8,7 @@
 
 #include "lab/pattern_cache.hpp"
 #include "tactile_net/inverse/constrained.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
@@ -15,7 +16,6 @@
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 #include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/covariance.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -205,7 +205,7 @@ class SkinSolver final : public PatternSolver {
     const auto known = without_dead(readings, living);
     if (!known) return std::nullopt;
     const std::vector<double>& frame = *known;
-    const SkinFamily& family = problem_.family();
+    const TikhonovFamily& family = problem_.family();
     const double alpha = problem_.alpha(frame).value;
     std::vector<double> tractions = family.solve(family.analyse(frame), alpha);
     if (!std::all_of(tractions.begin(), tractions.end(), [](double f) { return std::isfinite(f); }))

@@ -52,7 +52,8 @@ ChosenAlpha alpha_on_active_set(const SceneFrame& frame) {
     const ConstrainedSolution found =
         ConstrainedTikhonov(problem.problem(), alpha.value, constraints).solve(frame.readings());
     if (found.status != FrameStatus::ok || found.free.empty()) break;
-    const TikhonovFamily family(problem.problem(), constraints, found.free);
+    const TikhonovFamily family(problem.problem(),
+                                active_face(problem.problem(), constraints, found.free));
     const AlphaChoice choice =
         choose_alone(family.analyse(frame.readings()), problem.alpha_rule(frame.analysed()),
                      problem.stated_noise());

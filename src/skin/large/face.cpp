@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "inverse/face_coordinates.hpp"
 #include "numeric/conjugate_gradients.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/face_coordinates.hpp"
 #include "skin/large/solved_sums.hpp"
 #include "skin/large/system.hpp"
 #include "skin/scaled_deviation.hpp"

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "inverse/face_coordinates.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/split_mix.hpp"
-#include "skin/face_coordinates.hpp"
 #include "skin/large/system.hpp"
 
 namespace tactile_net {

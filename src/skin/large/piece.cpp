@@ -6,7 +6,7 @@
 
 #include "inverse/coordinates.hpp"
 #include "inverse/window_sums.hpp"
-#include "tactile_net/skin/covariance.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 
 namespace tactile_net {
 namespace {
@@ -100,7 +100,7 @@ double SkinPiece::largest_square() const {
 
 std::vector<double> SkinPiece::deviations(const LinearProblem& whole, double alpha,
                                           double prior_alpha) {
-  const std::vector<double> own = SkinCovariance(family_, alpha, prior_alpha).deviations();
+  const std::vector<double> own = TractionCovariance(family_, alpha, prior_alpha).deviations();
   const std::size_t cells = whole.grid.count();
   const std::size_t small = problem_.grid.count();
   std::vector<double> all(whole.components * cells);
@@ -117,7 +117,7 @@ std::vector<double> SkinPiece::window_deviations(const LinearProblem& whole, dou
                                                  const CellWindow& window) const {
   const SurfaceGrid& grid = whole.grid;
   const std::vector<double> own =
-      SkinCovariance(family_, alpha, prior_alpha).window_deviations(problem_.grid, window);
+      TractionCovariance(family_, alpha, prior_alpha).window_deviations(problem_.grid, window);
   const Eigen::VectorXd prior = WaveCoordinates(problem_, stabiliser_spectrum(problem_).cwiseSqrt())
                                     .squares(problem_.grid, window)
                                     .cwiseSqrt() /
@@ -150,7 +150,8 @@ void SkinPiece::add_dead(std::vector<double>& deviations, const std::vector<doub
     leave_out(one, middle);
     with_dead_.emplace(one);
   }
-  const std::vector<double> beside = SkinCovariance(*with_dead_, alpha, prior_alpha).deviations();
+  const std::vector<double> beside =
+      TractionCovariance(*with_dead_, alpha, prior_alpha).deviations();
 
   const SurfaceGrid& grid = whole.grid;
   const Window here(piece_rows / 2, small.margin_rows, small.stride_rows, small.rows, dead_reach);
@@ -193,7 +194,7 @@ double SkinPiece::deviation(const LinearProblem& whole, double alpha, double pri
   std::vector<double> of_piece(problem_.components * small);
   for (std::size_t u = 0, at = like_cell(whole.grid, cell); u < weights.size(); ++u, at += small)
     of_piece[at] = weights[u];
-  return SkinCovariance(family_, alpha, prior_alpha).deviation(of_piece);
+  return TractionCovariance(family_, alpha, prior_alpha).deviation(of_piece);
 }
 
 }  // namespace tactile_net

@@ -10,9 +10,8 @@
 
 #include "numeric/eigen.hpp"
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/array.hpp"
-#include "tactile_net/skin/cell_window.hpp"
-#include "tactile_net/skin/family.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
@@ -58,9 +57,9 @@ class SkinPiece {
 
   SkinArray skin_;
   LinearProblem problem_;
-  SkinFamily family_;
-  std::optional<SkinFamily> with_dead_{};  // its middle taxel; made where it is first needed
-  Eigen::VectorXd prior_squares_;          // variances of the prior times its alpha
+  TikhonovFamily family_;
+  std::optional<TikhonovFamily> with_dead_{};  // its middle taxel; made where it is first needed
+  Eigen::VectorXd prior_squares_;              // variances of the prior times its alpha
 };
 
 }  // namespace tactile_net

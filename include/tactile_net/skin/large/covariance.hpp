@@ -1,6 +1,6 @@
 /// @file
-/// Bands of a large skin (target tactile_net::spectral): as skin/covariance.hpp, without a
-/// decomposition of the whole.
+/// Bands of a large skin (target tactile_net::spectral): as inverse/covariance.hpp, without
+/// a decomposition of the whole.
 ///
 /// Sums over cells, such as a contact's force, are exact, by one solve each, and none where they
 /// follow from sums before; their bits do not depend on what was asked for before. With x = P^-1
@@ -19,9 +19,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/inverse/uncertainty.hpp"
-#include "tactile_net/skin/cell_window.hpp"
-#include "tactile_net/skin/family.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 
 namespace tactile_net {

@@ -1,6 +1,6 @@
 /// @file
 /// Bands of a contact on a large skin where constraints hold what does not touch (target
-/// tactile_net::spectral): `SkinCovariance` of the family on a face, by one solve a sum.
+/// tactile_net::spectral): `TractionCovariance` of the family on a face, by one solve a sum.
 ///
 ///     const LargeSkinPart part(skin, pad, options, problem, contact, reach);
 ///     const ActiveFace face = part.face(solution.face);
@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/uncertainty.hpp"
-#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/inverse/active_face.hpp"
+#include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/skin/large/part.hpp"
 
 namespace tactile_net {

@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/active_face.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 
 namespace tactile_net {
@@ -52,10 +52,11 @@ class LargeSkinFamily {
   /// Standard deviation of `degrees_of_freedom`, from the spread of the probes; 0 with one probe.
   [[nodiscard]] double degrees_deviation(double alpha) const noexcept;
 
-  /// Upper bound of `SkinFamily::condition`, with the largest node for the largest singular value.
-  [[nodiscard]] double condition(double alpha) const noexcept;
-  /// Upper bound of `SkinFamily::stacked_condition`, with the largest node for the largest singular
+  /// Upper bound of `TikhonovFamily::condition`, with the largest node for the largest singular
   /// value.
+  [[nodiscard]] double condition(double alpha) const noexcept;
+  /// Upper bound of `TikhonovFamily::stacked_condition`, with the largest node for the largest
+  /// singular value.
   [[nodiscard]] double stacked_condition(double alpha) const noexcept;
 
  private:

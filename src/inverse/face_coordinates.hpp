@@ -1,5 +1,5 @@
 /// @file
-/// Coordinates of the tractions that a face of the cones leaves free. Private.
+/// Coordinates of the tractions that a face of the constraints leaves free. Private.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -8,12 +8,12 @@
 #include "inverse/coordinates.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/sparse_cholesky.hpp"
-#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/inverse/active_face.hpp"
 
 namespace tactile_net {
 
-/// Of what a face of the cones leaves free, T = E R^-1 with E its directions and R'R = E' L'L E.
-/// Each direction lies in one cell and L'L joins neighbours, so that R is sparse. It comes from
+/// Of what a face of the constraints leaves free, T = E R^-1 with E its directions and R'R = E' L'L
+/// E. Each direction lies in one cell and L'L joins neighbours, so that R is sparse. It comes from
 /// L'L, whose condition is the square of L's: a few hundred at most while cells are no narrower
 /// than a twentieth of the smoothing length, whatever the tangential weight, which scales columns.
 /// Where they are narrower than `too_narrow` of it, R comes from a QR of L E.

@@ -1,4 +1,4 @@
-#include "skin/face_coordinates.hpp"
+#include "inverse/face_coordinates.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,13 +13,14 @@ namespace {
 
 using Eigen::Index;
 
-/// As `edges`, which of a large skin's face would be too many numbers.
+/// The directions of a face as columns, tractions x directions.
 Eigen::SparseMatrix<double> sparse_edges(const LinearProblem& problem, const ActiveFace& face) {
   const std::size_t cells = problem.grid.count();
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t j = 0; j < face.free.size(); ++j) {
     const auto& [cell, along] = face.free[j];
-    if (cell >= cells) throw std::invalid_argument("a face of another problem");
+    if (cell >= cells)
+      throw std::invalid_argument("the face is of another problem: it has a cell beyond the grid");
     for (std::size_t u = 0; u < problem.components; ++u)
       if (along[u] != 0.0)
         entries.emplace_back(static_cast<int>(u * cells + cell), static_cast<int>(j), along[u]);
@@ -34,9 +35,13 @@ Eigen::SparseMatrix<double> sparse_edges(const LinearProblem& problem, const Act
 
 FaceCoordinates::FaceCoordinates(const LinearProblem& problem, const ActiveFace& face) {
   if (face.free.empty())
-    throw std::invalid_argument("every traction is held at zero: no family of any");
+    throw std::invalid_argument(
+        "every traction is held at zero, so that there is nothing to make a family of: ask for one "
+        "where the face has a free direction");
   edges_ = sparse_edges(problem, face);
-  const double spacing = std::min(problem.grid.spacing_y, problem.grid.spacing_z);
+  const SurfaceGrid& grid = problem.grid;
+  const double spacing =
+      grid.columns == 1 ? grid.spacing_y : std::min(grid.spacing_y, grid.spacing_z);
   if (spacing > too_narrow * problem.smoothing_length) {
     const Eigen::SparseMatrix<double> stretched = sparse_stabiliser(problem) * edges_;
     root_.emplace(Eigen::SparseMatrix<double>(edges_.transpose() * stretched));
