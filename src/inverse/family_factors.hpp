@@ -29,9 +29,9 @@ struct TikhonovFamily::Factors {
           std::vector<MirrorClass> classes);
 
   /// V' of each class, applied to coordinates; one class after the other.
-  [[nodiscard]] Eigen::MatrixXd components(const Eigen::MatrixXd& coordinates) const;
+  [[nodiscard]] Eigen::MatrixXd components(const Eigen::MatrixXd& from) const;
   /// V of each class, applied to components: coordinates.
-  [[nodiscard]] Eigen::MatrixXd from_components(const Eigen::MatrixXd& components) const;
+  [[nodiscard]] Eigen::MatrixXd from_components(const Eigen::MatrixXd& from) const;
   /// U of all classes: a row a reading, a column a component.
   [[nodiscard]] Eigen::MatrixXd left_vectors() const;
 

@@ -59,9 +59,9 @@ DataJudge::DataJudge(const LinearProblem& problem, DataLimits limits)
 DataJudge::DataJudge(const LinearProblem& problem, const LinearProblem& contacts,
                      DataLimits limits) {
   check_contacts(problem, contacts);
-  const auto sought = std::make_shared<const LinearProblem>(contacts);
+  auto sought = std::make_shared<const LinearProblem>(contacts);
   parts_ = std::make_unique<const Parts>(
-      std::make_shared<const LinearProblem>(problem), [sought] { return sought; },
+      std::make_shared<const LinearProblem>(problem), [kept = std::move(sought)] { return kept; },
       std::move(limits));
 }
 

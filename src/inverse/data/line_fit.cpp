@@ -55,47 +55,49 @@ class LineFit final : public ContactFit {
           chi_squared_quantile(static_cast<double>(channels_.size()), 0.1 * false_alarms);
   }
 
-  std::optional<Unexplained> contact(const JudgedFrame& frame, Friction friction,
-                                     double enough) const override {
+  [[nodiscard]] std::optional<Unexplained> contact(const JudgedFrame& frame, Friction friction,
+                                                   double enough) const override {
     return fit(frame.seen, friction, enough);
   }
-  std::size_t steps() const noexcept override { return 1; }
-  Unexplained nearest(const JudgedFrame& frame, Unexplained found) const override {
+  [[nodiscard]] std::size_t steps() const noexcept override { return 1; }
+  [[nodiscard]] Unexplained nearest(const JudgedFrame& frame, Unexplained found) const override {
     return fit(frame.seen, found.friction);
   }
-  std::optional<Unexplained> all_left(const JudgedFrame&, std::size_t,
-                                      const Unexplained& found) const override {
+  [[nodiscard]] std::optional<Unexplained> all_left(const JudgedFrame&, std::size_t,
+                                                    const Unexplained& found) const override {
     return found;
   }
-  std::optional<Unexplained> rest_left(const JudgedFrame& frame, std::size_t, std::size_t taxel,
-                                       const Unexplained& all) const override {
+  [[nodiscard]] std::optional<Unexplained> rest_left(const JudgedFrame& frame, std::size_t,
+                                                     std::size_t taxel,
+                                                     const Unexplained& all) const override {
     return fit(frame.seen, all.friction, 0.0, without(taxel));
   }
-  Unexplained least_rest(const JudgedFrame& frame, std::size_t taxel, double) const override {
+  [[nodiscard]] Unexplained least_rest(const JudgedFrame& frame, std::size_t taxel,
+                                       double) const override {
     return fit(frame.seen, Friction::likely, 0.0, without(taxel));
   }
   /// By contacts within the stated limit where these explain the rest too.
-  double likeness(const JudgedFrame& frame, std::size_t taxel, double enough,
-                  const Unexplained& rest) const override {
+  [[nodiscard]] double likeness(const JudgedFrame& frame, std::size_t taxel, double enough,
+                                const Unexplained& rest) const override {
     if (wide_.cols() == 0) return rest.norm;
     const double within = fit(frame.seen, Friction::stated, 0.0, without(taxel)).norm;
     return within <= enough ? within : enough + rest.norm;
   }
-  std::optional<BothSigns> both_signs(const JudgedFrame& frame,
-                                      std::span<const double>) const override {
+  [[nodiscard]] std::optional<BothSigns> both_signs(const JudgedFrame& frame,
+                                                    std::span<const double>) const override {
     return BothSigns{.as_read = fit(frame.seen, Friction::likely),
                      .turned = fit(negated(frame.seen), Friction::likely)};
   }
-  std::optional<ChannelConstants> constants(const JudgedFrame& frame) const override {
+  [[nodiscard]] std::optional<ChannelConstants> constants(const JudgedFrame& frame) const override {
     if (!p.limits.inner || channels_.empty()) return std::nullopt;
     return constants_of(with_constants(frame.seen, Friction::likely));
   }
-  bool remembers() const noexcept override { return true; }
-  std::vector<double> apart(const Unexplained& found) const override;
-  std::optional<ChannelConstants> hidden_constants(const JudgedFrame& frame,
-                                                   std::span<const double> pressing) const override;
-  std::optional<Unexplained> recalled(const JudgedFrame& frame,
-                                      KeptContacts& memory) const override;
+  [[nodiscard]] bool remembers() const noexcept override { return true; }
+  [[nodiscard]] std::vector<double> apart(const Unexplained& found) const override;
+  [[nodiscard]] std::optional<ChannelConstants> hidden_constants(
+      const JudgedFrame& frame, std::span<const double> pressing) const override;
+  [[nodiscard]] std::optional<Unexplained> recalled(const JudgedFrame& frame,
+                                                    KeptContacts& memory) const override;
   void remember(const Unexplained& found, KeptContacts& memory) const override;
 
  private:
