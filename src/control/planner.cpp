@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -20,18 +18,6 @@
 
 namespace tactile_net {
 namespace {
-
-/// What planning takes of a problem's solver, for one alpha. Nothing else here knows a solver.
-struct Solution {
-  Reconstruction inverse;
-  std::optional<TractionCovariance> covariance{};  // the posterior's, where it is asked for
-};
-
-Solution solution_of(const TikhonovFamily& family, double alpha, bool with_covariance) {
-  Solution solution{.inverse = family.reconstruction(alpha)};
-  if (with_covariance) solution.covariance.emplace(family, alpha, alpha);
-  return solution;
-}
 
 /// Structure fft is for lines alone, whose values a convolution takes to as many: a skin has two
 /// reflections, and up to 32 x 32 taxels its classes are cheaper than a transform in two
@@ -127,15 +113,16 @@ ProductTask prediction_task(const ProductTask& reconstruction, const LinearProbl
 }
 
 /// Limits by which frames are judged, where the noise is known.
-void take_noise(EstimatorPlan& plan, const LinearProblem& problem, const Solution& solution,
+void take_noise(EstimatorPlan& plan, const LinearProblem& problem, const TikhonovFamily& family,
                 const PlannerOptions& options) {
+  const TractionCovariance posterior(family, plan.alpha, plan.alpha);
   std::vector<double> sum(plan.tractions());
   std::fill_n(sum.begin(), plan.values, problem.grid.area());
-  plan.force_deviation = options.noise_rms * solution.covariance->deviation(sum);
+  plan.force_deviation = options.noise_rms * posterior.deviation(sum);
   if (options.diagnostics)
     plan.residual_limit =
         options.noise_rms * noise_limit(problem.weights, independent_readings(problem));
-  if (plan.cells) add_deviations(*plan.cells, problem, *solution.covariance, options.noise_rms);
+  if (plan.cells) add_deviations(*plan.cells, problem, posterior, options.noise_rms);
 }
 
 /// Sizes and places of readings and tractions.
@@ -184,10 +171,10 @@ void check_plan_input(const LinearProblem& problem, const PlannerOptions& option
     throw std::invalid_argument("the whole is of another problem, or has dead taxels");
 }
 
-PlannedEstimator planned_estimator(const LinearProblem& problem, const Solution& solution,
+PlannedEstimator planned_estimator(const LinearProblem& problem, const TikhonovFamily& family,
                                    double alpha, const PlannerOptions& options,
                                    const LinearProblem* whole) {
-  ProductTask task = reconstruction_task(problem, solution.inverse, options);
+  ProductTask task = reconstruction_task(problem, family.reconstruction(alpha), options);
   const Eigen::VectorXd weights = task.column_factors;
   if (options.calibration) take_raw(task, *options.calibration, problem.sites);
   const bool fills = whole != nullptr && is_spoilt(task, problem);
@@ -203,7 +190,7 @@ PlannedEstimator planned_estimator(const LinearProblem& problem, const Solution&
   plan.reconstruction = std::move(reconstruction.plan);
   bool folds = has_reflections(plan.reconstruction.structure);
   take_options(planned, options, problem.unknown_offsets);
-  if (options.noise_rms > 0.0) take_noise(plan, problem, solution, options);
+  if (options.noise_rms > 0.0) take_noise(plan, problem, family, options);
   if (options.diagnostics) {
     const ProductTask prediction =
         prediction_task(task, fills ? *whole : problem, folds ? 0 : task.filled);
@@ -229,9 +216,7 @@ double planning_bytes(std::size_t readings, std::size_t tractions) noexcept {
 PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
                                 const PlannerOptions& options, const LinearProblem* whole) {
   check_plan_input(problem, options, whole);
-  return planned_estimator(problem,
-                           solution_of(TikhonovFamily(problem), alpha, options.noise_rms > 0.0),
-                           alpha, options, whole);
+  return planned_estimator(problem, TikhonovFamily(problem), alpha, options, whole);
 }
 
 PlannedEstimator plan_estimator(const LinearProblem& problem, const TikhonovFamily& family,
@@ -242,8 +227,7 @@ PlannedEstimator plan_estimator(const LinearProblem& problem, const TikhonovFami
       family.analyse(std::vector<double>(problem.weights.size())).rows !=
           independent_readings(problem))
     throw std::invalid_argument("the family is of another problem");
-  return planned_estimator(problem, solution_of(family, alpha, options.noise_rms > 0.0), alpha,
-                           options, whole);
+  return planned_estimator(problem, family, alpha, options, whole);
 }
 
 std::string PlannedEstimator::why() const {

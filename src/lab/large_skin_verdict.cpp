@@ -110,10 +110,8 @@ Unexplained LargeSkinFit::search(const JudgedFrame& frame, Friction friction, do
 Unexplained LargeSkinFit::search_without(std::size_t taxel, const JudgedFrame& frame,
                                          Friction friction, double smoothing, double enough) const {
   const LargeSkinFit rest(p, without_taxels(*system_, {taxel}), skin_);
-  JudgedFrame of_rest{frame.readings, weighted(rest.problem(), frame.readings), {}};
-  of_rest.seen = of_rest.rows;
-  for (double& row : of_rest.seen) row /= p.unit;
-  return rest.search(of_rest, friction, smoothing, enough);
+  return rest.search(judged_frame(rest.problem(), p.unit, frame.readings), friction, smoothing,
+                     enough);
 }
 
 /// The worst one alone, each search takes long: and that only where contacts can be explained

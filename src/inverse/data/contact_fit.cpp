@@ -71,6 +71,13 @@ void check_contacts(const LinearProblem& problem, const LinearProblem& contacts)
         "options, and let them differ in the grid alone");
 }
 
+JudgedFrame judged_frame(const LinearProblem& of, double unit, std::span<const double> readings) {
+  JudgedFrame frame{readings, weighted(of, readings), {}};
+  frame.seen = frame.rows;
+  for (double& reading : frame.seen) reading /= unit;
+  return frame;
+}
+
 std::vector<double> negated(std::span<const double> values) {
   std::vector<double> all(values.begin(), values.end());
   for (double& value : all) value = -value;

@@ -62,6 +62,10 @@ struct JudgedFrame {
   std::vector<double> seen{};          ///< the same over the noise
 };
 
+/// @param unit  of all that is weighted
+[[nodiscard]] JudgedFrame judged_frame(const LinearProblem& of, double unit,
+                                       std::span<const double> readings);
+
 [[nodiscard]] std::vector<double> negated(std::span<const double> values);
 
 /// The same frame with its sign turned round.

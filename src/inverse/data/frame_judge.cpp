@@ -31,14 +31,12 @@ DataVerdict FrameJudge::judge(const ContactFit& fit, std::span<const double> rea
   check_tractions(tractions, p_.problem.components * p_.problem.grid.count());
   DataVerdict verdict{.noise_known = p_.limits.noise_rms.has_value()};
   if (verdict.noise_known) verdict.residual_limit = p_.most * to_rms_;
-  Frame frame{{readings, weighted(p_.problem, readings), {}}, fit, tractions};
+  const Frame frame{judged_frame(p_.problem, p_.unit, readings), fit, tractions};
   verdict.strain = strain(frame.rows, tractions);
   if (verdict.strain > 1.0) {  // in which unit the rest would be judged nobody knows
     verdict.doubts.push_back(DataDoubt::implausible);
     return verdict;
   }
-  frame.seen = frame.rows;
-  for (double& reading : frame.seen) reading /= p_.unit;
   const double size = std::sqrt(sum_of_squares(frame.seen));
   verdict.noise_alone = size == 0.0 || (verdict.noise_known && size <= p_.most);
   if (size == 0.0) return verdict;
