@@ -9,6 +9,7 @@ NB_MODULE(_core, module) {
   module.doc() = "The library behind tactile_net. Private: its names may change.";
   module.attr("version") = tactile_net::version();
   bind_errors();
+  bind_option_words();
   bind_files(module);
   bind_skin(module);
   bind_scene(module);

@@ -7,6 +7,7 @@
 namespace tactile_net::python {
 
 void bind_errors();
+void bind_option_words();
 void bind_scene(nanobind::module_& module);
 void bind_skin(nanobind::module_& module);
 void bind_skin_solving(nanobind::module_& module);

@@ -56,7 +56,7 @@ std::vector<std::string> words_of(const SkinSurvey& self) {
 }
 
 Cells cells_of(const LineSurvey& self) {
-  return pages::survey_cells(self.survey, self.scene().units);
+  return report::survey_cells(self.survey, self.scene().units);
 }
 Cells cells_of(const SkinSurvey& self) { return report::survey_cells(self.scene(), self.survey); }
 

@@ -36,7 +36,7 @@ class BagLog:
             except Exception as error:  # a damaged bag: the library raises what the bytes make it raise
                 raise refused(
                     self.where,
-                    f"is no whole bag: {str(error) or type(error).__name__}",
+                    f"is not a whole bag: {str(error) or type(error).__name__}",
                     "rosbag reindex and ros2 bag reindex mend some",
                 ) from None
             yield reader

@@ -63,7 +63,7 @@ def read_npz(path: str, name: str | None) -> Layout:
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError) as error:
         raise refused(
             path,
-            f"is no whole .npz file: {error}",
+            f"is not a whole .npz file: {error}",
             "its table stands at its end, so that nothing of a part can be read",
         ) from None
     if not arrays:

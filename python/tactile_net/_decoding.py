@@ -17,7 +17,7 @@ def decoder(where: str, topic: str, encoding: str, kind: str, form: str, text: b
     ros = encoding in ("cdr", "ros1") and form in _FORMS
     if not ros and encoding != "json":
         how = f"{encoding} ({form})" if form else encoding
-        raise refused(where, f"has messages of {topic} in {how}; read are cdr and ros1 with their types, and json")
+        raise refused(where, f"has messages of {topic} in {how}; readable are cdr and ros1 with their types, and json")
     try:
         deserialize = _of_ros(encoding, kind, form, text.decode()) if ros else json.loads
     except Exception as error:  # the libraries raise what the text, or the bytes, make them raise
@@ -27,7 +27,7 @@ def decoder(where: str, topic: str, encoding: str, kind: str, form: str, text: b
         try:
             return deserialize(data)
         except Exception as error:  # as above
-            raise refused(where, f"has a message of {topic} that is no {kind or encoding}: {error}") from None
+            raise refused(where, f"has a message of {topic} that is not a {kind or encoding}: {error}") from None
 
     return decode
 

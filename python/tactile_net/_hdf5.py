@@ -36,7 +36,7 @@ def read(path: str, name: str | None) -> Layout:
         with h5py.File(path, "r") as file:
             return _read(h5py, path, file, name)
     except OSError as error:
-        raise refused(path, f"is no whole HDF5 file: {error}", "was it closed, and copied as a whole?") from None
+        raise refused(path, f"is not a whole HDF5 file: {error}", "was it closed, and copied as a whole?") from None
 
 
 def _read(h5py: Any, path: str, file: Any, name: str | None) -> Layout:

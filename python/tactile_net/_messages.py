@@ -22,8 +22,8 @@ def _image(message: Any) -> NDArray[Any]:
     kind, channels = (named[1], int(named[2])) if named else (message.encoding, 1)
     if kind not in _ENCODINGS or (named is None and kind.endswith("C")):
         raise ValueError(
-            f"is an image in {message.encoding!r}; read are 32FC1, 64FC1, mono16, 16UC1, mono8, 8UC1, and these with more "
-            "channels"
+            f"is an image in {message.encoding!r}; readable are 32FC1, 64FC1, mono16, 16UC1, mono8, 8UC1, and these "
+            "with more channels"
         )
     order = ">" if message.is_bigendian else "<"
     dtype = np.dtype(order + _ENCODINGS[kind])

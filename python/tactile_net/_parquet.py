@@ -53,7 +53,7 @@ def read(path: str, name: str | None) -> Layout:
         first = str(error).partition("\n")[0]
         raise refused(
             path,
-            f"is no whole Parquet file: {first}",
+            f"is not a whole Parquet file: {first}",
             "its table stands at its end, so that nothing of a part can be read",
         ) from None
     metadata = table.schema.metadata or {}

@@ -18,7 +18,7 @@ def replaced(tables: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str,
         for step in way:
             place = _within(place, step, path)
         if not isinstance(place, (list, dict)):
-            raise KeyError(f"{path}: {way[-1]} is no table")
+            raise KeyError(f"{path}: {way[-1]} is not a table")
         if isinstance(place, list):
             place[_index(place, last, path)] = as_table(value)
         elif value is None:

@@ -137,7 +137,7 @@ def load(*folders: str | PathLike[str]) -> Dataset:
         raise refused(
             where,
             f"lacks {missing.size} of {told[0]['points']} points, {missing[0]} first",
-            "generate with the same study and shard does what is missing",
+            "generate again with the same study and shard: that computes what is missing",
         )
     _, first = np.unique(index, return_index=True)  # a point that two shards have stands once
     frames = np.concatenate([one["point"] for one in held])

@@ -428,12 +428,12 @@ BAD: dict[str, tuple[Callable[[Path], Any], str]] = {
     ),
     "half a .npz": (
         lambda path: path.write_bytes(saved(path, ".npz")[:700]),
-        "is no whole .npz file: .*\nhint: its table",
+        "is not a whole .npz file: .*\nhint: its table",
     ),
-    "half an HDF5 file": (lambda path: path.write_bytes(saved(path, ".h5")[:7000]), "is no whole HDF5 file: "),
+    "half an HDF5 file": (lambda path: path.write_bytes(saved(path, ".h5")[:7000]), "is not a whole HDF5 file: "),
     "half a Parquet file": (
         lambda path: path.write_bytes(saved(path, ".parquet")[:700]),
-        "is no whole Parquet file: .*\nhint: its table",
+        "is not a whole Parquet file: .*\nhint: its table",
     ),
     "a header alone": (lambda path: path.write_bytes(b"\x93NUMPY\x01\x00"), "has a header that cannot be read"),
     "less than a frame": (

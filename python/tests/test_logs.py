@@ -336,7 +336,7 @@ def test_messages_that_are_no_frames(tmp_path: Path) -> None:
         ([good, good, image(ROS2, frame[:1], "64FC1")], "frame 2 of /pad has 3 readings, those before it have 6"),
         (
             [dataclasses.replace(good, encoding="rgb8")],
-            "frame 0 of /pad is an image in 'rgb8'; read are 32FC1, 64FC1, mono16",
+            "frame 0 of /pad is an image in 'rgb8'; readable are 32FC1, 64FC1, mono16",
         ),
         (
             [good, dataclasses.replace(good, height=3)],
@@ -457,7 +457,7 @@ def test_half_a_database(tmp_path: Path) -> None:
     (table,) = log.glob("*.db3")
     table.write_bytes(table.read_bytes()[: table.stat().st_size // 2])
     for path in (log, table):
-        with pytest.raises(tn.InputError, match="is no whole bag: .*malformed\nhint: rosbag reindex"):
+        with pytest.raises(tn.InputError, match="is not a whole bag: .*malformed\nhint: rosbag reindex"):
             tn.logs.read(path, scene=SMALL)
 
 
@@ -472,10 +472,10 @@ def test_files_that_are_no_logs(tmp_path: Path) -> None:
             tn.logs.read(tmp_path / "log", scene=SMALL)
     for data in (b"#ROSBAG V2.0\nabc", b"SQLite format 3\0abc"):
         (tmp_path / "log").write_bytes(data)
-        with pytest.raises(tn.InputError, match="is no whole bag: "):
+        with pytest.raises(tn.InputError, match="is not a whole bag: "):
             tn.logs.read(tmp_path / "log", scene=SMALL)
     (tmp_path / "empty").mkdir()
-    with pytest.raises(tn.InputError, match="is no whole bag: "):
+    with pytest.raises(tn.InputError, match="is not a whole bag: "):
         tn.load(tmp_path / "empty", scene=SMALL)
 
 
@@ -501,18 +501,18 @@ def test_other_encodings(tmp_path: Path) -> None:
     assert np.array_equal(recording.readings, SI) and recording.t is not None and recording.t[0] == 7.0
     log = raw_log(tmp_path / "a", "protobuf", [b"x"], ("skin", "protobuf", b""))
     with pytest.raises(
-        tn.InputError, match=r"has messages of /pad in protobuf \(protobuf\); read are cdr and ros1 with"
+        tn.InputError, match=r"has messages of /pad in protobuf \(protobuf\); readable are cdr and ros1 with"
     ):
         tn.logs.read(log, topic="/pad", field="x", scene=SMALL)
     text, _ = ROS2.generate_msgdef("sensor_msgs/msg/Image", ros_version=2)
     log = raw_log(tmp_path / "a", "cdr", [b"\0\1\0\0abc"], ("sensor_msgs/msg/Image", "ros2msg", text.encode()))
-    with pytest.raises(tn.InputError, match="has a message of /pad that is no sensor_msgs/msg/Image: "):
+    with pytest.raises(tn.InputError, match="has a message of /pad that is not a sensor_msgs/msg/Image: "):
         tn.logs.read(log, scene=SMALL)
     log = raw_log(tmp_path / "a", "cdr", [b"x"], ("mine/msg/Skin", "ros2msg", b"float64[ values"))
     with pytest.raises(tn.InputError, match="has messages of /pad whose type mine/msg/Skin cannot be read: "):
         tn.logs.read(log, topic="/pad", field="values", scene=SMALL)
     log = raw_log(tmp_path / "a", "json", [b"{"], ("skin", "jsonschema", b"{}"))
-    with pytest.raises(tn.InputError, match="has a message of /pad that is no skin: "):
+    with pytest.raises(tn.InputError, match="has a message of /pad that is not a skin: "):
         tn.logs.read(log, topic="/pad", field="values", scene=SMALL)
 
 

@@ -41,6 +41,19 @@ def test_what_a_scene_says_has_the_shapes_it_promises(shipped: Path) -> None:
     assert html.startswith("<p>") and scene.title.split()[0] in html
 
 
+def test_messages_advise_pythons_arguments(scene: tn.Scene, tmp_path: Path) -> None:
+    """The command says --columns 1-21 and --missing skip in their place."""
+    row = ",".join(["1"] * scene.count)
+    strange, gap = tmp_path / "strange.csv", tmp_path / "gap.csv"
+    strange.write_text(",".join(f"x{chr(97 + i)}" for i in range(scene.count)) + f"\n{row}\n")
+    with pytest.raises(tn.InputError, match="columns='1-21'") as refused:
+        scene.read(strange)
+    assert "--" not in str(refused.value)
+    gap.write_text(",".join(scene.reading_names) + f"\n{row}\n,{row[2:]}\n")
+    with pytest.raises(tn.InputError, match="missing='skip'"):
+        scene.read(gap, missing=False)
+
+
 def test_dataclasses_say_what_the_file_says(scene: tn.Scene) -> None:
     text = """
         [sensor]
@@ -87,7 +100,7 @@ def test_replace_makes_a_new_scene(scene: tn.Scene) -> None:
     assert "noise" not in deeper.to_dict()
     with pytest.raises(KeyError, match="number 3 of 1"):
         scene.replace({"contact.3.force": 2.0})
-    with pytest.raises(KeyError, match="depth is no table"):
+    with pytest.raises(KeyError, match="depth is not a table"):
         scene.replace({"sensor.depth.deeper": 2.0})
     with pytest.raises(KeyError, match="deeper is in no table"):
         scene.replace({"sensor.depth.deeper.still": 2.0})

@@ -228,9 +228,9 @@ class Doubts {
                      });
   }
 
-  /// A press whose force is wrong by 3 % where 1 % is stated takes it with it in silence: its own
-  /// prior gives way. All of them together do not. A value between what is stated and what readings
-  /// say of it is off by less than both: of the stated variance, what the fit did not leave.
+  /// One wrong force (3 % off where 1 % is stated) is absorbed by its own prior and cannot be seen;
+  /// all presses together reveal it. The fitted value lies between the stated one and the
+  /// readings', so its variance is the stated variance less the variance that the fit leaves.
   void stated_sds() {
     if (stated_.robust) return;  // what stands out counts little there
     for (const PressQuantity quantity : press_values) {

@@ -13,8 +13,8 @@ constexpr double first_damping = 1e-4;
 constexpr double least_damping = 1e-14;
 constexpr double most_damping = 1e8;
 constexpr double enough = 1e-9;  // relative fall of the objective that ends the iteration
-/// Nor does it go on where so many steps together lower half the sum of squares by less than this:
-/// all that is left of a narrow valley is a small part of a standard deviation.
+/// Also converged: `slow_steps` steps together reduced the objective (half the sum of squares) by
+/// less than `slow_fall`. What is left of a narrow valley is a small part of a standard deviation.
 constexpr std::size_t slow_steps = 10;
 constexpr double slow_fall = 1e-3;
 constexpr double longest_step = 1.0;  // of a logarithm

@@ -223,8 +223,8 @@ PressFit fit_presses(const PressModel& model, const PressLog& log,
   std::optional<FitProblem> fitted;
   FitState known_at = whole.start(1.0);
   CalibrationOptions held;
-  // Presses at one place begin alike, and alike they tell the gains alone; once each has found its
-  // own width they may tell more.
+  // Presses at one place start with equal widths, which determine the gains alone. After the widths
+  // are fitted they may determine more, so what is identifiable is asked again.
   for (std::size_t round = 0; round <= pad_parameter_count; ++round) {
     if (round > 0 && !frees(options, held)) break;  // nothing is held
     const CalibrationOptions told = identifiable(model, log, options, unread, known_at);

@@ -76,7 +76,7 @@ class Cutter {
       const bool printed = c == '\t' || (c >= 0x20 && c < 0x7F);
       if (printed && std::string_view("\"\\`$%").find(c) == std::string_view::npos) continue;
       fail("a card has no place for the character '" + std::string(1, c) + "'",
-           "names are made of ASCII letters, digits and _; text in quotes is not taken");
+           "names are made of ASCII letters, digits and _; text in quotes is not allowed");
     }
   }
   [[noreturn]] void fail(const std::string& message, const std::string& hint) const {

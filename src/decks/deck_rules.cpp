@@ -88,8 +88,8 @@ class Rules {
     if (letter == 'a')
       fail(card, "'" + name + "' is a code model (A), which may open files and start programs",
            "build it of R, C, L, controlled and B sources");
-    fail(card, "'" + name + "' is an element of a kind that is not taken",
-         "taken are R C L E F G H I V B D and X");
+    fail(card, "'" + name + "' is an element of a kind that is not allowed",
+         "only R C L E F G H I V B D and X are allowed");
   }
 
   void check_dot(const DeckCard& card) const {
@@ -101,9 +101,9 @@ class Rules {
       if (word == refusal.card)
         fail(card, "'" + std::string(word) + "' " + std::string(refusal.why),
              std::string(refusal.hint));
-    fail(
-        card, "'" + std::string(word) + "' is a card that is not taken",
-        "taken are .subckt .ends .model .param .ic .op .tran .ac .options .end: remove the others");
+    fail(card, "'" + std::string(word) + "' is a card that is not allowed",
+         "only .subckt .ends .model .param .ic .op .tran .ac .options .end are allowed: remove the "
+         "others");
   }
 
   void check_model(const DeckCard& card) const {
@@ -111,8 +111,9 @@ class Rules {
     if (words.size() >= 3 && is_one_of(model_types, words[2])) return;
     const std::string type(words.size() >= 3 ? words[2] : "");
     fail(card,
-         "'" + type + "' is a kind of model that is not taken: it may open files or start programs",
-         "taken are the models r, c, l and d, with the type behind the name: .model clamp "
+         "'" + type +
+             "' is a kind of model that is not allowed: it may open files or start programs",
+         "only the models r, c, l and d are allowed, with the type behind the name: .model clamp "
          "d(is=1e-14)");
   }
 
@@ -126,8 +127,8 @@ class Rules {
       rest.remove_prefix(static_cast<std::size_t>(end - rest.begin()));
       if (name.empty()) return;
       if (!is_one_of(known_options, name))
-        fail(card, "'" + std::string(name) + "' is an option that is not taken",
-             "taken are those of solving: method, reltol, abstol, vntol, gmin, itl1, ...");
+        fail(card, "'" + std::string(name) + "' is an option that is not allowed",
+             "only those of solving are allowed: method, reltol, abstol, vntol, gmin, itl1, ...");
       const std::size_t sign = rest.find_first_not_of(" \t");
       if (sign == std::string_view::npos || rest[sign] != '=') continue;
       rest.remove_prefix(sign + 1);

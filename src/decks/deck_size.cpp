@@ -76,7 +76,7 @@ class Count {
     const auto found = bodies_.find(name);
     if (found == bodies_.end() || name.empty() == (caller != nullptr)) {
       if (caller == nullptr) return 0.0;
-      fail(*caller, "'" + name + "' is no sub-circuit of this deck",
+      fail(*caller, "'" + name + "' is not a sub-circuit of this deck",
            "copy its .subckt into the deck; libraries are not read");
     }
     Body& body = found->second;

@@ -27,8 +27,8 @@ bool CalibratedFrames::read(std::span<double> values) {
     if ((i < unread_.size() && unread_[i]) || !is_missing(calibration_, values[i])) continue;
     if (!accept_missing_)
       source_->refuse("'" + source_->columns()[i] + "' is " + shortest(values[i]) +
-                          ", which calibration.missing says is no value",
-                      missing_hint);
+                          ", which calibration.missing says is not a value",
+                      missing_hint());
     values[i] = std::numeric_limits<double>::quiet_NaN();
   }
   return true;

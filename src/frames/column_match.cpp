@@ -8,6 +8,7 @@
 #include "frames/column_places.hpp"
 #include "frames/header_units.hpp"
 #include "tactile_net/frames/frame_clock.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -49,8 +50,8 @@ std::string offer(const std::string& what_was_found, std::size_t fields,
   }
   const std::size_t others = fields - count;
   return text + "; if columns " + std::to_string(others + 1) + " to " +
-         std::to_string(others + count) + " are these, in this order: --columns " +
-         (others > 0 ? "t=1," : "") + places_after(others, count) +
+         std::to_string(others + count) + " are these, in this order: " +
+         option(Option::columns, (others > 0 ? "t=1," : "") + places_after(others, count)) +
          (others > 0
               ? " (t=1: the first holds times; t=1+2: seconds, and nanoseconds in the second)"
               : "");
@@ -88,7 +89,7 @@ class Matching {
       if (!is_new)
         throw NoMatch("columns " + quoted(header_[other->second]) + " and " +
                           quoted(header_[field]) + " may both be " + std::string(wanted->first),
-                      "say which: --columns", field);
+                      "say which by " + option(Option::columns), field);
     }
     if (field_of.empty()) return;
     for (const auto& [wanted, field] : field_of) take(field, wanted);

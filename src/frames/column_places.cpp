@@ -5,12 +5,13 @@
 
 #include "numeric/csv_fields.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::frames {
 namespace {
 
 [[noreturn]] void fail(const std::string& message) {
-  throw std::invalid_argument("--columns: " + message +
+  throw std::invalid_argument(option(Option::columns) + ": " + message +
                               "; a list such as 2-42, or t=1,4-44: numbers of columns from 1, "
                               "ranges or names");
 }

@@ -183,7 +183,7 @@ class CsvFrames::Reader {
     if (row_.find('\r') != std::string_view::npos ||
         (header && header->line.text.find('\r') != std::string::npos))
       fail({}, "lines end in a carriage return alone, as on old Macs",
-           "tr '\\r' '\\n' < FILE | tactile-net ... --readings -");
+           "convert them: tr '\\r' '\\n' < FILE > readings.csv");
     check(got);
     if (!header)
       fail({}, "no header: the file is empty",
@@ -235,7 +235,7 @@ class CsvFrames::Reader {
                  ? value
                  : std::numeric_limits<double>::quiet_NaN();
     fail(raw, why_no_number(text, kind) + in_column(field),
-         kind == FieldKind::missing ? missing_hint : how_to_write(text));
+         kind == FieldKind::missing ? missing_hint() : how_to_write(text));
   }
 
   /// "1.234" and "1,5" in one file: one of them is not what it looks like.
@@ -282,12 +282,12 @@ class CsvFrames::Reader {
     const std::string_view part = trimmed(nanoseconds.raw);
     if (!whole_number(time_))
       fail(raw,
-           "'" + std::string(time_.substr(0, 40)) + "' is no whole number of seconds" +
+           "'" + std::string(time_.substr(0, 40)) + "' is not a whole number of seconds" +
                in_column(place),
            "nanoseconds stand in a column of their own here");
     if (!whole_number(part) || part.size() > digits)
       fail(nanoseconds.raw, "'" + std::string(part.substr(0, 40)) +
-                                "' is no number of nanoseconds below a second" +
+                                "' is not a number of nanoseconds below a second" +
                                 in_column(nanoseconds.place));
     time_text_ = std::string(time_) + '.' + std::string(digits - part.size(), '0').append(part);
     time_ = time_text_;

@@ -281,7 +281,7 @@ class HeaderReader {
     const std::string last = std::to_string(heads_[heads - 1].line.number);
     header_.notes.push_back(
         (heads == 1
-             ? "line " + first + " comes before " + what + ", and is no frame"
+             ? "line " + first + " comes before " + what + ", and is not a frame"
              : "lines " + first + " to " + last + " come before " + what + ", and are no frames") +
         ": '" + heads_.front().line.text.substr(0, 40) + "'");
   }
@@ -293,7 +293,7 @@ class HeaderReader {
     if (fits && head.is_count()) {
       const auto empty = std::count(header_.names.begin(), header_.names.end(), "");
       if (2 * empty >= std::ssize(header_.names)) number_groups(head);
-      header_.notes.push_back(line + " numbers the columns, and is no frame");
+      header_.notes.push_back(line + " numbers the columns, and is not a frame");
       return;
     }
     if (fits && units_in(head) > 0 && 2 * units_in(head) >= head.of.filled()) {
@@ -302,11 +302,11 @@ class HeaderReader {
         if (!unit.empty() && column_name(header_.names[k]).unit.empty())
           header_.names[k] += " [" + unit + "]";
       }
-      header_.notes.push_back(line + " gives the units of the columns, and is no frame");
+      header_.notes.push_back(line + " gives the units of the columns, and is not a frame");
       return;
     }
     if (words_++ == 0)
-      header_.notes.push_back(line + " holds words, and is no frame: '" +
+      header_.notes.push_back(line + " holds words, and is not a frame: '" +
                               head.line.text.substr(0, 40) + "'");
   }
 

@@ -91,9 +91,10 @@ bool LogSensor::set_shape(std::string_view text, Press& press) const {
 }
 
 std::string_view LogSensor::shapes() const noexcept {
-  return is_skin ? "sphere, punch, cone; none: unloaded. A rod that is longer than the skin is no "
-                   "load of it"
-                 : "cylinder, punch, wedge; none: unloaded. A ball is no line load";
+  return is_skin
+             ? "sphere, punch, cone; none: unloaded. Rods that are longer than the skin are not "
+               "taken"
+             : "cylinder, punch, wedge; none: unloaded. A ball is not a load of a line of taxels";
 }
 
 std::string_view LogSensor::round_shape() const noexcept { return is_skin ? "sphere" : "cylinder"; }

@@ -2,11 +2,17 @@
 /// What to do about a value that is missing, the same for every kind of file. Private.
 #pragma once
 
+#include <string>
+
+#include "tactile_net/scene/option_words.hpp"
+
 namespace tactile_net::frames {
 
-inline constexpr const char* missing_hint =
-    "solve --missing skip leaves such frames out, solve --missing estimate takes the taxel for "
-    "dead "
-    "in them; one that is broken throughout belongs under [dead_taxels]";
+[[nodiscard]] inline std::string missing_hint() {
+  return option(Option::missing, "skip") + " leaves such frames out, " +
+         option(Option::missing, "estimate") +
+         " solves them without the taxels that miss; a taxel that never works belongs under "
+         "[dead_taxels]";
+}
 
 }  // namespace tactile_net::frames

@@ -14,6 +14,7 @@
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -44,7 +45,7 @@ NpyFrames::NpyFrames(std::istream& in, std::string file, WantedColumns wanted)
   const NpyNumbers numbers = npy_numbers(header.type);
   if (numbers.width == 0)
     fail("holds " + std::string(kind_of_type(header.type)) + " of type '" +
-             header.type.substr(0, 40) + "'; read are whole and floating-point numbers",
+             header.type.substr(0, 40) + "'; only whole and floating-point numbers are read",
          "numpy.save(file, frames.astype('<f8'))");
   read_ = numbers.read;
   text_ = numbers.text;
@@ -89,8 +90,8 @@ std::size_t NpyFrames::take_shape(const std::vector<std::size_t>& shape, const s
     const std::string hint =
         shape[0] == wanted ? "are these its columns? numpy.save(file, frames.T)"
         : shape[1] > wanted
-            ? "if the readings are the last of them: --columns " +
-                  places_after(shape[1] - wanted, wanted)
+            ? "if the readings are the last of them: " +
+                  option(Option::columns, places_after(shape[1] - wanted, wanted))
             : wanted_.names.front() + " to " + wanted_.names.back() + ", quantity by quantity";
     fail("has " + std::to_string(shape[1]) + " columns, the scene reads " + size, hint);
   }
@@ -225,7 +226,7 @@ bool NpyFrames::next(std::span<double> values) {
       if (!wanted_.accept_missing)
         refuse("column " + std::to_string(wanted_.places.empty() ? i : stored_at_[i]) + " (" +
                    wanted_.names[i] + ") is not finite",
-               missing_hint);
+               missing_hint());
       values[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }

@@ -39,7 +39,9 @@ void NpySink::finish() {
   const std::string head = npy_header(frames_, columns_);
   out_.seekp(0);
   out_.write(head.data(), std::ssize(head));
-  if (!out_) throw std::runtime_error("a .npy file must be a file that can be gone back in");
+  if (!out_)
+    throw std::runtime_error(
+        "a .npy file must be seekable, and this output is not: write it to a file");
 }
 
 }  // namespace tactile_net::frames

@@ -11,6 +11,7 @@
 #include "frames/checked_file.hpp"
 #include "frames/partial.hpp"
 #include "tactile_net/frames/folder_lock.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::frames {
 
@@ -97,7 +98,8 @@ void check_replaceable(const fs::path& path, Existing existing) {
   if (existing == Existing::kept && fs::exists(status) && !fs::is_directory(status))
     throw CannotCreate(path.string() +
                        ": error: is there already, and not from an earlier run; nothing was "
-                       "written: name another folder, or --force");
+                       "written: choose another folder, or replace it by " +
+                       option(Option::force));
 }
 
 OutputFolder::OutputFolder(const fs::path& path, Existing existing)

@@ -182,7 +182,8 @@ class Reader {
     double count = 0.0;
     if (!read_number(row.fields[columns_.at("press")], count) || count < 0.0 ||
         count != std::floor(count) || count > 1e9) {
-      problem(row.line, "press is no number from 0 on", "0: unloaded; presses count from 1");
+      problem(row.line, "press is not a whole number from 0 up",
+              "0: unloaded; presses count from 1");
       return;
     }
     if (count == 0.0 || shape == "none") {
@@ -201,7 +202,7 @@ class Reader {
       problem(row.line, "press " + std::to_string(press.number) + " stands there twice",
               "a row a press: the mean of its steady frames");
     if (!sensor_.set_shape(shape, press))
-      problem(row.line, "shape is none that there is", std::string(sensor_.shapes()));
+      problem(row.line, "shape '" + shape + "' is not known", std::string(sensor_.shapes()));
     press.force = stated(row, "force", positive, sensor_.force);
     read_place(row, press);
     press.half_width = stated(row, "half_width", positive, sensor_.units.length);
@@ -309,7 +310,7 @@ class Reader {
     for (std::size_t row = 0; row < apart.size(); ++row)
       if (apart[row] > most_at_rest)
         problem(unloaded_lines_[row],
-                "is no row without load: its readings are " + brief(apart[row]) +
+                "is not a row without load: its readings are " + brief(apart[row]) +
                     " times the noise away from those of the others",
                 "offsets come from these rows; take it out, or say what pressed");
   }

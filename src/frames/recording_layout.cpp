@@ -13,6 +13,7 @@
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::frames {
 namespace {
@@ -66,7 +67,7 @@ class HeaderLayout {
       if (std::none_of(named.begin(), named.end(),
                        [&](const ColumnGroup& one) { return quantity_of(one) == quantity; }))
         fail(path_, "has no columns of " + std::string(name(quantity)),
-             "if they have other names: --columns");
+             "if they have other names: " + option(Option::columns));
     return of_quantities(named);
   }
 
@@ -94,13 +95,15 @@ class HeaderLayout {
         fail(path_,
              "has " + std::to_string(taxels) + " columns of " + groups.front().stem + ", and " +
                  std::to_string(group.field_of.size()) + " of " + group.stem,
-             "name the quantities that are to be read, as --quantity " + groups.front().stem);
+             "name the quantities that are to be read: " +
+                 option(Option::quantity, groups.front().stem));
       const Quantity quantity = quantity_of(group);
       if (std::find(layout_.reads.begin(), layout_.reads.end(), quantity) == layout_.reads.end())
         layout_.reads.push_back(quantity);
     }
     if (groups.size() % layout_.reads.size() != 0)
-      fail(path_, "does not have every quantity at every depth", "say where they are: --columns");
+      fail(path_, "does not have every quantity at every depth",
+           "say where they are by " + option(Option::columns));
     layout_.depths = groups.size() / layout_.reads.size();
     layout_.readings = groups.size() * taxels;
     say_ends(groups.front().field_of.begin()->second, groups.back().field_of.rbegin()->second);
@@ -126,9 +129,8 @@ class HeaderLayout {
       fail(path_,
            "is of a skin: its columns have a row and a column each, '" + groups.front().stem +
                "_0' first, and scenes of skins are not sketched",
-           "write [sensor] rows, columns, pitch, depth and reads as in scenes/skins, then "
-           "tactile-net solve SCENE --readings " +
-               shell_word(path_));
+           "write a scene whose [sensor] has rows, columns, pitch, depth and reads, as those in "
+           "scenes/skins, and solve this file with it");
     if (!one_for_all && (groups.size() != quantities || most < 2))
       fail(path_,
            groups.empty() || most < 2
@@ -137,7 +139,8 @@ class HeaderLayout {
                      " kinds of columns that could be "
                      "readings: '" +
                      groups[0].stem + "', '" + groups[1].stem + "'",
-           "say where the readings stand, as --columns 2-" + std::to_string(layout_.columns));
+           "say where the readings stand: " +
+               option(Option::columns, "2-" + std::to_string(layout_.columns)));
     layout_.readings = groups.size() * most;
     say_ends(groups.front().field_of.begin()->second, groups.back().field_of.rbegin()->second);
     const bool by_itself = quantities == 1 || (one_for_all && is_generic(groups[0].stem));
@@ -168,7 +171,7 @@ class HeaderLayout {
 RecordingLayout npy_layout(std::istream& in, const std::string& path, const std::string& columns) {
   const std::vector<std::size_t> shape = read_npy_header(in, path).shape;
   if (shape.empty() || shape.size() > 3)
-    fail(path, "is no array of frames", "numpy.save(file, frames) of shape (frames, readings)");
+    fail(path, "is not an array of frames", "numpy.save(file, frames) of shape (frames, readings)");
   RecordingLayout layout{.columns = shape.size() == 3 ? shape[1] * shape[2] : shape.back()};
   layout.readings = layout.columns;
   layout.places = columns;

@@ -37,8 +37,8 @@ void require_regular(const std::filesystem::path& file);
                           (has_frames ? ", frame " + std::to_string(tip.frame) : "") + ": " + what);
 }
 
-inline constexpr const char* explain_scene = "tactile-net run FILE --explain says what is wrong";
+inline constexpr const char* explain_scene = "read that scene by itself: that says what is wrong";
 inline constexpr const char* explain_readings =
-    "tactile-net solve SCENE --readings FILE says what is wrong";
+    "solve those readings by themselves: that says what is wrong";
 
 }  // namespace tactile_net::lab

@@ -21,7 +21,8 @@ std::unique_ptr<Simulator> make_simulator(const SimulatorChoice& choice) {
         "install libngspice0-dev, then configure and build again");
   }
   if (choice.kind != "process")
-    throw std::invalid_argument("'" + choice.kind + "' is no simulator: choose process or library");
+    throw std::invalid_argument("'" + choice.kind +
+                                "' is not a simulator: choose process or library");
   NgspiceOptions options = choice.ngspice;
   options.time_limit = time_limit;
   return std::make_unique<Ngspice>(options);

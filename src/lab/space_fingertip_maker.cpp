@@ -24,7 +24,8 @@ SkinScene read_skin(const std::filesystem::path& path) {
 /// Torsion that the field bears without drag, over mu times the force.
 double radius_of(const SpaceFingertip& tip, const SkinAnswer& answer) {
   if (!answer.friction || !(answer.friction->lever_of_all > 0.0))
-    fail_fingertip(tip, "its skin does not tell the torsion that it bears: give torsion_radius");
+    fail_fingertip(tip,
+                   "its skin does not tell how much torsion it can carry: give torsion_radius");
   return answer.friction->lever_of_all / answer.wrench.normal.value;
 }
 

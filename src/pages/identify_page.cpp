@@ -9,9 +9,7 @@
 #include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
-#include "tactile_net/report/words/mode_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -27,19 +25,13 @@ using drawing::html_table;
 using drawing::Page;
 using drawing::Plot;
 using report::answers;
-using report::in_short;
 using report::in_words;
 using report::material_in_words;
 using report::sensor_in_words;
 using report::verdict_in_words;
-using report::wavelengths_in_short;
 
 double deviation(const Resolution& resolution, Traction component) {
   return component == Traction::normal ? resolution.normal : resolution.tangential;
-}
-
-std::string condition_in_words(const Identifiability& result) {
-  return result.null_space.dimension > 0 ? "singular" : brief(result.condition);
 }
 
 Plot singular_value_plot(const Identifiability& result) {
@@ -240,75 +232,6 @@ std::vector<Figure> figures_of(const Scene& scene, const lab::Survey& survey) {
 
 }  // namespace
 
-std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey,
-                                                   const std::optional<Units>& units) {
-  std::vector<std::vector<std::string>> rows = {{"reads", "unknowns", "condition", "hidden",
-                                                 "hidden mean", "normal from", "tangential from",
-                                                 "unseen below"}};
-  const auto wavelength = [&](const std::optional<double>& value) {
-    return value ? report::in_unit(units, Dimension::length, *value) : std::string("none");
-  };
-  const auto add = [&](const lab::SensorChoice& choice, const std::string& mark) {
-    const bool two = choice.unknowns == 2;
-    std::vector<std::string> means;
-    if (lab::hides_mean(choice, Traction::normal)) means.emplace_back("normal");
-    if (two && lab::hides_mean(choice, Traction::tangential_y)) means.emplace_back("tangential");
-    rows.push_back(
-        {in_words(choice, units) + mark, std::to_string(choice.unknowns),
-         condition_in_words(choice.identifiability),
-         in_short(choice.identifiability.null_space, units),
-         means.empty() ? "-" : join(means, ", "), wavelength(choice.normal),
-         two ? wavelength(choice.tangential) : "-",
-         choice.unseen ? report::in_unit(units, Dimension::length, *choice.unseen) : "any width"});
-  };
-  add(survey.own, " (the scene's)");
-  for (const lab::SensorChoice& choice : survey.alternatives) add(choice, "");
-  return rows;
-}
-
-std::string cells_in_words(const Scene& scene, const lab::Survey& survey) {
-  std::string text =
-      "normal from, tangential from: the shortest wavelength from which on every ripple of "
-      "amplitude " +
-      report::in_unit(scene, Dimension::stress, survey.traction) +
-      " stands out of the noise, by its standard deviation in one frame; hidden mean: shows only "
-      "at "
-      "the array's ends; unseen below: a contact of that traction between two taxels that is "
-      "narrower changes no reading by more than the noise. Noise: " +
-      in_words(survey.noise) + ".";
-  if (survey.taxels < scene.sensor.count)
-    text += " Condition and hidden combinations of the alternatives are of " +
-            std::to_string(survey.taxels) + " taxels.";
-  return text;
-}
-
-std::vector<std::string> singular_values_in_words(const Identifiability& result,
-                                                  const std::optional<Units>& units) {
-  std::vector<std::string> text;
-  text.push_back("singular values: " + std::to_string(result.singular_values.size()) + ", from " +
-                 brief(result.singular_values.front()) + " to " +
-                 brief(result.singular_values.back()) + " in units of the noise; rank " +
-                 std::to_string(result.rank) + ", condition " + condition_in_words(result));
-  text.push_back(result.null_space.dimension > 0
-                     ? "noise gain: unbounded without smoothing"
-                     : "noise gain: noise of the assumed size may become a traction of " +
-                           report::in_unit(units, Dimension::stress, result.noise_gain) +
-                           " without smoothing");
-  for (const ModeSpace* space : {&result.null_space, &result.nearly_null}) {
-    const bool null = space == &result.null_space;
-    const std::size_t shown = std::min<std::size_t>(space->modes.size(), 3);
-    const std::string kind = null ? "hidden: " : "nearly hidden: ";
-    for (std::size_t i = 0; i < shown; ++i)
-      text.push_back(
-          kind + in_words(space->modes[i], units) +
-          (null ? "" : " (singular value " + brief(space->modes[i].singular_value) + ")"));
-    if (space->dimension > shown)
-      text.push_back(kind + std::to_string(space->dimension - shown) + " more" +
-                     wavelengths_in_short(*space, units));
-  }
-  return text;
-}
-
 Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made) {
   const Figures figures(figures_of(scene, survey));
   Page page{.missing = figures.missing(), .files = figures.data()};
@@ -323,11 +246,11 @@ Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made
   html += figures.html("answer");
   html += paragraphs({verdict.begin() + 1, verdict.end()}, "");
   html += element("h2", "Which quantities, at which depth");
-  html += element("p", cells_in_words(scene, survey));
-  html += html_table(survey_cells(survey, scene.units));
+  html += element("p", report::cells_in_words(scene, survey));
+  html += html_table(report::survey_cells(survey, scene.units));
   html += figures.html("others");
   html += element("h2", "What these sensors hide, by singular values");
-  html += html_list(singular_values_in_words(survey.own.identifiability, scene.units));
+  html += html_list(report::singular_values_in_words(survey.own.identifiability, scene.units));
   html += figures.html("scene");
   html += colophon("The scene, the files, the command", scene_html(scene), page.files, made);
   page.html = page_html(scene.file + " - tactile-net identify", html);

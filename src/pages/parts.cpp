@@ -112,8 +112,7 @@ std::string scene_html(const Scene& scene) {
   std::string html = element("p", "Sensor: " + report::sensor_in_words(scene) +
                                       ". Material: " + report::material_in_words(scene) +
                                       ". Forward model: " + std::string(name(scene.forward)) + ".");
-  if (scene.time)
-    html += element("p", "This is " + report::time_in_words(scene) + "; --frame takes another.");
+  if (scene.time) html += element("p", "This is " + report::time_in_words(scene) + ".");
   const std::vector<std::string> contacts = report::contacts_in_words(scene);
   html += contacts.empty() ? element("p", "No contact: an unloaded sensor.")
                            : drawing::html_list(contacts);

@@ -9,7 +9,7 @@
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
-#include "tactile_net/study/work_precision.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -41,30 +41,6 @@ std::string moment(const SkinScene& scene) { return "frame " + std::to_string(sc
 
 }  // namespace
 
-std::vector<std::vector<std::string>> front_cells(const study::Study& study) {
-  const std::vector<study::WorkPoint> points = study.points();
-  std::vector<std::vector<std::string>> rows = {
-      {"method", "time of a frame", "quartiles", "error to exact solution", "error to truth"}};
-  const auto or_dash = [](const std::optional<double>& value) {
-    return value ? brief(*value) : std::string("-");
-  };
-  for (const std::size_t i :
-       study::pareto_front(points, study::to_solution, study::TimeOf::frame)) {
-    const study::WorkPoint& point = points[i];
-    rows.push_back({in_words(point), duration(point.seconds),
-                    duration(point.seconds_low) + " ... " + duration(point.seconds_high),
-                    or_dash(point.error_to_solution), or_dash(point.error_to_truth)});
-  }
-  return rows;
-}
-
-std::vector<std::string> failures_in_words(const study::Study& study) {
-  std::vector<std::string> text;
-  for (const study::WorkPoint& point : study.points())
-    if (!point.measured()) text.push_back(in_words(point) + ": " + in_words(*point.failure));
-  return text;
-}
-
 Page study_html(const study::Study& study, const Made& made) {
   const Figures figures(tradeoff_figures(study));
   Page page{.missing = figures.missing(), .files = figures.data()};
@@ -80,10 +56,13 @@ Page study_html(const study::Study& study, const Made& made) {
                   "quiet");
   html += answer_box(answers(study));
   if (!study.complete)
-    html += element("p", "The study was stopped: this is a part of it. --resume goes on.", "note");
+    html += element("p",
+                    "The study was stopped: this is a part of it. Run it again with " +
+                        option(Option::resume) + " to go on.",
+                    "note");
   if (!page.missing.empty()) html += element("p", page.missing, "note");
   html += figures.html("");
-  html += element("h2", "What nothing beats") + html_table(front_cells(study));
+  html += element("h2", "What nothing beats") + html_table(report::front_cells(study));
   html += html_list(in_words(study));
   if (const auto sizes = report::size_cells(study); sizes.size() > 1)
     html += element("h2", "Larger and smaller arrays") + figures.html("sizes") + html_table(sizes);
@@ -117,7 +96,7 @@ Page study_html(const study::Study& study, const Made& made) {
   }
   if (const std::string forward = figures.html("forward"); !forward.empty())
     html += element("h2", "The pad, and the way to its readings") + forward;
-  const std::vector<std::string> failures = failures_in_words(study);
+  const std::vector<std::string> failures = report::failures_in_words(study);
   if (!failures.empty()) html += element("h2", "What did not work") + html_list(failures);
   const std::string measured =
       element("p", "Measured on " + (study.processor.empty() ? "this machine" : study.processor) +

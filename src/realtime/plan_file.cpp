@@ -409,7 +409,7 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
 EstimatorPlan decode_plan(std::span<const std::byte> bytes) {
   for (std::size_t i = 0; i < magic.size(); ++i)
     if (i >= bytes.size() || bytes[i] != static_cast<std::byte>(magic[i]))
-      throw std::runtime_error("this is no plan: it does not begin with " + std::string(magic));
+      throw std::runtime_error("this is not a plan: it does not begin with " + std::string(magic));
   if (bytes.size() < header_size + checksum_size)
     throw std::runtime_error("the plan is truncated: " + std::to_string(bytes.size()) + " bytes");
   Reader header(bytes.subspan(magic.size()));

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "tactile_net/drawing/html.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::report {
 
@@ -17,8 +18,9 @@ frames::Existing existing_in(const std::filesystem::path& folder, bool force) {
   std::ifstream(report, std::ios::binary).read(begin.data(), std::ssize(begin));
   if (begin.find(drawing::written_by) != std::string::npos) return frames::Existing::replaced;
   throw frames::CannotCreate(report.string() +
-                             ": error: was not written by tactile-net: name another folder, or "
-                             "--force to replace it");
+                             ": error: was not written by tactile-net: choose another folder, or "
+                             "replace it by " +
+                             option(Option::force));
 }
 
 }  // namespace tactile_net::report

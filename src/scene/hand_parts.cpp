@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "tactile_net/scene/option_words.hpp"
+
 namespace tactile_net::hand_parts {
 
 std::filesystem::path path_of(const Value& value, const References& references) {
@@ -12,8 +14,8 @@ std::filesystem::path path_of(const Value& value, const References& references) 
     value.problem("must name a file", "paths are relative to the hand's folder");
   else if (!references.allow(text))
     value.misfit("must name a file beside the hand's file or below its folder",
-                 "a hand from somewhere else could have any file read; of your own hand: "
-                 "grasp --allow-outside");
+                 "a hand from somewhere else could have any file read; if the hand is your own: " +
+                     option(Option::allow_outside));
   return text;
 }
 

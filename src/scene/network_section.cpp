@@ -30,7 +30,7 @@ struct OpAmpKey {
   std::string_view needs_bandwidth{};  ///< why; empty: it does not
 };
 
-constexpr std::string_view noise_needs = "has no size without a bandwidth that ends it";
+constexpr std::string_view noise_needs = "is infinite unless a bandwidth limits it";
 
 constexpr OpAmpKey opamp_keys[] = {
     {"offset", &OpAmp::offset, any_number, in_volts},
@@ -89,14 +89,14 @@ void read_arrays(Table& table, const NetworkOptions& network, ToleranceOptions& 
     of_arrays(*noise);
   }
   if (const auto series = table.value("series"); series && (bits || noise))
-    series->problem("is of resistors that are bought, and these arrays are programmed",
+    series->problem("applies to resistors that are bought, but these arrays are programmed",
                     "either series, or bits and cell_noise");
   const auto wire = table.value("wire_resistance");
   if (!wire) return;
   tolerance.wire_resistance = wire->number(positive);
   of_arrays(*wire);
   if (realization.drives_nodes && network.parts.inverters)
-    wire->problem("is of arrays with complementary outputs", "under [network], no inverters");
+    wire->problem("applies to arrays with complementary outputs", "under [network], no inverters");
 }
 
 ToleranceOptions read_tolerance(Table table, const NetworkOptions& network) {
@@ -133,7 +133,7 @@ void read_parasitic(Table table, RealizationOptions& parts) {
   if (const auto input = table.value("input")) {
     parts.opamp.input_capacitance = input->number(positive);
     if (!parts.opamp.bandwidth)
-      input->problem("shows in what op-amps do over time, and these have no bandwidth",
+      input->problem("acts only over time, and these op-amps have no bandwidth",
                      "under [network], opamp = { bandwidth = 10e6 }");
   }
   table.finish();

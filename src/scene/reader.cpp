@@ -46,7 +46,7 @@ AnyScene parse_named(std::string_view text, const std::string& file, bool skins)
 
 void refuse_skin(const toml::table& scene, Problems& problems) {
   problems.add(place_of(scene.get("sensor")->source().begin),
-               "[sensor] is of a skin, and this knows line arrays alone as yet",
+               "[sensor] is of a skin, and this handles line arrays only",
                "run, simulate, solve, check, identify, calibrate, plan, tradeoff, gen, relax and "
                "certify know skins");
 }

@@ -53,7 +53,8 @@ Scene of_circuit(Scene scene) {
   if (!spacing) return scene;
   if (scene.reconstruct.surface.basis == SurfaceBasis::taxels)
     throw std::invalid_argument(
-        "network.spacing is of a grid, and the tractions lie at the taxels: surface = \"grid\"");
+        "network.spacing applies to a grid, but the tractions lie at the taxels: surface = "
+        "\"grid\"");
   scene.reconstruct.surface.spacing = std::exchange(spacing, std::nullopt);
   return scene;
 }

@@ -36,7 +36,7 @@ toml::node& within(toml::node& place, std::string_view step, std::string_view ke
   if (toml::array* list = place.as_array()) return (*list)[place_in(*list, step, key)];
   toml::table* table = place.as_table();
   if (table == nullptr)
-    throw NoPlace(std::string(key) + ": what stands before " + in_quotes(step) + " is no table");
+    throw NoPlace(std::string(key) + ": what stands before " + in_quotes(step) + " is not a table");
   if (toml::node* found = table->get(step)) return *found;
   return table->insert_or_assign(step, toml::table{}).first->second;
 }
@@ -54,7 +54,7 @@ void set(toml::table& scene, const Setting& setting) {
     table->insert_or_assign(way.back(), value);
   } else {
     throw NoPlace(std::string(setting.key) + ": what stands before " + in_quotes(way.back()) +
-                  " is no table");
+                  " is not a table");
   }
 }
 
@@ -165,7 +165,7 @@ std::optional<SceneTemplate::Objection> SceneTemplate::objection(
   const std::string name = without_indices(key);
   for (const UnknownKey& unknown : problems.unknown_keys())
     if (name == unknown.path || name.starts_with(unknown.path + '.'))
-      return Objection{in_quotes(unknown.path) + " is no key of a scene", unknown.meant};
+      return Objection{in_quotes(unknown.path) + " is not a key of a scene", unknown.meant};
   return std::nullopt;
 }
 

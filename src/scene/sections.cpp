@@ -157,7 +157,7 @@ void read_surface(Table& table, const Scene& scene, const Read& read, bool uses_
   const auto margin = table.value("margin");
   for (const auto* length : {&spacing, &margin})
     if (*length && options.surface.basis == SurfaceBasis::taxels)
-      (*length)->problem("is of a grid, and the tractions lie at the taxels",
+      (*length)->problem("applies to a grid, but the tractions lie at the taxels",
                          "surface = \"grid\", or remove it");
   if (spacing) options.surface.spacing = spacing->number(positive, read.units.length);
   if (margin) options.surface.margin = margin->number(not_negative, read.units.length);
@@ -232,7 +232,7 @@ ReconstructOptions read_reconstruct(Table table, const Scene& scene, const Read&
 /// What a circuit's spacing must not be, once it is a length.
 void check_circuit_spacing(const Value& value, double spacing, const Unit& length, Scene scene) {
   if (scene.reconstruct.surface.basis == SurfaceBasis::taxels) {
-    value.problem("is of a grid, and the tractions lie at the taxels",
+    value.problem("applies to a grid, but the tractions lie at the taxels",
                   "under [reconstruct], surface = \"grid\"; or remove it");
     return;
   }

@@ -139,9 +139,10 @@ SensorArray read_uneven(Table& table, const std::optional<Value>& positions,
                         const std::optional<Value>& file, const std::filesystem::path& folder,
                         Read& read) {
   for (const std::string_view key : {"count", "pitch"})
-    table.not_here(key, "is of taxels equally far apart, and these have places of their own",
+    table.not_here(key,
+                   "applies to taxels that are equally far apart; these have places of their own",
                    "remove it");
-  table.not_here("depths", "is of even arrays, which have every taxel at each depth",
+  table.not_here("depths", "applies to even arrays, which have every taxel at each depth",
                  "depth = [1.5, 1.2, ...], one for each taxel");
   Common common{.depth = positions ? table.required("depth",
                                                     "how far below the surface the taxels are: "
@@ -168,7 +169,7 @@ SensorArray read_uneven(Table& table, const std::optional<Value>& positions,
     read.reads_complete = read.depths_complete = true;
     return array;
   } catch (const std::invalid_argument& error) {
-    (positions ? *positions : *file).problem("is no array: " + std::string(error.what()));
+    (positions ? *positions : *file).problem("is not an array: " + std::string(error.what()));
     return {};
   }
 }

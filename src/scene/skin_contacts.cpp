@@ -157,7 +157,7 @@ SkinContact read_rigid(Table& table, const Value& where, SkinShape shape, const 
   };
   if (shape == SkinShape::ellipsoid) {
     needs("radii", "half the length and half the width of the contact: radii = [3.0, 2.0]");
-    table.not_here("radius", "is of round contacts, and an ellipsoid has two",
+    table.not_here("radius", "applies to round contacts; an ellipsoid has two radii",
                    "radii = [3.0, 2.0]");
   } else {
     needs("radius", "of the circle of contact, in the unit of pitch: radius = 2.0");

@@ -12,6 +12,7 @@
 #include "scene/taxel_table.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/option_words.hpp"
 #include "tactile_net/scene/skin_size.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tactile_net/skin/signal_layout.hpp"
@@ -26,8 +27,8 @@ struct Absent {
 };
 constexpr Absent absent_keys[] = {
     {"surface", "has one kind for skins, a grid of cells"},
-    {"contact_friction", "is of the method \"dft\", which is for line arrays"},
-    {"noise_gain_limit", "is of the method \"dft\", which is for line arrays"},
+    {"contact_friction", "belongs to the method \"dft\", which is for line arrays"},
+    {"noise_gain_limit", "belongs to the method \"dft\", which is for line arrays"},
     {"alpha_on_active_set", "is for line arrays"}};
 
 /// Complete enough to be asked for more.
@@ -132,8 +133,9 @@ void read_reconstruct(Table table, const std::optional<Value>& depths, const Rea
     constexpr std::string_view one[] = {"tikhonov"};
     for (const Value& method : methods->list("methods").value_or(std::vector<Value>{})) {
       if (method.is_text() && method.text() == "network")
-        method.problem("asks for a circuit, which of skins stands beside the answer",
-                       "remove it; tactile-net run --realization least_squares has both");
+        method.problem(
+            "asks for a circuit as a method; the circuit of a skin is computed beside the answer",
+            "remove it; a run with " + option(Option::realization, "least_squares") + " has both");
       else
         (void)method.one_of("method of skins", one);
     }

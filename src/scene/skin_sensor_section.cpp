@@ -109,7 +109,7 @@ SkinArray read_even(Table& table, Read& read) {
 SkinArray read_uneven(Table& table, const Value& file, const std::filesystem::path& folder,
                       Read& read) {
   for (const std::string_view key : {"rows", "columns", "pitch", "depths"})
-    table.not_here(key, "is of taxels on a lattice, and these have places of their own",
+    table.not_here(key, "applies to taxels on a lattice; these have places of their own",
                    "remove it");
   SkinTaxel missing;
   if (const auto value = table.value("depth"))
@@ -129,7 +129,7 @@ SkinArray read_uneven(Table& table, const Value& file, const std::filesystem::pa
     read.reads_complete = read.depths_complete = true;
     return array;
   } catch (const std::invalid_argument& error) {
-    file.problem("is no skin: " + std::string(error.what()));
+    file.problem("is not a skin: " + std::string(error.what()));
   } catch (const std::runtime_error& error) {
     file.problem("names a file that is not in order: " + std::string(error.what()),
                  "a header \"name,y,z,depth,reads\", then a row for each taxel: "

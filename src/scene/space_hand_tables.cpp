@@ -54,7 +54,7 @@ SpaceJoint read_joint(Table table) {
                                   "[0.0, 1.0, 0.0]"),
                    {1.0, 0.0, 0.0});
   if (joint.slides)
-    table.not_here("place", "is of no use to a joint that slides", "its direction alone counts");
+    table.not_here("place", "does not apply to a joint that slides", "its direction alone counts");
   else
     joint.place =
         space_vector_of(table.required("place", "a point of the axis: place = [0.0, 0.0, 0.0]"));
@@ -142,7 +142,7 @@ SpaceContactSource read_place(Table& table, const SpaceHandFinger& finger) {
     force.covariance[35] = variance(table, "torsion_deviation");
   } else {
     for (const std::string_view key : {"torsion", "torsion_deviation"})
-      table.not_here(key, "has no place on a hard finger", "torsion_radius makes it a soft one");
+      table.not_here(key, "does not apply to a hard finger", "torsion_radius makes it a soft one");
   }
   force.covariance[0] = variance(table, "normal_deviation");
   force.covariance[7] = force.covariance[14] = variance(table, "tangential_deviation");
@@ -170,12 +170,13 @@ void read_softness(Table& table, bool has_field, SpaceHandFinger& result) {
   if (soft) result.soft = soft->boolean().value_or(false);
   if (radius) {
     result.torsion_radius = radius->number(positive);
-    if (soft && !result.soft) radius->problem("is of soft fingers alone", "leave out soft = false");
+    if (soft && !result.soft)
+      radius->problem("applies to soft fingers only", "leave out soft = false");
     result.soft = true;
   } else if (soft && result.soft && !has_field) {
     soft->problem(
         "needs a torsion_radius here",
-        "the torsion that the contact bears without drag, over friction times force: "
+        "the torsion that the contact can carry without drag, over friction times force: "
         "3 pi a / 16 of a Hertz contact with radius a; a contact that is a scene tells it");
   }
 }
@@ -202,7 +203,7 @@ SpaceHandFinger read_finger(Table table, const References& references,
   if (const auto limits = table.value("torque_limits")) {
     result.torque_limits = read_for_each(*limits, positive, joint_count(finger), "joint");
     if (joint_count(finger) == 0)
-      limits->problem("has no place without joints", "joints = [{ place = ..., axis = ... }]");
+      limits->problem("needs joints", "joints = [{ place = ..., axis = ... }]");
   }
   if (const auto friction = table.value("friction")) result.friction = friction->number(positive);
   auto contact = table_of(table.required(
@@ -231,7 +232,7 @@ void read_grasp(Table table, SpaceHand& hand) {
     hand.squeeze = squeeze->number(any_number);
     if (hand.fingers.size() == 1) squeeze->problem("needs at least two fingers");
   }
-  table.not_here("grasping_force", "is of hands of the plane", "give squeeze instead");
+  table.not_here("grasping_force", "applies to hands in the plane only", "give squeeze instead");
   read_friction(table, hand.friction_used, hand.fingers);
   constexpr std::array<std::string_view, 2> leasts = {"torques", "forces"};
   if (const auto least = table.value("least")) {
@@ -247,7 +248,7 @@ void read_grasp(Table table, SpaceHand& hand) {
 
 void read_space_hand(Table& root, const References& references, SpaceHand& hand) {
   read_heading(root, hand.title, hand.si);
-  root.not_here("angles_in", "has no place in a hand in space", "its directions are vectors");
+  root.not_here("angles_in", "does not apply to a hand in space", "its directions are vectors");
   std::vector<std::string> names;
   if (const auto fingers = root.required("finger", "one [[finger]] for each finger"))
     if (auto tables = fingers->tables())

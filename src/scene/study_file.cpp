@@ -15,6 +15,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/scene/bounded_text.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net {
 namespace {
@@ -184,9 +185,10 @@ std::optional<SceneTemplate> read_base(const Value& value, const std::filesystem
   if (name->empty()) {
     value.problem("must name a file", "paths are relative to the study's folder");
   } else if (!References{folder, options.allow_outside}.allow(*name)) {
-    value.misfit("must name a file beside the study's file or below its folder",
-                 "a study from somewhere else could have any file read; of your own study: "
-                 "sweep --allow-outside");
+    value.misfit(
+        "must name a file beside the study's file or below its folder",
+        "a study from somewhere else could have any file read; if the study is your own: " +
+            option(Option::allow_outside));
   } else {
     const std::filesystem::path path = folder / *name;
     return SceneTemplate(input_text(path), path.lexically_normal());

@@ -124,7 +124,7 @@ RawFile read_raw_file(const std::filesystem::path& path) {
   std::error_code unknown;
   if (const auto size = std::filesystem::file_size(path, unknown);
       unknown || size > largest_raw_file)
-    throw std::runtime_error(path.string() + ": error: is no file, or larger than " +
+    throw std::runtime_error(path.string() + ": error: is not a file, or larger than " +
                              std::to_string(largest_raw_file >> 20U) + " MiB");
   const std::string content((std::istreambuf_iterator<char>(file)), {});
   Cursor cursor{content, path.string()};

@@ -69,7 +69,8 @@ std::optional<JournalHead> begun_head(std::string_view& text, const fs::path& jo
   auto head = take_head(text);
   const bool begun = std::count(all.begin(), all.end(), '\n') < 2 &&
                      (all.starts_with(mark) || mark.starts_with(all));
-  if (!head && !begun) refuse(journal, 1, "is no journal of a sweep", "take it out of the folder");
+  if (!head && !begun)
+    refuse(journal, 1, "is not a journal of a sweep", "take it out of the folder");
   return head;
 }
 
@@ -131,7 +132,7 @@ std::string death_line(const Row& row, const std::vector<Kept>& keep) {
 std::vector<fs::path> journals_in(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
-    refuse(folder, 0, "is no folder", "name what sweep --out named");
+    refuse(folder, 0, "is not a folder", "name the folder that the sweep was written into");
   std::vector<fs::path> found;
   const auto search = [&](const fs::path& place, const auto& into, int deeper) -> void {
     for (const fs::directory_entry& entry : fs::directory_iterator(place, error)) {
@@ -181,7 +182,7 @@ void Rows::add(const fs::path& journal) {
     ++number;
     const auto line = line_in(*text);
     if (!line || line->index >= head_.points || !row_in(line->row, head_.axes.size(), head_.keep))
-      refuse(journal, number, "is no row of this sweep",
+      refuse(journal, number, "is not a row of this sweep",
              "delete the line: its point is done again");
     if (line->parts == 0) {
       if (!points_.contains(line->index)) {

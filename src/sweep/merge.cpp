@@ -14,7 +14,7 @@ MissingPoints::MissingPoints(std::size_t missing, std::size_t points, std::size_
                ? "point " + std::to_string(first) + " of " + std::to_string(points) + " is missing"
                : std::to_string(missing) + " of " + std::to_string(points) +
                      " points are missing, " + std::to_string(first) + " first") +
-          ": the same sweep again does what is missing") {}
+          ": run the same sweep again to compute what is missing") {}
 
 namespace {
 
@@ -66,7 +66,7 @@ Table merge(std::span<const std::filesystem::path> folders) {
   if (!head)
     throw InputError({{.file = folders.empty() ? "merge" : folders.front().string(),
                        .message = "holds no journal of a sweep",
-                       .hint = "name the folder that sweep --out named"}});
+                       .hint = "name the folder that the sweep was written into"}});
   Rows rows(*std::move(head));
   for (const auto& journal : journals) rows.add(journal);
   return table(rows);

@@ -14,7 +14,7 @@ std::string slurm_script(const SlurmJob& job) {
   if (job.jobs < 1) throw std::invalid_argument("a task computes at least 1 point at once");
   if (job.time.empty() || job.time.find_first_not_of("0123456789:-") != job.time.npos)
     throw std::invalid_argument(
-        "'" + job.time + "' is no time of Slurm's: minutes as 90, or 1:30:00, or 2-12:00:00");
+        "'" + job.time + "' is not a time of Slurm's: minutes as 90, or 1:30:00, or 2-12:00:00");
   const std::string tasks = std::to_string(job.tasks);
   const std::string jobs = std::to_string(job.jobs);
   std::string options;

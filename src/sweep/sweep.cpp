@@ -39,7 +39,7 @@ void make_folder(const fs::path& folder) {
 
 [[noreturn]] void fail_to_write(const fs::path& journal, int error) {
   throw std::runtime_error(journal.string() + " could not be written: " + std::strerror(error) +
-                           "; what is done is kept, the same sweep again goes on");
+                           "; what is done is kept: run the same sweep again to go on");
 }
 
 /// Hands points to workers until all are done.
@@ -193,7 +193,7 @@ Shard shard_in(std::string_view text) {
   const auto count = slash == text.npos ? std::nullopt : whole_number(text.substr(slash + 1));
   if (!number || !count)
     throw std::invalid_argument("'" + std::string(text) +
-                                "' is no shard: the third of eight is 3/8");
+                                "' is not a shard: the third of eight is 3/8");
   const Shard shard{.number = *number, .count = *count};
   if (shard.number < 1 || shard.number > shard.count)
     throw std::invalid_argument("'" + std::string(text) + "': shards are counted from 1 to " +

@@ -247,6 +247,23 @@ TEST_CASE("every source keeps the order of the rooms", "[rooms]") {
   CHECK(all.size() > 200);
 }
 
+TEST_CASE("no message of the library names an option of the command", "[rooms]") {
+  // What is advised is said by option(Option::columns), and the command or Python spells it.
+  const std::regex named("\"[^\"]*--[a-z]");
+  // A script for Slurm, and a command that a report offers for copying.
+  const Names commands{"src/sweep/slurm.cpp", "src/report/words/study_answers.cpp"};
+  const Names styles{"src/drawing/", "src/pages/"};  // CSS has --names
+  for (const auto& [path, text] : sources()) {
+    if (!is_under(path, library) || is_under(path, commands) || is_under(path, styles)) continue;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      const std::string code = line.substr(0, line.find("//"));
+      CAPTURE(path, line);
+      CHECK_FALSE(std::regex_search(code, named));
+    }
+  }
+}
+
 TEST_CASE("every public header is installed: a list of its room names it", "[rooms]") {
   std::map<std::string, std::string> lists;  // of the rooms
   std::size_t headers = 0;

@@ -91,7 +91,7 @@ TEST_CASE("what no calibration mends is refused with its reason", "[cli][calibra
          for (std::size_t i = first_reading + 15; i < first_reading + 26; ++i)
            row[i] = shortest(std::stod(row[i]) + 20000.0);
        },
-       "log.csv:6: error: is no row without load"},
+       "log.csv:6: error: is not a row without load"},
       {[](std::size_t line, Row& row) { row.push_back(line == 0 ? "stress_x_41" : "1.5"); },
        "has 42 columns stress_x_0, ..., and the scene has 41 taxels"},
       {[](std::size_t line, Row& row) {
@@ -235,7 +235,7 @@ TEST_CASE("forces less sure than stated are told from sound ones", "[cli][calibr
   CHECK(ran.result.code == 1);
   CHECK_FALSE(ran.wrote);
   CHECK_THAT(ran.result.output, ContainsSubstring("The stated forces are ") &&
-                                    ContainsSubstring("times less sure than stated") &&
+                                    ContainsSubstring("times less certain than stated") &&
                                     !ContainsSubstring("The stated positions"));
 }
 

@@ -75,7 +75,7 @@ TEST_CASE("one press identifies neither the depth nor a gain", "[cli][calibrate]
 
 TEST_CASE("pads of finite elements, pressed at one place, are calibrated",
           "[cli][calibrate][long]") {
-  // The presses begin alike, of one width, and tell the depth only once each has its own. Gains 10
+  // The presses start with equal widths, and tell the depth only after those are fitted. Gains 10
   // % up and 5 % apart, the depth stated a quarter too small.
   struct Pad {
     const char* name;

@@ -284,9 +284,9 @@ TEST_CASE("a skin that lies elsewhere on its stage is found there, or said to be
       run_tool({"calibrate", folder.write("nowhere.csv", nowhere), "--scene", nominal});
   CHECK(hidden.code == 0);
   CHECK_THAT(hidden.output,
-             ContainsSubstring("The shift of the skin along y leaves no trace in these readings: "
+             ContainsSubstring("The shift of the skin along y has no effect on these readings: "
                                "no position is stated.") &&
-                 ContainsSubstring("The shift of the skin along z leaves no trace"));
+                 ContainsSubstring("The shift of the skin along z has no effect"));
 }
 
 TEST_CASE("a drag that the log states is fitted with it, one that it hides is named",
@@ -333,8 +333,8 @@ TEST_CASE("a drag that the log states is fitted with it, one that it hides is na
 
 TEST_CASE("a skin of finite elements is calibrated within its standard deviations",
           "[cli][calibrate]") {
-  // One round contact of scenes/recorded/skin-pad.csv, of a known radius; its spin leaves no trace
-  // in stress_x. Each of 25 windows of 9 x 9 taxels is a press at another place.
+  // One round contact of scenes/recorded/skin-pad.csv, of a known radius; its spin has no effect
+  // on stress_x. Each of 25 windows of 9 x 9 taxels is a press at another place.
   constexpr std::size_t all = 17, side = 9;
   constexpr double force = 0.32724923474893486, y = -0.7, z = 0.5;
   std::istringstream text(read_text(scene("recorded/skin-pad.csv")));

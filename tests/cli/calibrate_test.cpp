@@ -155,7 +155,7 @@ TEST_CASE("a calibrated scene keeps the file and finds itself again", "[cli][cal
   CAPTURE(first.output, first.errors);
   REQUIRE(first.code == 0);
   CHECK_THAT(first.output, ContainsSubstring("depth") && ContainsSubstring("identified") &&
-                               ContainsSubstring("Young's modulus leaves no trace"));
+                               ContainsSubstring("Young's modulus has no effect"));
   const std::string written = read_text(folder / "calibrated.toml");
   CHECK_THAT(written, StartsWith("# my pad\n") && ContainsSubstring("  # from the drawing") &&
                           ContainsSubstring("[calibration]") && ContainsSubstring("[noise]") &&
@@ -264,14 +264,14 @@ TEST_CASE("a bad log is refused with its line and its rule", "[cli][calibrate]")
       {22, 2, "-5", "log.csv:22: error: "},
       {22, 2, "-5", "force must be > 0 (got -5)"},
       {22, 3, "-1", "force_sd must be >= 0"},
-      {22, 1, "ball", "shape is none that there is"},
+      {22, 1, "ball", "shape 'ball' is not known"},
       {22, 4, "0.5", "position lies beyond the array"},
       {22, 7, "0.4", "wider than the array"},
       {22, 6, "-1", "radius must be > 0"},
       {22, 9, "nan", "stress_x_1 is not a finite number"},
       {22, 9, "", "stress_x_1 is not a finite number"},
       {23, 0, "1", "press 1 stands there twice"},
-      {23, 0, "x", "press is no number"},
+      {23, 0, "x", "press is not a whole number"},
       {1, 8, "stress_y_0", "has no column 'stress_x_0'"},
       {1, 2, "power", "has no column 'force'"},
       {2, 0, "99", "has only 19 unloaded rows"},

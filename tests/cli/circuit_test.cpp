@@ -207,7 +207,7 @@ TEST_CASE("certify lists what to order for an accuracy", "[cli]") {
   CHECK_THAT(run_tool({"certify", path, "--budget", "0.01", "--json", "-"}).output,
              ContainsSubstring("\"target\": 0.01"));
   CHECK_THAT(run_tool({"certify", path, "--budget", "little"}).errors,
-             ContainsSubstring("is no share, such as 0.3%"));
+             ContainsSubstring("is not a share, such as 0.3%"));
   CHECK(run_tool({"certify", path, "--budget", "0"}).code == 2);
   CHECK(run_tool({"certify", path, "--budget", "120%"}).code == 2);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 #include "tactile_net/simulator/child_process.hpp"
@@ -11,6 +12,7 @@
 #include "tests/cli/tool.hpp"
 #include "tools/tactile-net/command_line/completion.hpp"
 #include "tools/tactile-net/command_line/man_page.hpp"
+#include "tools/tactile-net/option_words.hpp"
 #include "tools/tactile-net/options.hpp"
 
 using namespace tactile_net;
@@ -63,8 +65,8 @@ TEST_CASE("a value that there is not is told with those that there are", "[cli]"
       "ndr; "
       "did you mean 'crossbar'?");
   usage_refused({"plan", "S", "--precision", "float16"}, "'float16' is none of float64, float32");
-  usage_refused({"run", "S", "--frame", "-1"}, "'-1' is no whole number");
-  usage_refused({"relax", "S", "--tolerance", "1,5"}, "'1,5' is no number");
+  usage_refused({"run", "S", "--frame", "-1"}, "'-1' is not a whole number");
+  usage_refused({"relax", "S", "--tolerance", "1,5"}, "'1,5' is not a number");
   usage_refused({"help", "slove"}, "did you mean 'solve'?");
   usage_refused({"help", "solve", "--man"}, "--man: is one page of all commands");
 }
@@ -233,6 +235,19 @@ TEST_CASE("bash completes what the parser takes", "[cli]") {
   CHECK(offered({"solve", "--out", ""}) == Lines{"out"});
   CHECK(offered({"run", "--frame", ""}).empty());
   CHECK(offered({"completion", ""}) == Lines{"bash", "zsh"});
+}
+
+TEST_CASE("what messages advise to ask for is an option that the command has", "[cli]") {
+  std::set<std::string> options;
+  for (const tool::CommandTable& command : line().commands)
+    for (const tool::Argument& argument : command.arguments) options.insert(argument.name());
+  for (int i = 0; i <= static_cast<int>(Option::time_limit); ++i) {
+    const std::string spelled = tool::spelled(static_cast<Option>(i), "");
+    CAPTURE(spelled);
+    CHECK(options.contains(spelled));
+  }
+  CHECK(tool::spelled(Option::no_diagnostics, "") == "--no-diagnostics");
+  CHECK(tool::spelled(Option::columns, "2-42") == "--columns 2-42");
 }
 
 TEST_CASE("zsh understands its script", "[cli]") {

@@ -271,7 +271,7 @@ TEST_CASE("a header without frames and a time that runs backwards are noted", "[
   };
   CHECK_THAT(errors(""), ContainsSubstring("note: 0 frames"));
   const std::string drag = errors("1,0.1,0.4,0.1\n");  // that, and nothing else
-  CHECK_THAT(drag, ContainsSubstring("note: pressure alone is solved for"));
+  CHECK_THAT(drag, ContainsSubstring("note: only the pressure is solved for"));
   CHECK(std::count(drag.begin(), drag.end(), '\n') == 1);
   CHECK_THAT(errors("1,1,2,3\n0,1,2,3\n"),
              ContainsSubstring("<stdin>: note: time runs backwards 1 time, first at frame 1"));

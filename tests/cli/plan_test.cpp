@@ -103,7 +103,7 @@ TEST_CASE("a plan's bad options are refused, and leave no file", "[cli][plan]") 
   const std::string good = scene("thesis/cylinder.toml");
   refused({"plan", good, "--accuracy", "0"}, "accuracy must be > 0");
   refused({"plan", good, "--accuracy", "nan"}, "accuracy must be > 0");
-  refused({"plan", good, "--deadline", "5 minutes"}, "is no time > 0");
+  refused({"plan", good, "--deadline", "5 minutes"}, "is not a time > 0");
   refused({"plan", good, "--structure", "sparse"}, "is none of dense, low_rank");
   refused({"plan", good, "--precision", "half"}, "is none of float64, float32");
   refused({"plan", good, "--friction", "-1"}, "friction coefficient must be >= 0");

@@ -177,7 +177,7 @@ TEST_CASE("the course over time that run draws is what simulate and solve give",
   CHECK_THAT(read_text(folder / "out/report.html"),
              ContainsSubstring("href=\"force-over-time.csv"));
   CHECK_THAT(run_tool({"run", path, "--explain"}).output,
-             ContainsSubstring("time_course") && ContainsSubstring("no --out"));
+             ContainsSubstring("time_course") && ContainsSubstring("no report is asked for"));
 }
 
 TEST_CASE(".npy by hand, of any version and of floats, is read", "[cli]") {

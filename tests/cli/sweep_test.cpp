@@ -129,7 +129,7 @@ TEST_CASE("a sweep's JSON is what its rows come to, in the folder and where it i
   CHECK(Json::parse(merged.output)["methods"] == json["methods"]);
   const ProcessResult part = sweep.run({"--shard", "1/2", "--json", "-"}, "part");
   CHECK(part.code == 2);
-  CHECK_THAT(part.errors, ContainsSubstring("it is for merge"));
+  CHECK_THAT(part.errors, ContainsSubstring("give it to merge"));
   CHECK_FALSE(fs::exists(sweep.folder / "part"));
 }
 

@@ -174,10 +174,10 @@ TEST_CASE("a study's bad options are refused", "[cli][tradeoff]") {
     CHECK(result.code == 2);
     CHECK_THAT(result.errors, ContainsSubstring(why));
   };
-  refused({"tradeoff", file, "--deadline", "soon"}, "is no time > 0");
-  refused({"tradeoff", file, "--deadline", "-1ms"}, "is no time > 0");
-  refused({"tradeoff", file, "--deadline", ""}, "is no time > 0");
-  refused({"tradeoff", file, "--deadline", "inf"}, "is no time > 0");
+  refused({"tradeoff", file, "--deadline", "soon"}, "is not a time > 0");
+  refused({"tradeoff", file, "--deadline", "-1ms"}, "is not a time > 0");
+  refused({"tradeoff", file, "--deadline", ""}, "is not a time > 0");
+  refused({"tradeoff", file, "--deadline", "inf"}, "is not a time > 0");
   refused({"tradeoff", file, "--digital", "--json", folder / "no/x.json"}, "cannot be created");
   refused({"tradeoff", file, "--accuracy", "0"}, "accuracy must be > 0");
   refused({"tradeoff", file, "--resume"}, "needs --out");

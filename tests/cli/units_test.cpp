@@ -147,7 +147,7 @@ TEST_CASE("a plan takes the baseline of the recording's first frames with it", "
   const ProcessResult planned = succeeded(
       {"plan", path, "--readings", frames, "--accuracy", "1e-9", "-o", folder / "p.plan"});
   CHECK_THAT(planned.output,
-             ContainsSubstring("the scene's units and calibration are in the plan\n"));
+             ContainsSubstring("the plan contains the scene's units and calibration\n"));
   const EstimatorPlan plan = load_plan(folder / "p.plan");
   REQUIRE(plan.baseline.size() == 31);
   CHECK(plan.baseline[3] == 504.0);

@@ -134,14 +134,14 @@ TEST_CASE("devices that open files and start programs are refused", "[deck]") {
   CHECK_THAT(with("V2 b 0 PWL file=/etc/passwd"), ContainsSubstring("names a file"));
   CHECK_THAT(with("B2 b 0 v=table(infile)"), ContainsSubstring("names a file"));
   for (const char* kind : {"Q1 a b c m", "M1 a b c d m", "N1 a b m", "U1 a b", "S1 a b c d m"})
-    CHECK_THAT(with(kind), ContainsSubstring("of a kind that is not taken"));
+    CHECK_THAT(with(kind), ContainsSubstring("of a kind that is not allowed"));
 }
 
 TEST_CASE("whatever is not known is refused", "[deck]") {
   for (const char* card : {".print v(a)", ".save all", ".func f(x) {x}", ".global a", ".if (1)",
                            ".csparam x=1", ".opt x", ".codemodel x.cm", ".pre_osdi x", ".title x",
                            ".endl", ".opx", ".", ".measure x", ".plot"})
-    CHECK_THAT(with(card), ContainsSubstring("is a card that is not taken"));
+    CHECK_THAT(with(card), ContainsSubstring("is a card that is not allowed"));
   for (const char* option :
        {".options spicepath=/x", ".option sourcepath=(a b)", ".options method=gear editor=x",
         ".options\n+ shell=/bin/sh", ".options filetype=ascii"})
@@ -175,7 +175,7 @@ TEST_CASE("sub-circuits are as large as they can be, not larger", "[deck]") {
   CHECK_THAT(
       refused(head + ".subckt s a\nX1 a t\n.ends\n.subckt t a\nX1 a s\n.ends\nX1 a s\n.op\n"),
       ContainsSubstring("contains itself"));
-  CHECK_THAT(with("X1 a none"), ContainsSubstring("'none' is no sub-circuit of this deck"));
+  CHECK_THAT(with("X1 a none"), ContainsSubstring("'none' is not a sub-circuit of this deck"));
   CHECK_THAT(refused(head + ".subckt s a\n" + circuit), ContainsSubstring("is not closed"));
   CHECK_THAT(with(".ends"), ContainsSubstring("ends no .subckt"));
   std::string deep = head + ".subckt s0 a\nR1 a 0 1\n.ends\n";

@@ -39,7 +39,7 @@ bool is_read(const std::string& bytes, const std::string& places, bool missing) 
     CHECK(error.diagnostics().size() == 1);
     CHECK(error.diagnostics()[0].file == "f");
   } catch (const std::invalid_argument& error) {
-    CHECK_THAT(std::string(error.what()), StartsWith("--columns"));
+    CHECK_THAT(std::string(error.what()), StartsWith("columns: "));
   }
   return false;
 }

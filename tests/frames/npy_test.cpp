@@ -155,7 +155,7 @@ TEST_CASE("(frames, channels, taxels) is one frame after another", "[frames][npy
         frames);
 }
 
-TEST_CASE("columns of an array are read where --columns says, times too", "[frames][npy]") {
+TEST_CASE("columns of an array are read where a list of columns says, times too", "[frames][npy]") {
   const bool fortran = GENERATE(false, true);
   const Frames stored = counting(4, 8);
   const std::string file =
@@ -176,7 +176,7 @@ TEST_CASE("NaN and infinity are missing where that is accepted", "[frames][npy]"
   for (const std::size_t i : {1u, 2u, 3u}) CHECK(std::isnan(frames[0][i]));
   CHECK(frames[0][4] == 5.0);
   CHECK_THAT(npy_refusal(file), ContainsSubstring("frame 0: column 1 (a_1) is not finite") &&
-                                    ContainsSubstring("--missing skip"));
+                                    ContainsSubstring("missing = skip"));
 }
 
 TEST_CASE("an array that does not fit is refused with the line that mends it", "[frames][npy]") {
@@ -187,7 +187,7 @@ TEST_CASE("an array that does not fit is refused with the line that mends it", "
           {"'|O'", "(1, 6)", "Python objects", "astype"},
           {"'<U5'", "(1, 6)", "text", "astype"},
           {"[('a', '<f8')]", "(1, 6)", "records of several fields", "astype"},
-          {"'<f8'", "(2, 7)", "has 7 columns, the scene reads 6", "--columns 2-7"},
+          {"'<f8'", "(2, 7)", "has 7 columns, the scene reads 6", "columns = 2-7"},
           {"'<f8'", "(6, 9)", "has 9 columns", "numpy.save(file, frames.T)"},
           {"'<f8'", "(2, 3, 2)", "has the shape (2, 3, 2), not (frames, 2, 3)",
            "frames.transpose(0, 2, 1)"},

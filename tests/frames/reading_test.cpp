@@ -141,19 +141,19 @@ TEST_CASE("a file without a header is read if it has just the columns", "[frames
 TEST_CASE("what is not understood is refused with what was found, and a way out",
           "[frames][reading]") {
   const auto [text, message, hint] = GENERATE(table<std::string, std::string, std::string>({
-      {"0.1,1,2,3,4\n", "no header: the first line holds numbers", "--columns t=1,2-5"},
+      {"0.1,1,2,3,4\n", "no header: the first line holds numbers", "columns = t=1,2-5"},
       {"a,b,c,d\n1,2,3,4\n", "column 'stress_x_0' is missing and 3 more",
        "'a', 'b', 'c', 'd'; 4 are read here, stress_x_0 to stress_x_3"},
-      {"a,b,c,d\n1,2,3,4\n", "missing", "--columns 1-4"},
-      {"t,a,b,c,d\n1,2,3,4,5\n", "missing", "--columns t=1,2-5"},
-      {"pressure_0,pressure_1,pressure_2,pressure_3\n", "missing", "--columns 1-4"},
-      {"strain_x_0,strain_x_1,strain_x_2,strain_x_3\n", "missing", "--columns 1-4"},
+      {"a,b,c,d\n1,2,3,4\n", "missing", "columns = 1-4"},
+      {"t,a,b,c,d\n1,2,3,4,5\n", "missing", "columns = t=1,2-5"},
+      {"pressure_0,pressure_1,pressure_2,pressure_3\n", "missing", "columns = 1-4"},
+      {"strain_x_0,strain_x_1,strain_x_2,strain_x_3\n", "missing", "columns = 1-4"},
       {"taxel0,taxel1,taxel2,taxel3,taxel4\n", "missing", "5 columns: 'taxel0', "},
       {"taxel0,taxel1,taxel2\n", "missing", "the header has 3 columns"},
-      {"taxel0,taxel1,taxel2,taxel4\n", "missing", "--columns 1-4"},
+      {"taxel0,taxel1,taxel2,taxel4\n", "missing", "columns = 1-4"},
       {"a|b|c|d\n", "missing", "1 column: 'a|b|c|d'; 4 are read here"},
       {"stress_x_0 [Pa],stress_x[0],stress_x_1,stress_x_2,stress_x_3\n", "may both be stress_x_0",
-       "--columns"},
+       "say which by columns"},
       {"stress_x_0,stress_x_1,stress_x_2,stress_x_3,stress_x_1\n", "f.csv:1:45", ""},
   }));
   CAPTURE(text);
@@ -161,7 +161,7 @@ TEST_CASE("what is not understood is refused with what was found, and a way out"
   CHECK_THAT(said, StartsWith("f.csv:1:") && ContainsSubstring(message) && ContainsSubstring(hint));
 }
 
-TEST_CASE("columns are read where --columns says that they stand", "[frames][reading]") {
+TEST_CASE("columns are read where a list says that they stand", "[frames][reading]") {
   const std::string rows = "0.5,9,1.5,2,-3,4e3\n0.6,9,5,6,7,8\n";
   const std::string named = "when,b,c,d,e,f\n" + rows;
   for (const char* places : {"3-6", "3,4,5-6", "c,d,e,f", "c,4-5,F"}) {
@@ -325,7 +325,7 @@ TEST_CASE("a list of columns that does not fit is refused in words", "[frames][r
   CAPTURE(places);
   if (places.empty()) return;
   CHECK_THROWS_WITH(read_csv("a,b,c,d,e\n1,2,3,4,5\n", places),
-                    StartsWith("--columns: ") && ContainsSubstring(message));
+                    StartsWith("columns: ") && ContainsSubstring(message));
 }
 
 TEST_CASE("a column of times is kept, by any of its names, wherever it stands",
@@ -384,7 +384,7 @@ TEST_CASE("values that are missing are NaN where that is accepted, and refused e
   CHECK(recording.frames[1][2] == 3.0);
   const std::string said = csv_refusal(text);
   CHECK_THAT(said, StartsWith("f.csv:3:5: error: ") && ContainsSubstring("(column stress_x_1)") &&
-                       ContainsSubstring("--missing skip"));
+                       ContainsSubstring("missing = skip"));
 }
 
 TEST_CASE("what is no value is an error whatever is accepted", "[frames][reading]") {

@@ -195,7 +195,7 @@ TEST_CASE("a circuit's nodes may lie further apart than the surface's values",
 
   scene.reconstruct.surface = {};
   CHECK_THROWS_WITH(SceneCircuit(SceneFrame(SceneProblem(scene), readings)),
-                    ContainsSubstring("network.spacing is of a grid"));
+                    ContainsSubstring("network.spacing applies to a grid"));
 }
 
 }  // namespace tactile_net::lab

@@ -130,7 +130,7 @@ TEST_CASE("the example says what is wrong with its input", "[example]") {
   refused(controller({recorded.plan, recorded.frames, "--rate"}), "--rate what?");
   refused(controller({recorded.plan, recorded.folder / "nowhere"}), "nowhere: No such file");
   refused(controller({recorded.folder / "nowhere", recorded.frames}), "cannot be opened");
-  refused(controller({recorded.frames, recorded.frames}), "this is no plan");
+  refused(controller({recorded.frames, recorded.frames}), "this is not a plan");
   refused(controller({recorded.plan, "-"}, ""), "is empty");
   refused(controller({recorded.plan, "-"}, "t,a,b\n0,1,2\n"),
           "has 2 readings a row, the plan takes 122");

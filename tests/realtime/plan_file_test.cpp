@@ -296,7 +296,7 @@ TEST_CASE("a truncated plan is refused, wherever it ends", "[plan_file]") {
   for (std::size_t length = 0; length < bytes.size(); ++length) {
     CAPTURE(length);
     CHECK_THAT(refusal(std::span(bytes).first(length)),
-               ContainsSubstring(length < 8 ? "this is no plan" : "truncated"));
+               ContainsSubstring(length < 8 ? "this is not a plan" : "truncated"));
   }
   // Cut inside the payload, signed anew: what is announced within cannot be there.
   for (std::size_t length = 28; length < bytes.size(); ++length) {
@@ -317,7 +317,7 @@ TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
       const bool other_version =
           i < 12 && !(i == 8 && bytes[8] >= std::byte{1} && bytes[8] <= std::byte{9});
       REQUIRE_THAT(refusal(bytes),
-                   ContainsSubstring(i < 8               ? "this is no plan"
+                   ContainsSubstring(i < 8               ? "this is not a plan"
                                      : other_version     ? "has version"
                                      : i >= 12 && i < 20 ? "bytes announced"
                                                          : "corrupted: its checksum"));
@@ -328,7 +328,7 @@ TEST_CASE("a plan with any byte changed is refused", "[plan_file]") {
 
 TEST_CASE("other versions, other files and bytes that follow are refused", "[plan_file]") {
   std::vector<std::byte> bytes = encode_plan(made_plan({.structure = Structure::dense}));
-  CHECK_THAT(refusal({}), ContainsSubstring("this is no plan"));
+  CHECK_THAT(refusal({}), ContainsSubstring("this is not a plan"));
   for (const int version : {0, 10}) {
     bytes[8] = static_cast<std::byte>(version);
     sign(bytes);
@@ -483,7 +483,7 @@ TEST_CASE("a plan is loaded from its file, and what cannot be is named", "[plan_
   write(bytes.size() / 2);
   refused(path, "truncated");
   write(0);
-  refused(path, "this is no plan");
+  refused(path, "this is not a plan");
   std::filesystem::remove(path);
   refused(path, "cannot be opened");
   refused(std::filesystem::temp_directory_path(), "cannot be read");

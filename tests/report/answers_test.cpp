@@ -95,7 +95,7 @@ TEST_CASE("sensors answer from which wavelength on they tell, and what they hide
   const auto all = answers(scene, survey);
   REQUIRE(all.size() == 4);
   CHECK_THAT(all[0].value, StartsWith("from "));
-  CHECK(all[1].value == "not read");
+  CHECK(all[1].value == "not measured");
   CHECK(all[2].value == "nothing hidden");
   survey.own.normal.reset();
   survey.own.identifiability.null_space.dimension = 2;

@@ -39,7 +39,7 @@ TEST_CASE("every failure of a grasp has its sentence", "[grasp]") {
             "as measured: finger 'thumb' slips: its force is 0.5 outside the friction cone",
             "as measured: finger 'index' exceeds the torque limit of joint 2 by 0.25",
             "as measured: the forces do not carry the load: chi squared 20, beyond the 11.3 that "
-            "99 % of balanced grasps stay below",
+            "99 % of balanced grasps do not reach",
             "to hold: no forces within the friction cones carry the load",
             "to hold: the thesis' equations give other torques, by 0.001"});
 }
@@ -74,7 +74,7 @@ TEST_CASE("warnings are those of the fingertips, then those of the answers", "[g
             "finger 'index': saturation: 3 of 82 readings are cut off at the range's ends",
             "finger 'index': the reconstruction's verdict is unstable",
             "finger 'index': the residual is larger than the noise stated explains: the model is "
-            "off by about 2 times the noise, which the bands do not hold",
+            "off by about 2 times the noise; the bands do not include that",
             "finger 'index': the tangential force is not measured: it is taken for zero",
             "to hold: finger 'index' is not needed: it carries nothing",
             "as measured: finger 'thumb' is less than two standard deviations from slipping"});

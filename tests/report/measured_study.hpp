@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "tactile_net/study/study.hpp"
 
@@ -145,6 +146,54 @@ inline Study measured() {
   add(study, circuit(Realization::nic), {.kind = Setting::operating_point}, TimeOf::simulator,
       {0.037259756, 0.037259756, 0.037259756}, 3.813814133245498e-15, {});
   return study;
+}
+
+/// A curve of each kind that a study may hold.
+inline std::vector<WorkCurve> every_curve() {
+  std::vector<WorkCurve> curves = {ideal_circuit(12.3456789e-12)};
+  for (const Structure structure : {Structure::dense, Structure::low_rank, Structure::reflections,
+                                    Structure::reflections_low_rank})
+    for (const Precision precision : {Precision::float64, Precision::float32})
+      curves.push_back(product(structure, precision));
+  curves.push_back(product(Structure::fft, Precision::float64));
+  for (int i = static_cast<int>(Family::closed_form); i < static_cast<int>(Family::circuit); ++i)
+    curves.push_back({.family = static_cast<Family>(i)});
+  for (const Realization realization : realizations) {
+    curves.push_back(circuit(realization));
+    curves.push_back(circuit(realization, 10e6));
+    curves.back().tractions = 300;
+    for (const double bandwidth : bandwidths) curves.push_back(circuit(realization, bandwidth));
+  }
+  return curves;
+}
+
+inline std::vector<Knob> every_knob() {
+  std::vector<Knob> knobs = {{},
+                             {.kind = Setting::ranks, .ranks = {7}},
+                             {.kind = Setting::ranks, .ranks = {24, 23}},
+                             {.kind = Setting::exchanges, .count = 5, .optimal = true},
+                             {.kind = Setting::steps, .count = 5, .optimal = true},
+                             {.kind = Setting::array, .rows = 16, .columns = 8},
+                             {.kind = Setting::halved_panels},
+                             {.kind = Setting::operating_point}};
+  for (const Setting kind : {Setting::steps, Setting::exchanges, Setting::taxels,
+                             Setting::surface_values, Setting::panel_points, Setting::terms})
+    knobs.push_back({.kind = kind, .count = 12});
+  for (std::size_t level = 0; level < settling_levels.size(); ++level)
+    for (const bool by_poles : {false, true})
+      for (const bool scaled : {false, true})
+        knobs.push_back(
+            {.kind = Setting::settled, .level = level, .by_poles = by_poles, .scaled = scaled});
+  return knobs;
+}
+
+inline std::vector<Job> every_job() {
+  std::vector<Job> jobs;
+  for (int i = 0; i <= static_cast<int>(Kind::operating_points); ++i) {
+    jobs.push_back({static_cast<Kind>(i)});
+    if (jobs.back().kind == Kind::settling) jobs.back().realization = Realization::crossbar;
+  }
+  return jobs;
 }
 
 }  // namespace tactile_net::study::by_hand

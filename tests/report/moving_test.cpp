@@ -54,7 +54,7 @@ TEST_CASE("what follows contacts is read back as it was written", "[tradeoff][mo
   std::string other = json;
   other.replace(other.find("\"displacements\""), 15, "\"displacement\"");
   CHECK_THROWS_WITH(report::finished_jobs(other, "[sensor]", "AMD EPYC"),
-                    ContainsSubstring("it is no study"));
+                    ContainsSubstring("it is not a study"));
 }
 
 TEST_CASE("the page draws error over speed of every follower", "[tradeoff][moving]") {

@@ -36,7 +36,7 @@ TEST_CASE("an output that carries too much is named, with what it would carry",
   certificate.noise =
       CircuitNoise{.largest = 1e-4, .relative = 0.01, .thermal = 0.5, .flicker = 0.1};
   CHECK_THAT(report::opamps_in_words(certificate).front(),
-             ContainsSubstring("10 % the op-amps' 1/f noise from 0.1 Hz on"));
+             ContainsSubstring("10 % from the op-amps' 1/f noise above 0.1 Hz"));
 }
 
 TEST_CASE("a study of arrays says what they are, and names no parts that were not drawn",
@@ -67,7 +67,7 @@ TEST_CASE("what op-amps do at rest is said as far as it is known", "[report][net
   const std::vector<std::string> lines = report::opamps_in_words(certificate);
   REQUIRE(lines.size() == 1);
   CHECK_THAT(lines[0], ContainsSubstring("offset 1 % of the answer"));
-  CHECK_THAT(lines[0], ContainsSubstring("0.2 % if all are alike"));
+  CHECK_THAT(lines[0], ContainsSubstring("0.2 % if all have one sign"));
   CHECK_THAT(lines[0], !ContainsSubstring("bias"));
   CHECK(report::opamps_in_words(Certificate{}).empty());
 }
@@ -123,9 +123,10 @@ TEST_CASE("a lag for which nothing is proven is no infinite multiple", "[report]
         CircuitRemark{.kind = CircuitRemark::Kind::summing_lag, .value = value, .repair = 7.0});
   };
   CHECK(said(1.5) ==
-        "the lag of summing nodes and second poles is 1.5 times what is proven stable: siemens = 7 "
-        "or more");
-  CHECK(said(std::numeric_limits<double>::infinity()) ==
-        "the lag of summing nodes and second poles is far beyond what is proven stable: siemens = "
-        "7 or more");
+        "the lag of summing nodes and second poles is 1.5 times the largest that is proven stable: "
+        "set siemens = 7 or more");
+  CHECK(
+      said(std::numeric_limits<double>::infinity()) ==
+      "the lag of summing nodes and second poles is far beyond the largest that is proven stable: "
+      "set siemens = 7 or more");
 }

@@ -1,5 +1,6 @@
 // A study's words, CSV and JSON: the strings that stand in files which users have, and back.
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/pages/tradeoff_page.hpp"
@@ -76,9 +77,9 @@ TEST_CASE("a study's JSON names each point in words, and its answers", "[tradeof
     "for 1 % error within 1 ms: dense float64: 57.8 ns, error 1.7e-14 (17000 times inside the deadline, 5.87e+11 times inside the error)",
     "for 1e-06 error within 100 us: dense float64: 57.8 ns, error 1.7e-14 (1700 times inside the deadline, 5.87e+07 times inside the error)",
     "for 1e-12 error: dense float64: 57.8 ns, error 1.7e-14 (58.7 times inside the error)",
-    "regularisation, sampling and the scene's own noise leave the exact solution 9.1 % from the truth: no arithmetic takes that back",
-    "noise of 0.00158 per reading (1 % of the largest, an assumption) moves the solution by 3.18 %: more accuracy than that cannot be seen",
-    "the fastest circuit, crossbar with op-amps of 10 MHz, settles to 1 % in 445 ns: sooner than a controller that needs as many cycles as this machine and is clocked below 480 MHz; this machine's 57.8 ns it beats from a bandwidth of 77 MHz on",
+    "regularisation, sampling and the scene's own noise leave the exact solution 9.1 % away from the truth: no arithmetic can change that",
+    "noise of 0.00158 per reading (1 % of the largest, an assumption) moves the solution by 3.18 %: higher accuracy has no effect that can be seen",
+    "the fastest circuit, crossbar with op-amps of 10 MHz, settles to 1 % in 445 ns: faster than a controller that needs as many cycles as this machine and has a clock below 480 MHz; it beats this machine's 57.8 ns from a bandwidth of 77 MHz on",
     "the most accurate circuit, least_squares, errs by 0.632 % (median) with parts of 1 %; crossbar with such parts: 2.81 %"
   ],
   "pareto": {
@@ -95,10 +96,21 @@ TEST_CASE("a study's JSON names each point in words, and its answers", "[tradeof
   "jobs": [
     {
       "job": "products with M",
+      "task": {
+        "kind": "products"
+      },
       "points": [
         {
           "curve": "dense float64",
           "knob": "",
+          "method": {
+            "kind": "product",
+            "structure": "dense",
+            "precision": "float64"
+          },
+          "setting": {
+            "kind": "none"
+          },
           "time_of": "frame",
           "seconds": {
             "median": 5.778125e-08,
@@ -113,10 +125,25 @@ TEST_CASE("a study's JSON names each point in words, and its answers", "[tradeof
   CHECK_THAT(json, ContainsSubstring(R"text(
     {
       "job": "settling, rail",
+      "task": {
+        "kind": "settling",
+        "realization": "rail"
+      },
       "points": [
         {
           "curve": "rail, 10 MHz",
           "knob": "settled to 0.01",
+          "method": {
+            "kind": "circuit",
+            "realization": "rail",
+            "bandwidth": 10000000.0
+          },
+          "setting": {
+            "kind": "settled",
+            "error": 0.01,
+            "by_poles": false,
+            "scaled": false
+          },
           "time_of": "settling",
           "seconds": {
             "median": 1.3521296245832036e-06,
@@ -131,6 +158,9 @@ TEST_CASE("a study's JSON names each point in words, and its answers", "[tradeof
     },
 )text") && ContainsSubstring(R"text(
       "job": "accuracy of parts",
+      "task": {
+        "kind": "parts"
+      },
       "points": [],
       "parts": [
         {
@@ -155,15 +185,47 @@ TEST_CASE("what is read back from a study's JSON is what was written", "[tradeof
   refuses(changed("\"AMD EPYC\"", "\"VAX\""), "on another processor");
   refuses(changed("\"[sensor]\"", "\"[material]\""), "for another scene");
   refuses(changed("\"0.1.0\"", "\"0.0.9\""), "by another version");
-  for (const char* word : {"\"dense float64\",\n          \"knob\"", "rank 11 + 10", "\"frame\"",
-                           "\"settling, nic\"", "\"realization\": \"nic\""}) {
+  for (const char* word :
+       {"\"task\"", "\"method\"", "\"setting\"", "\"kind\": \"products\"", "\"kind\": \"product\"",
+        "\"structure\": \"dense\"", "\"kind\": \"ranks\"", "\"frame\"", "\"kind\": \"settling\"",
+        "\"realization\": \"nic\""}) {
     CAPTURE(word);
     std::string other = word;
-    other.insert(other.find_last_of(other.back() == '"' ? "\"" : "10"), "?");
-    refuses(changed(word, other), "it is no study");
+    other.insert(other.size() - 1, "?");
+    refuses(changed(word, other), "it is not a study");
   }
-  refuses("[]", "it is no study");
-  refuses("tractions", "it is no study");
+  for (const auto& [from, to] : {std::pair{"\"error\": 0.01,", "\"error\": 0.02,"},
+                                 std::pair{"\"count\": 8,", "\"count\": -8,"},
+                                 std::pair{"\"count\": 8,", "\"count\": 8.5,"}})
+    refuses(changed(from, to), "it is not a study");
+  // Words are for people: a study that uses other words is the same study.
+  for (const auto& [from, to] :
+       {std::pair{"\"curve\": \"dense float64\"", "\"curve\": \"full product\""},
+        std::pair{"\"knob\": \"rank 11 + 10\"", "\"knob\": \"\""},
+        std::pair{"\"job\": \"settling, nic\"", "\"job\": \"how soon\""}})
+    CHECK(report::finished_jobs(changed(from, to), "[sensor]", "AMD EPYC") == study.sections);
+  refuses("[]", "it is not a study");
+  refuses("tractions", "it is not a study");
+}
+
+TEST_CASE("every curve, knob and job that there is comes back from a study's JSON", "[tradeoff]") {
+  Study study = measured();
+  // Nothing was measured: no answer is drawn from these points.
+  const auto add_point = [&](const WorkCurve& curve, const Knob& knob) {
+    WorkPoint point;
+    point.curve = curve;
+    point.knob = knob;
+    point.failure = Failure{.what = "left out"};
+    study.sections.back().points.push_back(point);
+  };
+  for (const Job& job : every_job()) {
+    study.sections.push_back({.job = job});
+    add_point({.family = Family::job, .job = job}, {});
+  }
+  for (const WorkCurve& curve : every_curve()) add_point(curve, {});
+  for (const Knob& knob : every_knob()) add_point({.family = Family::closed_form}, knob);
+  CHECK(report::finished_jobs(report::study_json(study, "[sensor]"), "[sensor]", "AMD EPYC") ==
+        study.sections);
 }
 
 TEST_CASE("each coarser surface has a bar of its own: its values, its time, its error",
@@ -201,7 +263,7 @@ TEST_CASE("a failure is told in words, and stays in the study", "[tradeoff]") {
        {.kind = Why::not_stable, .stability = Stability::unstable});
   fail(settling, slow, TimeOf::settling, {.kind = Why::unsettled});
   fail(settling, slow, TimeOf::settling, {.kind = Why::no_time});
-  CHECK(pages::failures_in_words(study) ==
+  CHECK(report::failures_in_words(study) ==
         std::vector<std::string>{
             "fewer taxels: the scene has dead taxels",
             "fewer taxels: no stride leaves both ends of 24 taxels in place",
@@ -231,7 +293,7 @@ TEST_CASE("circuits are compared at one bandwidth and one error", "[tradeoff]") 
       {"rail", "1.35 us", "158 MHz", "234 MHz", "11.9 %"},
       {"least_squares", "1.97 us", "108 MHz", "341 MHz", "0.632 %"}};
   CHECK(report::circuit_cells(measured()) == expected);
-  const auto front = pages::front_cells(measured());
+  const auto front = report::front_cells(measured());
   REQUIRE(front.size() == 2);
   CHECK(front[1] == std::vector<std::string>{"dense float64", "57.8 ns", "57.6 ns ... 57.9 ns",
                                              "1.7e-14", "0.091"});
@@ -303,8 +365,8 @@ TEST_CASE("arrays of other sizes: a row each, a loop's verdict, and where a circ
       std::vector<std::string>{
           "in a loop of 1 kHz a frame of 16 x 16 such taxels takes 40 us exactly, 20 us in single "
           "precision and 10 us with one cell a taxel: in time; one of 32 x 32 such taxels takes "
-          "4 ms exactly, 2 ms in single precision and 1 ms with one cell a taxel: in time with "
-          "one cell a taxel alone"});
+          "4 ms exactly, 2 ms in single precision and 1 ms with one cell a taxel: in time "
+          "only with one cell a taxel"});
   CHECK(report::size_cells(study)[1] ==
         std::vector<std::string>{"8 x 8", "20 us", "4 us", "2 us", "1 us", "-"});
 

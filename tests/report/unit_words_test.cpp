@@ -16,7 +16,7 @@ TEST_CASE("a scene without units has bare numbers", "[unit_words]") {
   CHECK(in_unit(scene, Dimension::stress, 4810.0) == brief(4810.0));
   CHECK(in_unit(scene, Dimension::stress, 4810.0, 20.0) == plus_minus(4810.0, 20.0));
   const ScaledUnit axis = axis_unit(scene, Dimension::length, 0.01);
-  CHECK(axis.label == "unit of the pitch");
+  CHECK(axis.label == "unit of length");
   CHECK(axis.factor == 1.0);
 }
 

@@ -20,7 +20,7 @@ TEST_CASE("why and cost are sentences of their numbers", "[words]") {
   CHECK(report::cost_in_words(task) == "the readings at 1 moment");
   task.why = {.reason = Reason::rule_chooses, .rule = AlphaRule::gcv};
   CHECK(report::why_in_words(task) ==
-        "alpha is chosen by the rule gcv, and flagged where the other rules disagree");
+        "alpha is chosen by the rule gcv; it is flagged if the other rules disagree");
   task.cost = Workload::Cost{.kind = Workload::Cost::Kind::decompositions,
                              .rows = 15,
                              .columns = 5,

@@ -121,21 +121,20 @@ TEST_CASE("what is wrong with a hand in space is told by line, with a remedy", "
              ContainsSubstring("place") && ContainsSubstring("a point of the axis"));
   CHECK_THAT(
       with(contact_table + "joints = [{ slides = true, axis = [0, 1, 0], place = [0, 0, 0] }]\n"),
-      ContainsSubstring("is of no use to a joint that slides"));
+      ContainsSubstring("does not apply to a joint that slides"));
   CHECK_THAT(with(contact_table + "jacobian = [[1.0], [1.0]]\n"),
              ContainsSubstring("must hold six rows"));
   CHECK_THAT(with(contact_table + "jacobian = [[1.0, 2.0], [1.0], [1.0], [1.0], [1.0], [1.0]]\n"),
              ContainsSubstring("must be as long as the first row"));
-  CHECK_THAT(with(contact_table + "torque_limits = [1.0]\n"),
-             ContainsSubstring("has no place without joints"));
+  CHECK_THAT(with(contact_table + "torque_limits = [1.0]\n"), ContainsSubstring("needs joints"));
   CHECK_THAT(with("contact = { normal = -1.0, tangential = [0, 0], center = [0, 0] }\n"),
              ContainsSubstring("contact.normal must be > 0"));
   CHECK_THAT(
       with("contact = { normal = 1.0, tangential = [0, 0], torsion = 0.1, center = [0, 0] }\n"),
-      ContainsSubstring("has no place on a hard finger | torsion_radius makes it a soft one"));
+      ContainsSubstring("does not apply to a hard finger | torsion_radius makes it a soft one"));
   CHECK_THAT(with(contact_table + "links = [0.1]\n"), ContainsSubstring("links"));
   CHECK_THAT(complaints("angles_in = \"degrees\"\n" + finger),
-             ContainsSubstring("has no place in a hand in space"));
+             ContainsSubstring("does not apply to a hand in space"));
   CHECK_THAT(complaints("[grasp]\nleast = \"torques\"\n" + finger + "name = \"b\"\n"),
              ContainsSubstring("needs the joints of every finger"));
   CHECK_THAT(complaints("[grasp]\ngrasping_force = 3.0\n" + finger),

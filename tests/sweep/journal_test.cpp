@@ -135,11 +135,11 @@ TEST_CASE("journals of other studies, other versions and others' files are refus
   other = sweep::head_of(journals.study);
   other.version = "0.0.1";
   CHECK_THAT(refusal(sweep::text(other)), ContainsSubstring("written by tactile-net 0.0.1"));
-  CHECK_THAT(refusal("dear diary\nmonday\n"), ContainsSubstring("is no journal of a sweep"));
+  CHECK_THAT(refusal("dear diary\nmonday\n"), ContainsSubstring("is not a journal of a sweep"));
   CHECK_THAT(refusal(journals.head + "1/2,0,garbage\n" + journals.first),
-             ContainsSubstring("a.journal:3: error: is no row of this sweep"));
+             ContainsSubstring("a.journal:3: error: is not a row of this sweep"));
   CHECK_THAT(refusal(journals.head + std::string(40, '\0') + '\n'),
-             ContainsSubstring("is no row of this sweep"));
+             ContainsSubstring("is not a row of this sweep"));
   CHECK_THAT(refusal(journals.head + journals.first +
                      sweep::lines(rows_of(journals.study, 0, 0.6), kept_by_default())),
              ContainsSubstring("has another answer to point 0"));
@@ -151,5 +151,5 @@ TEST_CASE("folders without journals say so", "[sweep]") {
   CHECK_THROWS_WITH(sweep::merge(std::vector<fs::path>{folder / "."}),
                     ContainsSubstring("holds no journal of a sweep"));
   CHECK_THROWS_WITH(sweep::merge(std::vector<fs::path>{folder / "none"}),
-                    ContainsSubstring("is no folder"));
+                    ContainsSubstring("is not a folder"));
 }

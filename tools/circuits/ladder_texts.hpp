@@ -12,7 +12,7 @@ inline constexpr const char* ladder_text =
 Without it a main row holds rho R f as differences of large currents: R's entries are l^2/h^2 times what is left of them, and so are their errors. With
 `ladder = true` resistors take the differences themselves. The main amplifiers deliver y, and hold K'e = rho d y with d half of R's least row sum. The tractions are
 nodes that nothing drives: z leads from y_j to f_j, z |R_ij|/d between f_i and f_j, and z (R's row sum/d - 1) to ground, of which K's own load is part
-(z is the least that leaves room for it, a resistor fills up the rest; the same once more for -f). Kirchhoff's law at f is R f = d y whatever the scale, so the
+(z is the smallest value for which the ground leg exceeds K's own load; a resistor supplies the difference. The ladder of -f is identical). Kirchhoff's law at f is R f = d y whatever the scale, so the
 fixed point is K'(g - K f) = R f as before. A resistor to ground at each main row's input makes the totals D_f of all rows equal.
 
 **T6L.** Complementary outputs, one bandwidth W_f of the main amplifiers and one, W_e, of the residuals': stable for every rho and every ratio of the two.

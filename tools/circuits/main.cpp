@@ -89,8 +89,8 @@ the resistors' part is equipartition and holds for any D. More siemens lower it 
 ## What to order
 
 `tactile-net certify SCENE.toml --budget 0.3% --out out` asks which resistors have to be how exact for 95 of 100 builds to err by less. To first
-order a resistor's relative error t moves the squared answer by v t^2/3, v from the inverse of the reduced equations, so the cheapest list falls apart
-into one choice a resistor once squared error has a price (Lagrange); that price is found by halving, what is left over is spent on coarser parts, and the dual
+order a resistor's relative error t moves the squared answer by v t^2/3, v from the inverse of the reduced equations, so with a
+Lagrange multiplier on the mean square error each resistor's class is chosen by itself; the multiplier is found by halving, what is left over is spent on coarser parts, and the dual
 says what no list can be cheaper than. 95 of 100 builds lie within 1.55 times the root mean square: measured, and checked by draws with the list
 itself; where few parts count and the draws miss, the list is made anew for a smaller target, and drawn anew. The scene's op-amps are in every build, as they are in the yield, their
 `balance` too: the resistors get what those leave of the target, and where they leave nothing it says which property of the op-amps takes how much. It does so for every realisation, and
@@ -117,7 +117,7 @@ The folder then holds, of the cheapest circuit whose draws meet the target, `par
 as assemblers take it (a part a row: `Comment`, which is its value such as `4.99k` or `499R`, `Designator`, `Footprint`, `MPN` for you to fill in, tolerance, its name in the deck, the other
 one of a resistor's pair, and a note where it takes more power at the scene's contacts than its size carries: 0402 62.5 mW, 0603 0.1 W), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
 with designators, values, tolerances, courtyards and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
-pins; a pin for each current of a reading, each output and the supply. Nothing is routed; capacitors of the supply are yours to place. The deck of the same
+pins; a pin for each current of a reading, each output and the supply. The board is not routed and has only the deck's parts: add decoupling capacitors yourself. The deck of the same
 parts, with each tolerance as a comment, is `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`.
 
 ## Other simulators

@@ -28,8 +28,8 @@ D~ s = (c H + w R) e with s the voltages between the inputs, D~ = (D_s - H(0))/2
 1/(1 + c) of D_s, so D~ is strictly diagonally dominant, and V' < 0. P > 0, so V has no other minimum and grows to all sides. Q.E.D.
 In the crossbar finite gain subtracts (W/A) e'P e of V'; of the lattice the proof takes it for infinite, since its s is not 0 at rest. Of least_squares, nic and rail nothing is proven: their energies have parts that slewing couples.
 
-**1/f noise.** With a `noise_corner` f_c the op-amps' noise has the density e^2 (1 + f_c/f). Its size has no end towards low frequencies: it is counted from w0 = 2 pi 0.1 Hz on, since
-what moves slower than in ten seconds is an offset. With Q = f_c (W e)^2/2 at the op-amps' states, its intensity at 1 Hz, and F = integral of Re (j w - A)^-1 dw/w from w0 on, the
+**1/f noise.** With a `noise_corner` f_c the op-amps' noise has the density e^2 (1 + f_c/f). Its variance diverges at low frequencies, so it is integrated from w0 = 2 pi 0.1 Hz up:
+what changes more slowly than in ten seconds is an offset. With Q = f_c (W e)^2/2 at the op-amps' states, its intensity at 1 Hz, and F = integral of Re (j w - A)^-1 dw/w from w0 on, the
 covariance solves A X + X A' + 2 (F Q + Q F') = 0, and F = (-A)^-1 Re log(1 - j A/w0): exact, with one logarithm of the triangular factor that Lyapunov's equation has made already. In the deck it is the
 difference of two diodes at 1 A, of which one has flicker noise. ngspice's `.noise` from 0.1 Hz on agrees within 3 %. With bandwidths of megahertz it hardly counts:
 the classes below have none.

@@ -48,12 +48,12 @@ AllCommands::AllCommands() {
   line.release = {.names = {"-V", "--version"},
                   .text = "Print the version, the FFT, and what confines ngspice"};
   line.quiet = {.names = {"-q", "--quiet"},
-                .text = "No notes, warnings or progress: on standard error errors alone",
+                .text = "No notes, warnings or progress: only errors on standard error",
                 .set = [this](const std::string&) { quiet = true; }};
   line.sections = {
       {"units",
-       "Any consistent set: lengths in the unit of the pitch, stresses and tractions in "
-       "that of Young's modulus E. Results go to standard output, messages to standard "
+       "Use any consistent set: lengths in the unit of the pitch, stresses and tractions in that "
+       "of Young's modulus E. Results go to standard output, messages to standard "
        "error."},
       {"exit status", "0: done. 1: a computation or a check failed. 2: wrong usage or bad input."},
       {"environment",

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "failure.hpp"
+#include "option_words.hpp"
 #include "options.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -34,6 +35,7 @@ std::string hint_of(std::span<const std::string> arguments) {
 
 int run_command(std::span<const std::string> arguments, const Streams& given) {
   const Interruption interruption;
+  spell_options(spelled);
   PrintableStream err(given.err);
   std::ostream nowhere(nullptr);
   const auto tell = [&](const std::exception& error) -> std::ostream& {

@@ -44,7 +44,7 @@ void FrameReader::run(Ring<Frame>& frames, long times) {
       if (line_.empty()) continue;
       if (parse(*frame)) frames.filled();
     } else if (--times > 0 && error_.empty() && !stop_) {
-      if (::lseek(file_, 0, SEEK_SET) != 0) error_ = ": is no file, and cannot be read again";
+      if (::lseek(file_, 0, SEEK_SET) != 0) error_ = ": is not a file, and cannot be read again";
       line_number_ = 0;
       (void)read_line();  // the header
     } else {

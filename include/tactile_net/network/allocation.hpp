@@ -39,8 +39,9 @@ struct Allocation {
 /// circuits, where many parts add up (docs/circuits.md).
 inline constexpr double p95_over_rms = 1.55;
 
-/// Errors are uniform within each class's tolerance and independent, so their squares add up, and
-/// the problem falls apart into one choice a resistor. O(resistors log resistors).
+/// Errors are uniform within each class's tolerance and independent, so their squares add up. With
+/// a Lagrange multiplier on the mean square error, each resistor's class is chosen by itself.
+/// O(resistors log resistors).
 ///
 /// @param sensitivities  as `relative_sensitivities`, one per resistor, >= 0 and finite
 /// @throw std::invalid_argument  the target is not > 0, a sensitivity is not finite, there is no

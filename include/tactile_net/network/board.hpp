@@ -59,8 +59,8 @@ struct Board {
 /// and the supply has three. Nets are the deck's nodes, ground is GND, and op-amps are fed by VCC
 /// and VEE. Parts of the coarsest class are 0402, better ones 0603; amplifiers are SO-8 with the
 /// usual pins of one op-amp, or of one with two outputs (1 -IN, 2 VOCM, 3 V+, 4 +OUT, 5 -OUT, 6 V-,
-/// 8 +IN). Nothing is routed, and nothing stands on it that is not in the deck: capacitors of the
-/// supply are not.
+/// 8 +IN). The board is not routed, and holds only the deck's parts: add decoupling capacitors
+/// yourself.
 ///
 /// Designators are numbered in the order of the circuit's resistors, of its amplifiers, and of the
 /// pins. Courtyards do not overlap, and leave room for the designator above each.

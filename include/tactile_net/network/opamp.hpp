@@ -77,8 +77,8 @@ struct AmplifierModel {
   Outputs outputs = Outputs::single;
 };
 
-/// What is left of an amplifier's slope while it slews: without it a simulator's iterations have
-/// nothing to hold on to.
+/// Transconductance that is left in saturation, over that of the linear range: it keeps the
+/// Jacobian of a simulator's Newton iteration regular.
 inline constexpr double slewing_leak = 1e-3;
 
 /// The text of the sub-circuit: only the elements that the model calls for.

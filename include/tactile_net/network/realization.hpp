@@ -56,8 +56,8 @@ struct RealizationOptions {
   bool inverters = false;
   double residual_gain = 10.0;  ///< least_squares: rho, the residual amplifiers' gain, > 0
   /// least_squares: the tractions are nodes of resistors between the amplifiers, in place of the
-  /// stabiliser's differences of large currents. The stabiliser must be one that resistors make:
-  /// no entry beside its diagonal > 0, every row's sum > 0.
+  /// stabiliser's differences of large currents. The stabiliser R must be an M-matrix that
+  /// resistors can make: entries off the diagonal <= 0, sums of rows > 0.
   bool ladder = false;
   /// Where op-amps drive the nodes: bandwidth of the main ones over that of the others; absent:
   /// 1, and with inverters what keeps the loop stable: 1/2 (crossbar), 0.2/rho (least_squares).

@@ -19,8 +19,9 @@ namespace tactile_net {
 /// its capacitance) and one per amplifier with a summing node (z its output, T the row's total
 /// conductance over 2 pi bandwidth). Inverters and converters are taken for ideal.
 ///
-/// An amplifier both of whose inputs float has two rows: half the difference of the currents into
-/// its inputs (z its output), and the sum of those that leave them (z the voltage that both have).
+/// An amplifier whose two inputs are both nodes of the network has two rows: the differential mode,
+/// half the difference of the currents into its inputs (z its output), and the common mode, the sum
+/// of the currents out of them (z the common input voltage).
 /// There T is `input` over 2 pi bandwidth, in the amplifiers' columns; and so it is where nodes
 /// that nothing drives stand beside amplifiers, which then feel the voltages at their inputs.
 struct Equations {

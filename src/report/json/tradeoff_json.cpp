@@ -4,6 +4,7 @@
 
 #include "report/json/document.hpp"
 #include "report/json/scene_json.hpp"
+#include "report/json/work_point_json.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
@@ -18,18 +19,6 @@ std::optional<double> optional_number(const Json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
-/// What the reader of a word found, or the end of reading.
-auto known(const auto& found) {
-  if (!found) throw std::runtime_error("it is no study");
-  return *found;
-}
-
-study::TimeOf time_named(std::string_view text) {
-  for (const study::TimeOf one : study::times)
-    if (name(one) == text) return one;
-  throw std::runtime_error("it is no study");
-}
-
 std::string failure_of(const study::WorkPoint& point) {
   return point.failure ? in_words(*point.failure) : std::string();
 }
@@ -37,6 +26,8 @@ std::string failure_of(const study::WorkPoint& point) {
 Json json_of(const study::WorkPoint& point) {
   return {{"curve", in_words(point.curve)},
           {"knob", in_words(point.knob)},
+          {"method", method_json(point.curve)},
+          {"setting", setting_json(point.knob)},
           {"time_of", name(point.time_of)},
           {"seconds",
            {{"median", point.seconds}, {"low", point.seconds_low}, {"high", point.seconds_high}}},
@@ -47,9 +38,9 @@ Json json_of(const study::WorkPoint& point) {
 
 study::WorkPoint point_of(const Json& json) {
   study::WorkPoint point;
-  point.curve = known(curve_named(json.at("curve").get<std::string>()));
-  point.knob = known(knob_named(json.at("knob").get<std::string>()));
-  point.time_of = time_named(json.at("time_of").get<std::string>());
+  point.curve = curve_of(json.at("method"));
+  point.knob = knob_of(json.at("setting"));
+  point.time_of = one_named(study::times, json.at("time_of"));
   point.seconds = json.at("seconds").at("median");
   point.seconds_low = json.at("seconds").at("low");
   point.seconds_high = json.at("seconds").at("high");
@@ -80,7 +71,7 @@ study::MovingContacts moving_of(const Json& json) {
   for (const Json& one : json.at("followers")) {
     study::Follower follower{.delay = one.at("delay_seconds")};
     if (const Json& kind = one.at("realization"); !kind.is_null())
-      follower.realization = known(realization_named(kind.get<std::string>()));
+      follower.realization = one_named(realizations, kind);
     follower.sampling_hertz = optional_number(one.at("sampling_hertz")).value_or(0.0);
     moving.followers.push_back(follower);
   }
@@ -111,7 +102,9 @@ std::string study_json(const study::Study& study, std::string_view scene_text) {
       floors.push_back({{"realization", name(floor.realization)},
                         {"relative", floor.relative},
                         {"median", number_or_null(floor.median)}});
-    jobs.push_back({{"job", in_words(section.job)}, {"points", std::move(points)}});
+    jobs.push_back({{"job", in_words(section.job)},
+                    {"task", task_json(section.job)},
+                    {"points", std::move(points)}});
     if (!floors.empty()) jobs.back()["parts"] = std::move(floors);
     if (section.moving) jobs.back()["moving"] = json_of(*section.moving);
   }
@@ -168,20 +161,19 @@ std::vector<study::StudySection> finished_jobs(const std::string& text, std::str
     require(json.at("processor") == processor, "on another processor");
     std::vector<study::StudySection> sections;
     for (const Json& job : json.at("jobs")) {
-      study::StudySection section{.job = known(job_named(job.at("job").get<std::string>()))};
+      study::StudySection section{.job = job_of(job.at("task"))};
       for (const Json& point : job.at("points")) section.points.push_back(point_of(point));
       if (job.contains("parts"))
         for (const Json& floor : job.at("parts"))
-          section.floors.push_back(
-              {.realization = known(realization_named(floor.at("realization").get<std::string>())),
-               .relative = floor.at("relative"),
-               .median = optional_number(floor.at("median"))});
+          section.floors.push_back({.realization = one_named(realizations, floor.at("realization")),
+                                    .relative = floor.at("relative"),
+                                    .median = optional_number(floor.at("median"))});
       if (job.contains("moving")) section.moving = moving_of(job.at("moving"));
       sections.push_back(std::move(section));
     }
     return sections;
   } catch (const Json::exception&) {
-    throw std::runtime_error("it is no study");
+    throw std::runtime_error("it is not a study");
   }
 }
 

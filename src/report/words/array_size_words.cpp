@@ -72,7 +72,7 @@ std::string takes(const SizeTimes& times) {
 std::string loop_verdict(const SizeTimes& times) {
   if (times.exact && *times.exact <= loop_seconds) return "in time";
   if (times.single && *times.single <= loop_seconds) return "in time in single precision";
-  if (times.coarse && *times.coarse <= loop_seconds) return "in time with one cell a taxel alone";
+  if (times.coarse && *times.coarse <= loop_seconds) return "in time only with one cell a taxel";
   return "not in time";
 }
 

@@ -8,6 +8,7 @@
 #include "report/words/check_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -61,12 +62,15 @@ void say_contradicted_presses(const lab::SceneCalibration& found, std::vector<st
                            quantity_in_words(found, one.quantity, one.stated, 0.0);
     sentence += one.deviation != 0.0
                     ? ", by " + brief(std::abs(one.deviation)) + " of its standard deviations"
-                    : "; " + std::to_string(one.readings) + " of them are over 5 off";
-    text.push_back(sentence + (found.options.robust ? "." : "; --robust puts it aside."));
+                    : "; " + std::to_string(one.readings) +
+                          " of them are more than 5 standard deviations off";
+    text.push_back(sentence + (found.options.robust
+                                   ? "."
+                                   : "; " + option(Option::robust) + " lets it count less."));
   }
   if (all.size() > most)
     text.push_back(std::to_string(all.size() - most) +
-                   " more presses contradict what is stated of them.");
+                   " more presses contradict what the log states of them.");
 }
 
 void say_doubtful_readings(const lab::SceneCalibration& found, std::vector<std::string>& text) {
@@ -90,7 +94,7 @@ std::string understated_in_words(const UnderstatedSd& one) {
   const bool is_place =
       one.quantity == PressQuantity::position || one.quantity == PressQuantity::position_z;
   return "The stated " + plural(one.quantity) + " are " + fixed(one.rms, 1) +
-         " times less sure than stated, over " + std::to_string(one.presses) + " presses (p " +
+         " times less certain than stated, over " + std::to_string(one.presses) + " presses (p " +
          brief(one.p) + "), or " +
          (is_place ? "the taxels lie elsewhere than the scene says (pitch)"
                    : "gains changed from press to press (temperature, creep)") +
@@ -139,8 +143,8 @@ void say_surprises(const lab::SceneCalibration& found, std::vector<std::string>&
                      " stated standard deviations from 1: do the readings' scale, the forces (load "
                      "cell, units) and the " +
                      (found.is_skin() ? "balls" : "rod's length") +
-                     " hold? Forces that are off by a factor, or diameters in place of radii, look "
-                     "like this.");
+                     " hold? Forces that are wrong by a factor, or diameters given as radii, have "
+                     "this effect.");
   }
 }
 

@@ -14,6 +14,7 @@
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/scene/calibrated_scene.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -115,8 +116,8 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
            "readings. State one force, and the " +
            rods + " radius.";
   if (modulus && only_modulus && gains.empty())
-    return "Young's modulus leaves no trace in these readings: stresses follow the forces, "
-           "whatever the pad's stiffness. Give the " +
+    return "Young's modulus has no effect on these readings: stresses follow the forces, whatever "
+           "the pad's stiffness. Give the " +
            rods +
            " radius, or its value from elsewhere; "
            "tractions from stresses do not depend on it.";
@@ -126,7 +127,7 @@ std::string words_of(const lab::SceneCalibration& found, const NullDirection& di
            ": all of them together scale the readings. Give the " + rods +
            " radius, or the modulus.";
   if (parts.size() == 1 && gains.empty())
-    return "The " + parts.front() + " leaves no trace in these readings" +
+    return "The " + parts.front() + " has no effect on these readings" +
            (parts.front() == spoken_parameter(PadParameter::shift, found.is_skin()) ||
                     parts.front() == spoken_parameter(PadParameter::shift_z, found.is_skin())
                 ? ": no position is stated. State one."
@@ -189,11 +190,12 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
   const std::string residuals = "Residuals are " + fixed(fit.rms, 2) +
                                 " times the noise (chi-squared " + brief(fit.chi_squared) + " on " +
                                 brief(fit.dof) + " degrees of freedom)";
-  const std::string written = found.forced ? "the scene is written all the same, by --force."
-                                           : "nothing is written without --force.";
+  const std::string written =
+      found.forced ? "the scene is written all the same, by " + option(Option::force) + "."
+                   : "nothing is written without " + option(Option::force) + ".";
   switch (fit.verdict) {
     case FitVerdict::ok:
-      text.push_back(residuals + ": the presses are explained.");
+      text.push_back(residuals + ": the model explains the presses.");
       break;
     case FitVerdict::iteration_limit:
       text.push_back("No start converged in " + std::to_string(found.options.most_iterations) +
@@ -225,7 +227,7 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
     text.push_back(gains_are(weak) + " weak: press nearer to " +
                    (weak.size() == 1 ? "it." : "them."));
   if (!prior_only.empty())
-    text.push_back(gains_are(prior_only) + " what the scene states, no more: no press tells " +
+    text.push_back(gains_are(prior_only) + " known from the scene alone: no press determines " +
                    (prior_only.size() == 1 ? "it." : "them."));
   const std::vector<std::string>& names = found.readings;
   std::size_t told = 0;
@@ -233,8 +235,12 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
     if (++told <= 5)
       text.push_back("Press " + std::to_string(one.press) + ", " + names[one.reading] +
                      ": a reading " + brief(one.deviation) + " standard deviations off" +
-                     (found.options.robust ? ", which counts little." : "; see --robust."));
-  if (told > 5) text.push_back(std::to_string(told - 5) + " more readings are over 5 off.");
+                     (found.options.robust
+                          ? ", which counts little."
+                          : "; " + option(Option::robust) + " lets it count less."));
+  if (told > 5)
+    text.push_back(std::to_string(told - 5) +
+                   " more readings are more than 5 standard deviations off.");
   for (const FittedPress& press : fit.presses)
     if (press.half_width_at_bound)
       text.push_back("Press " + std::to_string(press.number) +
@@ -247,8 +253,8 @@ std::vector<std::string> calibration_in_words(const lab::SceneCalibration& found
   for (const ProfilePoint& point : fit.profile)
     if (point.z != 0.0 && std::abs(point.root / point.z - 1.0) > 0.3) {
       text.emplace_back(
-          "The misfit does not rise as a parabola over the depth: its standard "
-          "deviation is a rough guide.");
+          "The misfit is not a parabola in the depth, so the standard deviation of the depth is "
+          "only a rough guide.");
       break;
     }
   return text;

@@ -48,8 +48,8 @@ std::string channel_in_words(const lab::ReadingsCheck& check, const auto& scene,
     text += "; noise stated " + reading(scene, index, *channel.stated) + ", not judged";
   }
   if (channel.threshold)
-    text += "; a threshold: no number is below " + brief(*channel.threshold) +
-            " but 0, so that what presses less is missing";
+    text += "; the file has a threshold: no number is below " + brief(*channel.threshold) +
+            " except 0, so lighter contacts are missing";
   return text;
 }
 
@@ -63,10 +63,11 @@ std::string judged_in_words(const lab::ReadingsCheck& check) {
   const std::string seen = "noise judged by " + std::to_string(check.still) + " of " +
                            std::to_string(check.sampled) +
                            " groups of three frames, in which nothing moves";
-  if (check.quiet == 0) return seen + "; no rest comes back: baseline and drift are not judged";
+  if (check.quiet == 0)
+    return seen + "; it never comes to rest a second time: baseline and drift are not judged";
   if (check.never_let_go)
-    return seen + "; nothing is ever let go: a contact lasts in the " +
-           std::to_string(check.quiet) + " that are loaded least, so that nobody can tell a zero";
+    return seen + "; the sensor is never without a load, not even in the " +
+           std::to_string(check.quiet) + " that are loaded least: no zero can be found";
   return seen + "; " + std::to_string(check.quiet) + " of them at rest";
 }
 
@@ -82,8 +83,8 @@ std::vector<std::string> understood(const lab::ReadingsCheck& check, const auto&
                     ", a force of " + in_unit(scene.units, force_of(scene), check.peak->force));
   facts.push_back(judged_in_words(check));
   if (check.residual)
-    facts.push_back("what no traction explains is " + brief(*check.residual) +
-                    " times the noise stated, by " + std::to_string(check.solved) +
+    facts.push_back("the residual, which no traction explains, is " + brief(*check.residual) +
+                    " times the noise stated, in " + std::to_string(check.solved) +
                     (check.solved == 1 ? " frame that was solved" : " frames that were solved"));
   return facts;
 }

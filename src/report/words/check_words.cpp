@@ -9,6 +9,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -74,7 +75,8 @@ Words say(const finding::TimeBackwards& f, const auto&) {
 Words say(const finding::TimeRepeats& f, const auto&) {
   return {"time stands still " + times(f.count) + ", first at frame " + std::to_string(f.first),
           "rows may stand twice, or the clock is too coarse: write times with more digits; seconds "
-          "and nanoseconds in two columns are joined by --columns t=1+2"};
+          "and nanoseconds in two columns are joined by " +
+              option(Option::columns, "t=1+2")};
 }
 Words say(const finding::FramesRepeat& f, const auto&) {
   return {std::to_string(f.frames.count()) +
@@ -85,10 +87,9 @@ Words say(const finding::FramesRepeat& f, const auto&) {
 Words say(const finding::ValuesMissing& f, const auto& scene) {
   Words words{std::to_string(f.values) + " values are missing, in " + in_words(f.frames), {}};
   if (f.taxels.empty()) {
-    words.advice =
-        "solve --missing estimate finds such frames from the other "
-        "taxels, --missing skip leaves "
-        "them out";
+    words.advice = "solve with " + option(Option::missing, "estimate") +
+                   ", which finds such frames from the other taxels, or with " +
+                   option(Option::missing, "skip") + ", which leaves them out";
   } else {
     words.seen +=
         "; " + taxels(scene, f.taxels, "misses", "miss") + " more than half of its frames";
@@ -114,9 +115,8 @@ Words say(const finding::CodesForMissing& f, const auto& scene) {
   return {join(seen, ", ") + (f.codes.size() == 1 ? " stands" : " stand") +
               " far from all other numbers: codes for missing values? Nothing else was judged",
           "under [calibration], missing = [" + join(codes, ", ") +
-              "]: these fields are then gaps, which solve --missing skips or estimates; or numbers "
-              "below zero "
-              "lost their sign (255 of a byte is -1). Then check again"};
+              "]: these fields are then gaps; or numbers below zero lost their sign (255 of a byte "
+              "is -1). Then check again"};
 }
 
 Words say(const finding::SignsLost& f, const auto& scene) {
@@ -154,7 +154,7 @@ Words say(const finding::SlowChannels& f, const auto& scene) {
       "take one of " + frames_apart(f.every.front()) + " frames, those in which they are new";
   if (f.all)
     return {"all readings are " + rate(0) + ": the file is written faster than the sensor reads",
-            take + "; copies are no measurements, and means of them no surer"};
+            take + "; copies are no measurements, and their mean is not more certain"};
   std::vector<std::string> each;
   std::vector<std::string> names;
   for (std::size_t k = 0; k < f.channels.size(); ++k) {
@@ -175,8 +175,8 @@ Words say(const finding::SlowChannels& f, const auto& scene) {
 Words say(const finding::DeadTaxels& f, const auto& scene) {
   if (f.taxels.size() == taxels_of(scene))
     return {"no taxel feels anything in any frame",
-            "is the sensor connected, and are these its columns? --columns "
-            "names others"};
+            "is the sensor connected, and are these its columns? " + option(Option::columns) +
+                " names others"};
   return {taxels(scene, f.taxels, "feels", "feel") +
               " nothing: zero in every frame, or silent while " +
               by_calibration(scene, "both", "all") + " neighbours feel a load",
@@ -200,11 +200,10 @@ Words say(const finding::SingleFrameSpikes& f, const auto& scene) {
               std::to_string(f.frames) + " at least, and those beside do not: by " +
               brief(f.times) + " times the noise in taxel " + taxel_name(scene.sensor, f.worst) +
               ", frame " + std::to_string(f.frame) + "; no load does that",
-          "a loose contact, or a bit lost on the way? empty these fields, and "
-          "solve --missing "
-          "estimate finds them from the other taxels; as they are, solve "
-          "doubts such frames "
-          "(bad_taxel)"};
+          "a loose contact, or a bit lost on the way? empty these fields, and solve with " +
+              option(Option::missing, "estimate") +
+              ", which finds them from the other taxels; as they are, the verdict on the data of "
+              "such frames is bad_taxel"};
 }
 Words say(const finding::EqualReadings& f, const auto& scene) {
   constexpr std::size_t most_named = 8;
@@ -235,8 +234,8 @@ Words say(const finding::SaturatedTaxels& f, const auto& scene) {
 }
 Words say(const finding::WornTaxels& f, const auto& scene) {
   return {taxels(scene, f.taxels, "reads", "read") +
-              " far less than the others let expect: taxel " + taxel_name(scene.sensor, f.worst) +
-              " " + brief(f.share, 2) +
+              " far less than the other taxels predict: taxel " +
+              taxel_name(scene.sensor, f.worst) + " " + brief(f.share, 2) +
               " times what a contact that explains the others would make it read",
           dead_advice(f.taxels, scene) + "; or calibrate their gains anew"};
 }
@@ -244,17 +243,16 @@ Words say(const finding::WornTaxels& f, const auto& scene) {
 // --- rest
 
 std::string baseline_advice(const finding::Baseline&, const SkinScene&) {
-  return "take the mean of frames without a load off the file's numbers; or "
-         "under [reconstruct], "
+  return "subtract the mean of frames without a load from the file's numbers; or under "
+         "[reconstruct], "
          "offset = true finds a constant for each quantity";
 }
 std::string baseline_advice(const finding::Baseline& f, const Scene& scene) {
   constexpr std::size_t most_listed = 128;
   const std::vector<double> raw = baseline_of(f, scene);
   if (raw.size() > most_listed)
-    return "under [calibration], baseline_frames = [FIRST, LAST], frames "
-           "without a load; --json has "
-           "the baseline of every reading";
+    return "under [calibration], baseline_frames = [FIRST, LAST], frames without a load; " +
+           option(Option::json) + " has the baseline of every reading";
   std::string advice = "under [calibration], baseline = [";
   for (std::size_t i = 0; i < raw.size(); ++i) advice += (i > 0 ? ", " : "") + brief(raw[i], 5);
   return advice + "]";
@@ -294,9 +292,10 @@ Words say(const finding::Drift& f, const auto& scene) {
                      " to frame " + std::to_string(f.to) + ", " + brief(f.times) +
                      " times the noise, and no load explains that";
   if (f.loaded)
-    return {seen,
-            "nothing is ever let go, so that no frame is a zero: under [reconstruct], offset "
-            "= true finds a constant for each quantity with the loads"};
+    return {
+        seen,
+        "the sensor is loaded in every frame, so no frame is a zero: under [reconstruct], offset "
+        "= true finds a constant for each quantity with the loads"};
   return {seen,
           "take the zero anew between presses (ContactEstimator::set_baseline "
           "does at run time), or "
@@ -398,51 +397,54 @@ Words say(const finding::WholePadPulled& f, const auto& scene) {
 }
 Words say(const finding::OrderMirrored& f, const Scene&) {
   return {"in " + std::to_string(f.frames) + " of " + std::to_string(f.of) +
-              " loaded frames the readings are likelier those of taxels numbered against y",
-          "turn the order of each quantity's columns round, or if that is right the sign of the "
-          "shear"};
+              " loaded frames the readings fit better if the taxels are numbered from the other "
+              "end of y",
+          "reverse the order of each quantity's columns; if the order is right, change the sign of "
+          "the shear"};
 }
 Words say(const finding::OrderMirrored& f, const SkinScene&) {
   std::vector<std::string> how;
   std::vector<std::string> instead;
   if (f.exchanged) {
-    how.emplace_back("in columns for rows");
+    how.emplace_back("with rows and columns exchanged");
     instead.emplace_back("the names of what is read along y and along z");
   }
   if (f.along_y) {
-    how.emplace_back("numbered against y");
+    how.emplace_back("from the other end of y");
     instead.emplace_back("the sign of what is read along y");
   }
   if (f.along_z) {
-    how.emplace_back("numbered against z");
+    how.emplace_back("from the other end of z");
     instead.emplace_back("the sign of what is read along z");
   }
-  return {
-      "in " + std::to_string(f.frames) + " of " + std::to_string(f.of) +
-          " loaded frames the readings are likelier those of taxels " + join(how, " and "),
-      "put the taxels into the scene's order, or if that is right turn " + join(instead, " and ")};
+  return {"in " + std::to_string(f.frames) + " of " + std::to_string(f.of) +
+              " loaded frames the readings fit better if the taxels are numbered " +
+              join(how, " and "),
+          "put the taxels into the scene's order; if the order is right, change " +
+              join(instead, " and ")};
 }
 Words say(const finding::OrderSerpentine& f, const auto&) {
   const std::string what = f.columns ? "column" : "row";
   return {"in " + std::to_string(f.frames) + " of " + std::to_string(f.of) +
-              " loaded frames the readings are likelier those of a skin of which every second " +
-              what + ", from " + what + ' ' + std::to_string(f.first) + " on, is read backwards",
-          "is the skin wired in serpentines? Turn the order of the taxels round in " + what + "s " +
+              " loaded frames the readings fit better if every second " + what + ", from " + what +
+              ' ' + std::to_string(f.first) + " on, is read backwards",
+          "is the skin wired in serpentines? Reverse the order of the taxels in " + what + "s " +
               std::to_string(f.first) + ", " + std::to_string(f.first + 2) +
               ", ... of the file's numbers"};
 }
 Words say(const finding::StrainTooLarge& f, const auto& scene) {
   return {"the readings say that the pad is strained by " + percent(f.strain) +
-              ": no pad is that is solved as a linear one",
+              ": a pad that is solved as linear cannot be",
           "displacements and pitch are in different units, or strains are in percent: see " +
               by_calibration(scene, "[units] and gain under [calibration]", "[units]") +
               "; of markers in pixels, gain is what a pixel measures"};
 }
 Words say(const finding::TractionExceedsModulus& f, const auto& scene) {
-  return {"the largest traction is " + brief(f.times) + " times Young's modulus: no pad bears that",
-          "readings and youngs_modulus are in different units, or strains are "
-          "in percent: see " +
-              by_calibration(scene, "[units] and gain under [calibration]", "[units]")};
+  return {
+      "the largest traction is " + brief(f.times) + " times Young's modulus: no pad survives that",
+      "readings and youngs_modulus are in different units, or strains are "
+      "in percent: see " +
+          by_calibration(scene, "[units] and gain under [calibration]", "[units]")};
 }
 Words say(const finding::DeformationTiny& f, const auto&) {
   return {"the largest traction is only " + brief(f.times) + " of Young's modulus: hardly a touch",

@@ -37,11 +37,10 @@ Answer stability(const lab::Certification& c) {
 Answer settling(const Certificate& certificate) {
   const auto& dynamics = certificate.dynamics;
   if (!dynamics || dynamics->settling_seconds.value_or(-1.0) == 0.0)
-    return {"settling not known",
-            certificate.unknown == UnknownStability::loaded_outputs
-                ? unknown_in_words(certificate)
-                : "neither op-amps with a bandwidth nor a capacitance are modelled, or more states "
-                  "than are decomposed"};
+    return {"settling not known", certificate.unknown == UnknownStability::loaded_outputs
+                                      ? unknown_in_words(certificate)
+                                      : "the scene states no bandwidth and no capacitance, or the "
+                                        "circuit has too many states"};
   if (!dynamics->settling_seconds) return {"never", "comes to rest", true};
   return {duration(*dynamics->settling_seconds),
           "to settle within " + percent(certificate.accuracy) + " after a step of all inputs"};
@@ -76,7 +75,7 @@ std::vector<Answer> answers(const lab::Certification& c) {
     all.push_back({percent(c.tolerance->yield()) + " yield",
                    "builds with real parts within " + percent(c.circuit.tolerance().accuracy) +
                        " of the exact network" +
-                       (other ? "; " + chosen + " bears its parts better" : ""),
+                       (other ? "; " + chosen + " is less sensitive to its parts" : ""),
                    c.tolerance->yield() < 0.5});
   } else if (r.outcome == Outcome::reached) {
     all.push_back({"build " + chosen, "the fewest amplifiers (" +
@@ -84,7 +83,7 @@ std::vector<Answer> answers(const lab::Certification& c) {
                                           percent(r.drawn.accuracy) + " in 95 of 100 builds"});
   } else if (r.outcome == Outcome::none_reaches) {
     all.push_back({"none reaches " + percent(r.drawn.accuracy),
-                   "with such parts; " + chosen + " comes nearest", true});
+                   "with such parts; " + chosen + " comes closest", true});
   } else if (r.outcome == Outcome::none_stable) {
     all.push_back({"none is stable", "with the scene's op-amps: none is recommended", true});
   }

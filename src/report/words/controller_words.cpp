@@ -5,6 +5,7 @@
 
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::report {
 
@@ -30,17 +31,17 @@ void print_controller(std::ostream& out, const lab::PlannedController& planned,
       << planned.estimator.why();
   if (plan.fill)
     out << "  " << plan.fill->rows
-        << " readings of dead taxels are filled in with what the others predict of them\n";
+        << " readings of dead taxels are replaced by what the others predict\n";
   if (plan.prediction)
     out << "  residual, outliers, dead taxels: " << streamed_bytes(*plan.prediction)
-        << " bytes a frame more (--no-diagnostics leaves them out)\n";
+        << " bytes a frame more (" << option(Option::no_diagnostics) << " leaves them out)\n";
   if (planned.for_raw_numbers)
-    out << "  for raw numbers, as files of readings have them: the scene's units and calibration "
-           "are "
-           "in the plan"
-        << (planned.needs_baseline ? "; the baseline is not: call set_baseline with an unloaded "
-                                     "frame first, or plan with --readings"
-                                   : "")
+    out << "  it takes raw numbers, as in files of readings: the plan contains the scene's units "
+           "and calibration"
+        << (planned.needs_baseline ? ", but not the baseline: call set_baseline with an unloaded "
+                                     "frame first, or plan with " +
+                                         option(Option::readings)
+                                   : std::string())
         << '\n';
   if (const auto& force = planned.force) {
     const double off = force->planned / force->solved - 1.0;
@@ -57,10 +58,10 @@ std::string deadline_missed_in_words(const lab::PlannedController& planned, doub
                                      double deadline) {
   const EstimatorPlan& plan = planned.estimator.plan;
   return "the fastest plan of accuracy " + brief(plan.accuracy) + " takes " +
-         duration(frame_seconds) + ", the deadline is " + duration(deadline) +
-         ": raise --accuracy" +
-         (plan.prediction ? ", or leave the residual out: --no-diagnostics" : "") +
-         "; tradeoff tells what each method takes";
+         duration(frame_seconds) + ", the deadline is " + duration(deadline) + ": raise " +
+         option(Option::accuracy) +
+         (plan.prediction ? ", or leave the residual out: " + option(Option::no_diagnostics) : "") +
+         "; tradeoff shows how long each method takes";
 }
 
 }  // namespace tactile_net::report

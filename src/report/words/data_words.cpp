@@ -9,11 +9,11 @@ namespace {
 
 constexpr Named<DataDoubt> doubt_sentences[] = {
     {DataDoubt::implausible,
-     "the readings would strain the pad by more than its own size: are they, or Young's modulus, "
-     "in another unit"},
+     "the readings would strain the pad by more than its own size: check the units of the readings "
+     "and of Young's modulus"},
     {DataDoubt::pulls,
-     "only tractions that pull explain the readings, and no contact pulls: is compression "
-     "positive, is the baseline that of an unloaded pad, are pad and depth as stated"},
+     "only tractions that pull explain the readings, and no contact pulls: check that compression "
+     "is positive, that the baseline is of an unloaded pad, and pad and depth"},
     {DataDoubt::bad_taxel, "one taxel contradicts all others: list it under [dead_taxels]"},
     {DataDoubt::offset,
      "a channel reads a constant too much, or one load lies over the whole array: take the "
@@ -22,8 +22,8 @@ constexpr Named<DataDoubt> doubt_sentences[] = {
      "no contact explains the readings within the noise stated: pad, depth, calibration or noise "
      "is not as the scene says"},
     {DataDoubt::friction_limit,
-     "contacts explain the readings with more friction than friction_limit allows, and none within "
-     "it does: the limit may be too low; else a baseline or a gain of what reads the drag is off"},
+     "contacts explain the readings only with more friction than friction_limit allows: the limit "
+     "may be too low, or the baseline or the gain of the readings of drag is wrong"},
 };
 
 std::string number_of(DataDoubt doubt, const lab::remark::DataDoubted& doubted) {
@@ -40,7 +40,7 @@ std::string number_of(DataDoubt doubt, const lab::remark::DataDoubted& doubted) 
     case DataDoubt::friction_limit:
       if (!(data.residual_limit > 0.0)) return {};  // the noise is not known
       return " (a contact leaves " + brief(data.residual_rms / data.residual_limit, 2) +
-             " times what noise does)";
+             " times as much as noise does)";
   }
   return {};
 }

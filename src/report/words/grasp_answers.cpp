@@ -52,21 +52,21 @@ std::vector<Answer> answers_of(const GraspAnswerParts& parts) {
          "the nearest: " + nearest->of, angle < 0.0});
   }
   if (strained != nullptr)
-    all.push_back(
-        {brief(100.0 * used, 2) + " % of torque",
-         "the most of a limit: joint " + std::to_string(joint + 1) + " of " + strained->of,
-         used > 1.0});
+    all.push_back({brief(100.0 * used, 2) + " % of torque",
+                   "largest share of a torque limit: joint " + std::to_string(joint + 1) + " of " +
+                       strained->of,
+                   used > 1.0});
   if (parts.balanced)
-    all.push_back({*parts.balanced ? "balanced" : "not balanced",
-                   *parts.balanced
-                       ? "the measured forces carry the load within their deviations"
-                       : "the measured forces do not carry the load: more than their deviations "
-                         "explain",
-                   !*parts.balanced});
-  else if (parts.unbalanced_share)
     all.push_back(
-        {percent(*parts.unbalanced_share) + " not balanced",
-         "of all measured forces; without deviations nothing tells whether that is much"});
+        {*parts.balanced ? "balanced" : "not balanced",
+         *parts.balanced
+             ? "the measured forces carry the load within their deviations"
+             : "the measured forces do not carry the load, by more than their deviations explain",
+         !*parts.balanced});
+  else if (parts.unbalanced_share)
+    all.push_back({percent(*parts.unbalanced_share) + " not balanced",
+                   "of all measured forces; no deviations are known, so nobody can tell whether "
+                   "that is much"});
   return all;
 }
 

@@ -100,7 +100,7 @@ std::string in_words(const GraspNames& names, const lab::GraspFailure& failure) 
     case Kind::unbalanced:
       return answer + "the forces do not carry the load: chi squared " + brief(failure.number) +
              ", beyond the " + brief(names.balanced_limit) +
-             " that 99 % of balanced grasps stay below";
+             ", which 99 % of balanced grasps do not reach";
     case Kind::cannot_hold:
       return answer + rule(failure.reason);
     case Kind::disagreement:
@@ -122,7 +122,8 @@ std::vector<std::string> margin_cells(const GraspNames& names, const lab::Finger
 
 std::string chi_squared_in_words(const std::optional<double>& chi_squared,
                                  const std::optional<bool>& balanced, int freedom, double limit) {
-  if (!balanced) return "without deviations of all forces, nothing tells whether that is much";
+  if (!balanced)
+    return "not all deviations of the forces are known, so nobody can tell whether that is much";
   return "chi squared " + brief(*chi_squared) + " of " + std::to_string(freedom) +
          " degrees of freedom: " +
          (*balanced ? "the deviations explain it" : "MORE THAN THE DEVIATIONS EXPLAIN") +

@@ -81,7 +81,7 @@ std::vector<std::string> balance_in_words(const lab::GraspResult& grasp) {
   if (!grasp.hand.load) {
     lines.push_back("they add up to (" + force(x) + ", " + force(y) + ") and the moment " +
                     names_of(grasp).torques()(moment) +
-                    " about the palm's origin: a load that they hold is the opposite");
+                    " about the palm's origin: they hold a load that is the opposite of this");
   } else {
     lines.push_back("not balanced: force (" + force(x) + ", " + force(y) + "), moment " +
                     names_of(grasp).torques()(moment) + " about the load's point; " +
@@ -102,11 +102,11 @@ std::vector<std::string> hold_in_words(const lab::GraspResult& grasp) {
   std::vector<std::string> lines;
   if (options.grasping_force)
     lines.push_back("with the grasping force " + force(*options.grasping_force) +
-                    ": nothing is left to choose; squeeze " + force(grasp.held->grasp.squeeze));
+                    ", which determines all forces; squeeze " + force(grasp.held->grasp.squeeze));
   else if (options.squeeze)
     lines.push_back("with the squeeze " + force(*options.squeeze) +
                     (grasp.tips.size() > 2 ? ", and of such forces those of the least torques"
-                                           : ": nothing is left to choose"));
+                                           : ", which determines all forces"));
   else
     lines.push_back("by the least torques (least sum of squares); squeeze " +
                     force(grasp.held->grasp.squeeze));

@@ -41,10 +41,11 @@ std::string say(const reason::UnknownOffsets&, const std::optional<Units>&) {
          uniform(Traction::normal) + " shows only where it stops.";
 }
 std::string say(const reason::Symmetry& r, const std::optional<Units>&) {
-  return "With " + std::to_string(r.taxels) + " taxels, an odd count, " +
-         (r.lost == 1 ? "one combination is" : "some are") +
-         " lost exactly: of the readings that are even or odd about the centre, those that it "
-         "could show in are one fewer than their unknowns.";
+  return "An odd number of taxels (" + std::to_string(r.taxels) + ") leaves " +
+         (r.lost == 1 ? "one combination" : "some combinations") +
+         " of tractions unmeasured, because of symmetry. An even number of taxels, or a second "
+         "depth, would measure " +
+         (r.lost == 1 ? "it." : "them.");
 }
 std::string say(const reason::FewReadings& r, const std::optional<Units>&) {
   return "The array has " + std::to_string(r.readings) + " readings, and " +
@@ -91,6 +92,10 @@ std::string difference(const lab::SensorChoice& from, const lab::SensorChoice& w
   return join(names, " and ");
 }
 
+std::string condition_or_singular(const Identifiability& result) {
+  return result.null_space.dimension > 0 ? "singular" : brief(result.condition);
+}
+
 std::vector<std::string> advice_in_words(const lab::Survey& survey,
                                          const std::optional<Units>& units) {
   const lab::SensorChoice& own = survey.own;
@@ -104,8 +109,8 @@ std::vector<std::string> advice_in_words(const lab::Survey& survey,
   }
   if (own.unknowns == 1)
     text.emplace_back(
-        "One unknown is solved: the normal traction. What friction adds to the readings is taken "
-        "for it.");
+        "Only the normal traction is solved for. What friction adds to the readings is wrongly "
+        "counted as normal traction.");
   const auto add = [&](const std::string& what, std::size_t index) {
     const lab::SensorChoice& other = survey.alternatives[index];
     text.push_back(what + (own.unknowns == 1 ? " for both tractions: " : ": ") +
@@ -155,6 +160,75 @@ std::vector<std::string> verdict_in_words(const lab::Survey& survey,
                  in_words(survey.noise) + ", these sensors tell " + told(survey.own, units) + ".");
   text.push_back(unseen(survey.own, survey.traction, units));
   for (std::string& sentence : advice_in_words(survey, units)) text.push_back(std::move(sentence));
+  return text;
+}
+
+std::vector<std::vector<std::string>> survey_cells(const lab::Survey& survey,
+                                                   const std::optional<Units>& units) {
+  std::vector<std::vector<std::string>> rows = {{"reads", "unknowns", "condition", "hidden",
+                                                 "hidden mean", "normal from", "tangential from",
+                                                 "unseen below"}};
+  const auto wavelength = [&](const std::optional<double>& value) {
+    return value ? in_unit(units, Dimension::length, *value) : std::string("none");
+  };
+  const auto add = [&](const lab::SensorChoice& choice, const std::string& mark) {
+    const bool two = choice.unknowns == 2;
+    std::vector<std::string> means;
+    if (lab::hides_mean(choice, Traction::normal)) means.emplace_back("normal");
+    if (two && lab::hides_mean(choice, Traction::tangential_y)) means.emplace_back("tangential");
+    rows.push_back(
+        {in_words(choice, units) + mark, std::to_string(choice.unknowns),
+         condition_or_singular(choice.identifiability),
+         in_short(choice.identifiability.null_space, units),
+         means.empty() ? "-" : join(means, ", "), wavelength(choice.normal),
+         two ? wavelength(choice.tangential) : "-",
+         choice.unseen ? in_unit(units, Dimension::length, *choice.unseen) : "any width"});
+  };
+  add(survey.own, " (the scene's)");
+  for (const lab::SensorChoice& choice : survey.alternatives) add(choice, "");
+  return rows;
+}
+
+std::string cells_in_words(const Scene& scene, const lab::Survey& survey) {
+  std::string text =
+      "normal from, tangential from: the shortest wavelength from which on every ripple of "
+      "amplitude " +
+      in_unit(scene, Dimension::stress, survey.traction) +
+      " stands out of the noise, by its standard deviation in one frame; hidden mean: shows only "
+      "at "
+      "the array's ends; unseen below: a contact of that traction between two taxels that is "
+      "narrower changes no reading by more than the noise. Noise: " +
+      in_words(survey.noise) + ".";
+  if (survey.taxels < scene.sensor.count)
+    text += " Condition and hidden combinations of the alternatives are of " +
+            std::to_string(survey.taxels) + " taxels.";
+  return text;
+}
+
+std::vector<std::string> singular_values_in_words(const Identifiability& result,
+                                                  const std::optional<Units>& units) {
+  std::vector<std::string> text;
+  text.push_back("singular values: " + std::to_string(result.singular_values.size()) + ", from " +
+                 brief(result.singular_values.front()) + " to " +
+                 brief(result.singular_values.back()) + " in units of the noise; rank " +
+                 std::to_string(result.rank) + ", condition " + condition_or_singular(result));
+  text.push_back(result.null_space.dimension > 0
+                     ? "noise gain: unbounded without smoothing"
+                     : "noise gain: noise of the assumed size may become a traction of " +
+                           in_unit(units, Dimension::stress, result.noise_gain) +
+                           " without smoothing");
+  for (const ModeSpace* space : {&result.null_space, &result.nearly_null}) {
+    const bool null = space == &result.null_space;
+    const std::size_t shown = std::min<std::size_t>(space->modes.size(), 3);
+    const std::string kind = null ? "hidden: " : "nearly hidden: ";
+    for (std::size_t i = 0; i < shown; ++i)
+      text.push_back(
+          kind + in_words(space->modes[i], units) +
+          (null ? "" : " (singular value " + brief(space->modes[i].singular_value) + ")"));
+    if (space->dimension > shown)
+      text.push_back(kind + std::to_string(space->dimension - shown) + " more" +
+                     wavelengths_in_short(*space, units));
+  }
   return text;
 }
 

@@ -10,6 +10,7 @@
 #include "tactile_net/numeric/unit_text.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -28,7 +29,7 @@ std::string stability_in_words(const Certificate& c) {
     case Stability::not_definite:
       return "P IS NOT POSITIVE DEFINITE: no circuit of ideal op-amps settles for it";
     case Stability::lossless:
-      return "lossless: it rings for ever, and has its answer at one frequency alone";
+      return "lossless: it rings for ever, and has its answer at one frequency only";
     case Stability::not_modelled:
       return "not known: " + unknown_in_words(c);
   }
@@ -78,7 +79,8 @@ std::string transient_in_words(const lab::Relaxation& relaxation) {
     return text + "; " + simulated;
   }
   if (t.end == TransientEnd::unfinished)
-    return "ngspice's transient did not end within the time limit: not judged; raise --time-limit";
+    return "ngspice's transient did not end within the time limit: not judged; raise " +
+           option(Option::time_limit);
   return "ngspice's transient has NOT SETTLED after " + duration(t.simulated);
 }
 
@@ -102,7 +104,7 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
     case TheoremCondition::lag_within_bound:
       return (unmet.lag.of_nodes ? "the lag of the ladder's nodes is "
                                  : "the lag of summing nodes and second poles is ") +
-             multiple(unmet.lag.number) + " what it proves stable";
+             multiple(unmet.lag.number) + " the largest for which it proves stability";
     case TheoremCondition::one_lag:
       return "capacitance at nodes that nothing drives, beside a second pole or capacitance at "
              "inputs";
@@ -177,7 +179,7 @@ std::string in_words(const CircuitRemark& remark) {
   switch (remark.kind) {
     case Kind::clamps:
       return "a node would reach " + brief(remark.value) + " V, op-amps clamp from " +
-             brief(remark.limit) + " V (rail - 0.6 V): volts = " + scale;
+             brief(remark.limit) + " V (rail - 0.6 V): set volts = " + scale;
     case Kind::capacitance_at_outputs:
       return "parasitic.node has no effect: the nodes are the amplifiers' outputs; parasitic.input "
              "is what loads their summing nodes";
@@ -193,7 +195,7 @@ std::string in_words(const CircuitRemark& remark) {
       return "parasitic.node is left out: at one frequency it is part of each node's capacitor";
     case Kind::divider_rings:
       return "resistors of " + brief(remark.value) +
-             " ohm at inverting inputs ring with their capacitance: divider = " +
+             " ohm at inverting inputs ring with their capacitance: set divider = " +
              brief(remark.repair) + " at most, 1/(W C (1 + sqrt(1 + 1/A)))";
     case Kind::summing_lag: {
       std::string repair;
@@ -201,13 +203,13 @@ std::string in_words(const CircuitRemark& remark) {
       if (remark.limit > 0.0)
         repair += (repair.empty() ? "" : ", or ") + ("bandwidth_ratio = " + brief(remark.limit)) +
                   " or less";
-      if (repair.empty()) repair = "faster op-amps, or realization = \"lattice\"";
+      if (repair.empty()) repair = "opamp to faster ones, or realization = \"lattice\"";
       return "the lag of summing nodes and second poles is " + multiple(remark.value) +
-             " what is proven stable: " + repair;
+             " the largest that is proven stable: set " + repair;
     }
     case Kind::node_lag:
       return "the lag of the ladder's nodes is " + brief(remark.value) +
-             " times what is proven stable: siemens = " + scale +
+             " times the largest that is proven stable: set siemens = " + scale +
              " or more, or bandwidth_ratio = " + brief(remark.limit) + " or less";
     case Kind::floating_input_capacitance:
       return "capacitance at the amplifiers' inputs and at the residuals counts (W C/D = " +
@@ -219,24 +221,24 @@ std::string in_words(const CircuitRemark& remark) {
       return "the largest voltage is " + brief(remark.value) + " V: volts = " + scale +
              " would make it 1 V";
     case Kind::beyond_digits:
-      return range + ": further apart than a simulator's digits";
+      return range + ": too far apart for the digits of a simulator";
     case Kind::too_many_states:
       return "more than " + std::to_string(most_states) +
              " states: poles and settling time are left out";
     case Kind::slews:
       return "the op-amps slew: from rest they would rise at " + brief(remark.value) +
              " V/s, their slew is " + brief(remark.limit) +
-             " V/s; none slews from volts = " + scale + " down";
+             " V/s; none slews if volts is at most " + scale;
     case Kind::output_current:
       return "the output of " + remark.part + " would carry " + with_unit(remark.value, "A") +
              ", it gives " + with_unit(remark.limit, "A") + " at most: volts = " + scale +
-             ", or fewer siemens";
+             ", or lower siemens";
     case Kind::slewing_left_out:
       return "more than " + std::to_string(most_slewing_states) +
              " states: the settling time is without the op-amps' slew";
     case Kind::noise_without_capacitance:
-      return "noise is left out: at a node without capacitance white noise has no size; give the "
-             "nodes one, parasitic = { node = 1e-12 }";
+      return "noise is left out: white noise at a node without capacitance is infinite; give the "
+             "nodes a capacitance, parasitic = { node = 1e-12 }";
   }
   return {};
 }
@@ -256,7 +258,7 @@ std::vector<std::string> in_words(const Certificate& c) {
                          ? ", for op-amps of one bandwidth"
                          : ", if the op-amps are fast against the network"));
   else if (c.theorem.holds() && has_amplifiers(c.realization))
-    lines.push_back("for errors of components no margin is proven: draws and poles decide");
+    lines.push_back("no margin for errors of components is proven: random builds and poles decide");
   std::string parts = elements_in_words(c.elements);
   if (c.greatest_ohm > 0.0)
     parts += "; resistors from " + brief(c.least_ohm) + " to " + brief(c.greatest_ohm) + " ohm";

@@ -61,13 +61,13 @@ std::string next_presses_in_words(const lab::SceneCalibration& found) {
                     [](const NextPress& press) { return press.disc == DiscProfile::sphere; });
     return now +
            (balls ? "A ball of that radius has that contact under that force" + known +
-                        "; a ball that is near to it will do. "
+                        "; a ball of about that size will do. "
                   : std::string()) +
            "Press straight down. The plain rule: the largest force, evenly over the skin to its "
            "edges, small and large contacts in turn.";
   }
   return now + "A rod of that radius has that half width of contact under that force" + known +
-         "; a rod that is near to it will do. The plain rule: the largest force, evenly over the "
+         "; a rod of about that size will do. The plain rule: the largest force, evenly over the "
          "array to its ends, narrow and wide rods in turn.";
 }
 

@@ -17,8 +17,8 @@ std::string errors_in_words(const StaticErrors& errors) {
   const auto add = [&](const char* of, const InputErrors& one) {
     if (one.either_sign > 0.0)
       parts.push_back(std::string(of) + ' ' + percent(one.either_sign) +
-                      " of the answer, of either sign by chance (" + percent(one.alike) +
-                      " if all are alike)");
+                      " of the answer, if signs are random (" + percent(one.alike) +
+                      " if all have one sign)");
   };
   add("offset", errors.offset);
   add("bias current", errors.bias_current);
@@ -33,20 +33,20 @@ std::string errors_in_words(const StaticErrors& errors) {
 std::string bound_in_words(ScaleProposal::Bound bound) {
   switch (bound) {
     case ScaleProposal::Bound::swing:
-      return "the rail leaves no more";
+      return "the rail allows no more";
     case ScaleProposal::Bound::supply:
-      return "2 V at the largest node, for amplifiers of 5 V in all; give the rail of others";
+      return "2 V at the largest node, as fits a supply of 5 V; state rail for another supply";
     case ScaleProposal::Bound::slew:
-      return "with more of them slewing would take over a fifth of the settling time";
+      return "with more volts, slewing would take more than a fifth of the settling time";
     case ScaleProposal::Bound::current:
-      return "the outputs give no more current";
+      return "the outputs can give no more current";
   }
   return {};
 }
 
 /// In ratios: what the scene writes is in its own units.
 std::string proposal_in_words(const ScaleProposal& proposal, const Scale& scale) {
-  std::string text = "a scale for these op-amps: " + brief(proposal.volts / scale.volts) +
+  std::string text = "recommended scale for these op-amps: " + brief(proposal.volts / scale.volts) +
                      " times the volts (" + bound_in_words(proposal.volts_by) + "), " +
                      brief(proposal.siemens / scale.siemens) + " times the siemens" +
                      (proposal.least_ohm ? " (no resistor below 1 kilo-ohm)" : "");
@@ -68,22 +68,23 @@ std::vector<std::string> opamps_in_words(const Certificate& c) {
   std::vector<std::string> lines;
   if (c.slewing) lines.push_back(in_words(*c.slewing));
   if (c.dynamics && c.dynamics->unslewed_seconds)
-    lines.push_back(c.dynamics->settling_seconds
-                        ? "the settling time has the op-amps' slew in it; without it " +
-                              duration(*c.dynamics->unslewed_seconds)
-                        : "slewing, it does NOT come to rest; without slew it would in " +
-                              duration(*c.dynamics->unslewed_seconds));
+    lines.push_back(
+        c.dynamics->settling_seconds
+            ? "the settling time includes the op-amps' slew; without slew it is " +
+                  duration(*c.dynamics->unslewed_seconds)
+            : "with the op-amps' slew it does NOT come to rest; without slew it would, in " +
+                  duration(*c.dynamics->unslewed_seconds));
   if (c.errors) lines.push_back(errors_in_words(*c.errors));
   if (c.noise)
     lines.push_back("noise: " + brief(c.noise->largest) + " V rms at the noisiest output" +
                     (std::isfinite(c.noise->relative)
                          ? ", " + percent(c.noise->relative) + " of the answer"
                          : "") +
-                    "; " + percent(c.noise->thermal) + " of its power is the resistors'" +
-                    (c.noise->flicker > 0.0
-                         ? ", " + percent(c.noise->flicker) + " the op-amps' 1/f noise from " +
-                               brief(lowest_noise_hertz) + " Hz on"
-                         : ""));
+                    "; " + percent(c.noise->thermal) + " of its power is from the resistors" +
+                    (c.noise->flicker > 0.0 ? ", " + percent(c.noise->flicker) +
+                                                  " from the op-amps' 1/f noise above " +
+                                                  brief(lowest_noise_hertz) + " Hz"
+                                            : ""));
   if (c.output_current)
     lines.push_back("an output carries at most " + with_unit(c.output_current->largest, "A") +
                     " at rest, that of " + c.output_current->opamp);
@@ -91,17 +92,17 @@ std::vector<std::string> opamps_in_words(const Certificate& c) {
 }
 
 std::string speed_in_words(double speed, const std::optional<Units>& units) {
-  return units ? with_unit(speed, "m/s") : brief(speed) + " of the pitch's units a second";
+  return units ? with_unit(speed, "m/s") : brief(speed) + " length units/s";
 }
 
 std::string in_words(const lab::ContactMotion& motion, const std::optional<Units>& units) {
-  return "moving contacts: the answer is " + duration(motion.delay) + " behind, " +
-         percent(lab::ContactMotion::lag) + " of it at " + speed_in_words(motion.speed, units) +
-         "; its slowest direction follows up to " + with_unit(motion.slowest_hertz, "Hz") +
-         "; sampled and held at " + with_unit(lab::ContactMotion::sampling_hertz, "Hz") +
-         " an answer is up to " + duration(1.0 / lab::ContactMotion::sampling_hertz) +
-         " behind: " + percent(lab::ContactMotion::lag) + " at " +
-         speed_in_words(motion.sampled_speed, units);
+  return "moving contacts: delay " + duration(motion.delay) + ", which costs " +
+         percent(lab::ContactMotion::lag) + " of the answer at " +
+         speed_in_words(motion.speed, units) + "; bandwidth of the slowest mode " +
+         with_unit(motion.slowest_hertz, "Hz") + "; for comparison, a computer that samples at " +
+         with_unit(lab::ContactMotion::sampling_hertz, "Hz") + " and holds: delay up to " +
+         duration(1.0 / lab::ContactMotion::sampling_hertz) + ", " +
+         percent(lab::ContactMotion::lag) + " at " + speed_in_words(motion.sampled_speed, units);
 }
 
 std::vector<std::string> facts_in_words(const lab::Certification& c) {

@@ -96,11 +96,11 @@ std::string none_in_words(const lab::PartsList& list) {
   const auto stable = [](const auto& one) { return one.stable(); };
   if (std::none_of(all.begin(), all.end(), stable))
     return "No list of parts: no realisation is known to be stable with these op-amps and "
-           "capacitances. More siemens, or op-amps with less input capacitance, and certify says "
-           "of each why.";
+           "capacitances. Raise siemens, or take op-amps with less input capacitance; certify says "
+           "why for each realisation.";
   if (!list.opamps_too_coarse())
     return "No list of parts of these classes keeps 95 of 100 builds within " + target +
-           ": a larger alpha, or better parts.";
+           ": raise alpha, or take better parts.";
   const auto best = std::min_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return a.stable() != b.stable() ? a.stable() : a.opamps_p95 < b.opamps_p95;
   });
@@ -109,7 +109,8 @@ std::string none_in_words(const lab::PartsList& list) {
          ", which they disturb least, 95 of 100 builds with exact resistors are within " +
          percent(best->opamps_p95) +
          " (root mean squares: " + opamp_shares_in_words(best->opamps_alone) +
-         "). More volts lower what offsets and bias currents do, better op-amps all of it.";
+         "). Raise volts to lower what offsets and bias currents do; better op-amps lower all of "
+         "it.";
 }
 
 }  // namespace
@@ -151,7 +152,7 @@ std::string in_words(const lab::PartsList& list) {
   text += ". Values are of the series E" + std::to_string(static_cast<int>(list.series));
   if (chosen.pairs > 0)
     text += ", " + std::to_string(chosen.pairs) +
-            " of them two parts in series or in parallel: to buy are " + bought(list);
+            " of them two parts in series or in parallel: buy " + bought(list);
   text += ". Rounding to them moves the answer by " + percent(chosen.rounding);
   if (chosen.opamps_alone.total > 0.0)
     text += ", the op-amps by " + percent(chosen.opamps_alone.total) +
@@ -165,8 +166,8 @@ std::string in_words(const lab::PartsList& list) {
                                   [](const SoldPart& one) { return !is_common(one.ohm); });
   if (rare > 0)
     text += ". " + std::to_string(rare) +
-            " are below 1 ohm or above 10 megohm, which few shops have: siemens under [network] "
-            "moves them all";
+            " are below 1 ohm or above 10 megohm, which few shops have: change siemens under "
+            "[network], which scales all of them";
   text += overload_in_words(bought_parts(list));
   if (list.loads > 1)
     text += ". Root mean squares over the contacts at " + std::to_string(list.loads) + " places";

@@ -74,7 +74,7 @@ Answer path(const RecordingOverview& overview, const FrameGroup& peak) {
     low = std::min(low, *centre);
     high = std::max(high, *centre);
   }
-  if (first == nullptr) return {"-", "no frame has a centre of pressure to be trusted", true};
+  if (first == nullptr) return {"-", "no frame has a centre of pressure that can be trusted", true};
   const double deviation = peak.bands && peak.bands->resultant.centre
                                ? peak.bands->resultant.centre->deviation
                                : 0.1 * surface(overview.scene).spacing;
@@ -82,8 +82,8 @@ Answer path(const RecordingOverview& overview, const FrameGroup& peak) {
     return {centre_in_words(overview.scene, peak), "centre of pressure, at " + place(peak)};
   const auto at = [&](double y) { return length_in_words(overview.scene.units, y); };
   return {at(*first->resultant.centre()) + " → " + at(*last->resultant.centre()),
-          "way of the centre of pressure while it presses; from " + at(low) + " to " + at(high) +
-              " in all"};
+          "from where to where the centre of pressure moves under load; it stays between " +
+              at(low) + " and " + at(high)};
 }
 
 Answer trust(const RecordingOverview& overview) {
@@ -96,8 +96,9 @@ Answer trust(const RecordingOverview& overview) {
   }
   if (most == nullptr)
     return {overview.frames == 1 ? "the one frame" : "all " + counted(overview.frames, "frame"),
-            overview.findings.empty() ? "nothing speaks against them"
-                                      : "nothing speaks against a single one; but see below"};
+            overview.findings.empty() ? "passed every check"
+                                      : "passed the checks of single frames, but the recording as "
+                                        "a whole looks wrong: see below"};
   return {std::to_string(distrusted) + " of " + counted(overview.frames, "frame"),
           "not to be trusted, most of them because " + std::string(in_words(most->first)), true};
 }

@@ -37,16 +37,16 @@ std::string say(const remark::LowerBound&) {
          "under live taxels";
 }
 std::string say(const remark::NotOneContact&) {
-  return "these are not the readings of one contact in the array's middle, which contact_friction "
-         "and its size and sign take for granted";
+  return "contact_friction assumes one contact in the middle of the array, and these are not the "
+         "readings of one";
 }
 std::string say(const remark::DragInNoise&) {
   return "noise could hide a tenth of what contact_friction adds to the readings: the tangential "
-         "traction is assumed more than it is measured";
+         "traction is more an assumption than a measurement";
 }
 
 std::string say(const remark::NullMode& r) {
-  return "no reading shows " + in_words(r.mode) + ": it is set to zero, not measured";
+  return "the sensors cannot see " + in_words(r.mode) + ": it is set to zero, not measured";
 }
 
 std::string say(const remark::NotConverged& r) {
@@ -70,8 +70,8 @@ std::string say(const remark::Rounding& r) {
 }
 std::string say(const remark::EstimatedWeight& r) {
   return "tangential_weight = " + brief(r.value) +
-         ", by the evidence: a priori the tangential traction is as many times smaller than the "
-         "normal one";
+         ", estimated from the readings: the tangential traction is expected to be about 1/" +
+         brief(r.value) + " = " + brief(1.0 / r.value) + " times the normal one";
 }
 std::string say(const remark::OffsetsFound& r) {
   return "each channel's readings have an offset that is not known, found with the tractions: " +
@@ -79,8 +79,8 @@ std::string say(const remark::OffsetsFound& r) {
 }
 std::string say(const remark::ModelError& r) {
   return "the residual is larger than the noise stated explains: the model is off by about " +
-         brief(r.times) + " times the noise, which the bands " +
-         (r.held ? "hold as if it were noise" : "do not hold");
+         brief(r.times) + " times the noise; the bands " +
+         (r.held ? "include that, as if it were noise" : "do not include that");
 }
 std::string say(const remark::Clipped& r) {
   constexpr std::size_t most = 12;
@@ -94,16 +94,16 @@ std::string say(const remark::Clipped& r) {
            "guessed from the others, and may be more";
   if (r.range_known) return which + " read the end of the range: the force found is too small";
   return which +
-         " hold one largest value, as at the end of a range: the force found is too small; "
-         "state the range under [saturation], and they are left out";
+         " hold one largest value, as at the end of a range: the force found is too small; state "
+         "the range under [saturation] to leave them out";
 }
 std::string say(const remark::DataDoubted& r) { return in_words(r); }
 std::string say(const remark::Hidden& r) {
-  return "no reading shows: " + in_words(r.modes) +
-         "; decided by smoothing, not measured (see identify)";
+  return "the sensors cannot see this: " + in_words(r.modes) +
+         "; there the answer is a guess by smoothness (see identify)";
 }
 std::string say(const remark::ConstraintsIgnored&) {
-  return "the constraints bind the method tikhonov alone";
+  return "only the method tikhonov obeys the constraints";
 }
 std::string say(const remark::VoltagesUnresolved& r) {
   return "P has condition number " + brief(r.condition) +
@@ -111,9 +111,9 @@ std::string say(const remark::VoltagesUnresolved& r) {
 }
 
 std::string say(const remark::FrictionUnseen&) {
-  return "the scene has friction, and one traction alone is solved for: what the tangential "
-         "traction adds to the readings is taken for normal traction; read a second quantity, such "
-         "as shear_xy";
+  return "the scene has friction, but only the normal traction is solved for: what the tangential "
+         "traction adds to the readings is counted as pressure; read a second quantity, such as "
+         "shear_xy";
 }
 std::string say(const remark::ForceBeyondEnds& r) {
   return percent(r.share) + " of the normal force lies beyond the ends of the array";

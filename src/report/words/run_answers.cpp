@@ -57,7 +57,7 @@ Answer agreement(const Experiment& experiment) {
   Answer answer;
   if (found < all) {
     answer = {std::to_string(all - found) + " of " + std::to_string(all) + " methods fail",
-              "below stands why", true};
+              "the reason is below", true};
   } else if (all == 1) {
     answer = {"1 method", std::string(name(experiment.results.front().method)) +
                               ": nothing to compare it with"};
@@ -89,12 +89,11 @@ std::vector<Answer> answers(const Experiment& experiment) {
   const auto lead = std::find_if(experiment.results.begin(), experiment.results.end(),
                                  [](const MethodResult& result) { return result.has_answer(); });
   if (lead == experiment.results.end())
-    return {{"no answer", "no method could take this scene: below stands why", true}};
+    return {{"no answer", "no method can solve this scene: the reason is below", true}};
   std::vector<Answer> all;
   const bool pressed = experiment.frame.force != 0.0;
   if (!pressed)
-    all.push_back(
-        {"nothing presses", "no contact: the readings are noise, and so is what follows"});
+    all.push_back({"nothing presses", "no contact: the readings are noise, and the answers too"});
   else
     all.push_back(force(experiment, *lead));
   if (pressed && lead->resultant && lead->resultant->centre)

@@ -28,13 +28,11 @@ std::string without_matrix(const lab::SkinAnswer& answer) {
   const bool constrained = answer.cone.has_value();
   const std::size_t steps = constrained ? answer.cone->iterations : answer.iteration->steps;
   const auto& bands = answer.iteration->bands;
-  return "more tractions than a dense matrix takes, solved by products: " + std::to_string(steps) +
-         (constrained ? " projected gradients" : " conjugate gradients") +
-         "; alpha by means over random probes; bands of forces solved for, those of single cells "
-         "estimated, " +
-         off_in_words(bands.least, bands.most) + " where " + counted(bands.tractions, "traction") +
-         (bands.tractions == 1 ? " was" : " were") + " solved for" +
-         (constrained ? ", and as without constraints, wider than need be" : "");
+  return "large skin, solved without a matrix in " + std::to_string(steps) + " steps of " +
+         (constrained ? "projected" : "conjugate") +
+         " gradients; alpha and the bands of single cells are estimates (checked on " +
+         counted(bands.tractions, "traction") + ": " + off_in_words(bands.least, bands.most) + ")" +
+         (constrained ? "; bands ignore the constraints, so they are too wide" : "");
 }
 
 void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording) {

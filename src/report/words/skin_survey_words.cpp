@@ -173,14 +173,16 @@ void add_finite(std::vector<std::string>& text, const SkinScene& scene,
                    "becomes tractions of up to " +
                    in_unit(scene.units, Dimension::stress, finite->noise_gain) + ".");
   if (finite->boundary_only > 0)
-    text.push_back(std::to_string(finite->boundary_only) +
-                   " of those that no wave shows do so by the ends of the skin alone: believe "
-                   "nothing that depends on them, however good the condition looks.");
+    text.push_back(
+        std::to_string(finite->boundary_only) + (finite->hidden > 0 ? " more" : " of them") +
+        (finite->boundary_only == 1 ? " shows" : " show") +
+        " only at the ends of the skin: treat " + (finite->boundary_only == 1 ? "it" : "them") +
+        " as not measured, however good the condition looks.");
   if (finite->hidden > finite->hidden_waves)
-    text.push_back(std::to_string(finite->hidden - finite->hidden_waves) +
-                   " of them are lost because the pad smooths short waves below rounding, or "
-                   "because a lattice of odd counts reads one too few of those that mirror "
-                   "themselves.");
+    text.push_back("Reason for " + std::to_string(finite->hidden - finite->hidden_waves) +
+                   " of those that show in no reading: the pad smooths short waves away, or the "
+                   "number of rows or columns is odd, which for symmetry leaves one reading too "
+                   "few.");
   if (finite->dead > 0)
     text.push_back("Dead taxels hide " + std::to_string(finite->dead) + " more.");
 }
@@ -241,9 +243,9 @@ std::vector<std::string> hidden_in_words(const Choice& choice) {
     const std::string of = one.direction == WaveDirection::any ? "" : " of " + waves(one.direction);
     const std::string none = " is seen by no depth of " + reads;
     if (one.curl)
-      text.push_back("The curl of q" + of + none +
-                     ": drags that run around a point, or across a wave, leave these readings as "
-                     "they are.");
+      text.push_back(
+          "The curl of q" + of + none +
+          ": drags that run around a point, or across a wave, do not change these readings.");
     if (one.normal) text.push_back("The pressure p" + of + none + ".");
     if (one.divergence) text.push_back("The drag along the wave" + of + none + ".");
     if (one.mixed > 0) text.push_back(mixture_in_words(one, reads));
@@ -259,11 +261,12 @@ std::vector<std::string> verdict_in_words(const SkinScene& scene, const lab::Ski
                           : "Every wave of p shows in these readings.");
   if (survey.own.components == 1)
     text.emplace_back(
-        "One unknown is solved: p. What friction adds to the readings is taken for it.");
+        "Only the pressure p is solved for. What friction adds to the readings is wrongly counted "
+        "as pressure.");
   if (is_even(scene.sensor) && (scene.sensor.rows == 1 || scene.sensor.columns == 1))
     text.emplace_back(
-        "The taxels stand in one row: how tractions change across it is not told, and what is said "
-        "of waves is said of those along it.");
+        "The taxels stand in one row: they do not tell how tractions change across it, and all "
+        "that is said of waves holds for waves along it.");
   add_finite(text, scene, survey);
   text.push_back("Of ripples with an amplitude of " +
                  in_unit(scene.units, Dimension::stress, survey.traction) + ", under noise of " +
@@ -363,9 +366,9 @@ std::vector<Answer> answers(const SkinScene& scene, const lab::SkinSurvey& surve
   if (hidden.empty())
     all.push_back({"nothing hidden", own.components == 3
                                          ? "every wave of p and of the drags shows"
-                                         : "every wave of p shows; drags are taken for pressure"});
+                                         : "every wave of p shows; drags are counted as pressure"});
   else
-    all.push_back({hidden, "no reading shows it: smoothing decides", true});
+    all.push_back({hidden, "no reading shows it: the answer there is a guess by smoothness", true});
   if (const auto& index = survey.exchange ? survey.exchange : survey.best)
     all.push_back({in_words(survey.alternatives[*index], scene.units), "would tell more"});
   else

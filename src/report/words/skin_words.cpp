@@ -173,9 +173,10 @@ std::optional<Answer> twisted(const lab::SkinExperiment& experiment) {
   const bool turns = std::abs(*exact) > 3.0 * found->deviation;
   if (!turns && std::abs(found->value) < 3.0 * found->deviation) return std::nullopt;
   return Answer{in_unit(scene.units, Dimension::moment, *found),
-                "torsion" + of_all(*experiment.answer) +
-                    " about the centre; the contacts twist with " +
-                    (turns ? in_unit(scene.units, Dimension::moment, *exact) : "none to speak of"),
+                "torsion" + of_all(*experiment.answer) + " about the centre (true value: " +
+                    (turns ? in_unit(scene.units, Dimension::moment, *exact)
+                           : std::string("0 within the error")) +
+                    ")",
                 std::abs(found->value - *exact) > 4.0 * found->deviation};
 }
 
@@ -205,7 +206,7 @@ std::string narrowed(const SkinScene& scene, const SurfaceGrid& grid) {
   const double widest = std::max(grid.spacing_y, grid.spacing_z);
   if (!asked || widest > 0.999 * *asked) return {};
   return "; spacing = " + length_in_words(scene.units, *asked) +
-         " was asked, and a whole number of cells lies between taxels";
+         " was asked for; cells are narrower, because a whole number of them lies between taxels";
 }
 
 }  // namespace
@@ -257,15 +258,15 @@ Sentences remarks_in_words(const lab::SkinExperiment& experiment) {
   if (experiment.answer && experiment.answer->unseen > lab::most_unseen)
     said.warnings.push_back(
         percent(experiment.answer->unseen) +
-        " of the force found lies beyond the taxels, or where they are dead: how much presses "
-        "there is guessed from what is seen beside it; the deviations hold that");
+        " of the force found lies beyond the taxels, or where they are dead: the force there is a "
+        "guess from the taxels beside it; the deviations include this");
   return said;
 }
 
 std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
   if (!experiment.answer) return {{"no answer", experiment.refusal, true}};
   if (experiment.scene.contacts.empty())
-    return {{"nothing presses", "no contact: the readings are noise, and so is what follows"}};
+    return {{"nothing presses", "no contact: the readings are noise, and the answers too"}};
   std::vector<Answer> all = {pressed(experiment)};
   if (const auto answer = dragged(experiment)) all.push_back(*answer);
   if (const auto answer = placed(experiment)) all.push_back(*answer);

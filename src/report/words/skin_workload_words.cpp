@@ -9,6 +9,7 @@
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -28,17 +29,17 @@ constexpr auto skin_reason_sentences = [] {
       {weight_unknown, "tangential_weight = \"evidence\": each frame says how small its drags are"},
       {weight_given, "tangential_weight is a number, 1 if it is left out"},
       {one_traction, "the normal traction alone"},
-      {matrix_held, "up to 8192 tractions all of their matrix is held"},
+      {matrix_held, "at most 8192 tractions: the whole matrix is stored"},
       {matrix_too_large, "more than 8192 tractions: by products, without a matrix"},
       {rule_chooses, "alpha is chosen by "},
-      {prior_by_rule, "alpha is given; what sizes the bands is chosen by "},
+      {prior_by_rule, "alpha is given; the prior of the bands is chosen by "},
       {limits_stated, "friction_limit or nonnegative asks for it"},
       {no_limits, "neither friction_limit nor nonnegative"},
       {forces_have_deviations, "tractions and forces have deviations"},
-      {noise_stated, "whether any contact explains the readings must be said"},
+      {noise_stated, "it must be said whether any contact explains the readings"},
       {no_noise, "without a stated noise only the readings' size is judged"},
-      {report_requested, "--out asks for files"},
-      {no_report, "no --out"},
+      {report_requested, "a report is asked for"},
+      {no_report, "no report is asked for"},
   });
 }();
 
@@ -99,8 +100,8 @@ void print_workload(std::ostream& out, const SkinScene& scene, const lab::SkinWo
       << sensor_in_words(scene) << "; " << material_in_words(scene) << '\n';
   if (scene.time)
     out << "  " << (scene.frame + 1 == scene.time->frames ? "the last" : "one") << " of "
-        << counted(scene.time->frames, "frame") << ": frame " << scene.frame
-        << " (--frame takes another)\n";
+        << counted(scene.time->frames, "frame") << ": frame " << scene.frame << " ("
+        << option(Option::frame) << " takes another)\n";
   std::vector<std::vector<std::string>> rows;
   if (!work.effects.empty()) {
     out << "\nEffects, in the order of the signal path:\n";

@@ -99,7 +99,7 @@ std::vector<std::string> balance_in_words(const lab::SpaceGraspResult& grasp) {
   std::vector<std::string> lines;
   if (!grasp.hand.load) {
     lines.push_back("they add up to " + sums +
-                    " about the hand's origin: a load that they hold is the opposite");
+                    " about the hand's origin: they hold a load that is the opposite of this");
   } else {
     lines.push_back("not balanced: " + sums + " about the load's point; " +
                     percent(measured.unbalanced_share) + " of all forces");
@@ -118,13 +118,15 @@ std::vector<std::string> internal_in_words(const lab::SpaceGraspResult& grasp,
       " can carry a load, " + std::to_string(internal.count()) +
       (internal.count() == 1 ? " presses" : " press") + " the fingers against each other"};
   if (internal.without_torque && *internal.without_torque > 0)
-    lines.push_back("of these " + std::to_string(*internal.without_torque) +
-                    " cost no torque: the hand's bones bear them, and no joint feels them");
+    lines.push_back(
+        "of these " + std::to_string(*internal.without_torque) +
+        " cost no torque: the structure of the hand carries them, and torque sensors in the joints "
+        "cannot see them");
   double size = 0.0;
   for (const lab::SpaceFingertip& tip : grasp.tips)
     size = std::max(size, length(tip.pad.origin - grasp.tips.front().pad.origin));
   for (const ObjectMotion& motion : internal.free)
-    lines.push_back("no contact keeps the object from this: to " +
+    lines.push_back("no contact stops this motion of the object: to " +
                     motion_in_words(names, motion, size));
   double largest = internal.rest;
   for (const InternalForces::Pair& pair : internal.pairs)
@@ -169,7 +171,7 @@ std::string proof_in_words(const lab::SpaceGraspResult& grasp) {
     return "the load asks for a squeeze of at least " + names.forces()(*refusal.least_squeeze);
   if (!refusal.motion) return {};
   return "the object can " + motion_in_words(names, *refusal.motion, refusal.size) +
-         ": the load drives it, and no force that the contacts can give works against it";
+         ": the load drives that motion, and no force at the contacts can work against it";
 }
 
 Sentences remarks_in_words(const lab::SpaceGraspResult& grasp) {
@@ -179,7 +181,7 @@ Sentences remarks_in_words(const lab::SpaceGraspResult& grasp) {
     if (tip.torsion_left_out)
       said.warnings.push_back("finger '" + tip.finger.name + "': its skin feels the torsion " +
                               names.torques()(tip.torsion_left_out->torsion) +
-                              ", which a hard finger has not: soft = true takes it into account");
+                              ", which a hard finger cannot give: soft = true includes it");
   return said;
 }
 

@@ -61,15 +61,15 @@ std::vector<Answer> answers(const study::Study& study) {
   if (std::isfinite(input.solution_error))
     all.push_back({percent(input.solution_error) + " from the truth",
                    "is the exact solution itself: regularisation, sampling and noise, which no "
-                   "arithmetic takes back"});
+                   "arithmetic can change"});
   else
     all.push_back({"no contact",
-                   "times and errors against the exact solution stand; of a touch "
-                   "the readings say nothing",
+                   "times and errors against the exact solution are valid; the readings say "
+                   "nothing about a touch",
                    true});
-  all.push_back({percent(input.noise_floor),
-                 "is what noise moves the solution by: more accuracy "
-                 "than that cannot be seen"});
+  all.push_back(
+      {percent(input.noise_floor),
+       "is what noise moves the solution by: higher accuracy has no effect that can be seen"});
   const study::WorkPoint* const exact = frame_of(points, 32, Precision::float64);
   const study::WorkPoint* const single = frame_of(points, 32, Precision::float32);
   if (exact != nullptr && single != nullptr)

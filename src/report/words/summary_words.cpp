@@ -46,9 +46,9 @@ std::vector<std::string> in_words(const lab::SolvedFrames& solved, const AnyScen
     sentences.emplace_back("0 frames: the recording holds none");
   else if (std::visit([](const auto& one) { return takes_drag_for_none(one); }, scene))
     sentences.emplace_back(
-        "pressure alone is solved for, and drag counts as none: under friction 0.5 the centre of "
-        "pressure that stress_x tells is off by up to half the taxels' depth, which no deviation "
-        "holds; read a second quantity, such as shear_xy, to find the drag too");
+        "only the pressure is solved for, and drag is taken as zero: under friction 0.5 the centre "
+        "of pressure found from stress_x is off by up to half the taxels' depth, which no "
+        "deviation includes; read a second quantity, such as shear_xy, to find the drag too");
   std::map<std::string, const lab::FrameRuns*> verdicts;  // sorted by name
   for (const auto& [verdict, frames] : solved.distrusted)
     if (verdict != lab::Verdict::doubted)  // of which the data say more

@@ -23,7 +23,10 @@ std::vector<Answer> answers(const Scene& scene, const lab::Survey& survey) {
   if (own.unknowns == 2)
     all.push_back(told(scene, survey, "tangential", own.tangential));
   else
-    all.push_back({"not read", "tangential tractions: what friction adds is taken for pressure"});
+    all.push_back(
+        {"not measured",
+         "tangential tractions (drag): under friction the pressure found is wrong; read a "
+         "second quantity, such as shear_xy"});
   const std::size_t hidden = own.identifiability.null_space.dimension;
   const bool mean = lab::hides_mean(own, Traction::normal) ||
                     (own.unknowns == 2 && lab::hides_mean(own, Traction::tangential_y));

@@ -13,6 +13,7 @@
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
+#include "tactile_net/scene/option_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -189,7 +190,8 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n")
       << (scene.title.empty() ? "" : "  ") << sensor_in_words(scene) << "; "
       << material_in_words(scene) << '\n';
-  if (scene.time) out << "  " << time_in_words(scene) << " (--frame takes another)\n";
+  if (scene.time)
+    out << "  " << time_in_words(scene) << " (" << option(Option::frame) << " takes another)\n";
   for (const std::string& contact : contacts_in_words(scene)) out << "  " << contact << '\n';
   const auto all = effects(scene);
   const auto absent =
@@ -197,7 +199,8 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
   if (const std::string places = surface_in_words(scene); !places.empty())
     out << "  " << places << '\n';
   out << "  forward model " << name(scene.forward)
-      << "; effects simulated: " << effects_in_words(scene, true) << "; absent, and free of cost: "
+      << "; effects simulated: " << effects_in_words(scene, true)
+      << "; not in the scene, at no cost: "
       << (absent == 0 ? "none" : "the other " + std::to_string(absent)) << '\n';
   for (const std::string& warning : in_words(experiment.frame))
     out << "  warning: " << warning << '\n';

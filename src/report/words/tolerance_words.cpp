@@ -70,7 +70,7 @@ std::vector<std::vector<std::string>> cells(const lab::Recommendation& recommend
 std::string in_words(const lab::Recommendation& r) {
   using Outcome = lab::Recommendation::Outcome;
   if (r.outcome == Outcome::no_load)
-    return "There is no load: nothing for errors of components to change.";
+    return "There is no load, so errors of components change nothing.";
   const bool arrays = r.drawn.bits || r.drawn.cell_noise || r.drawn.wire_resistance;
   std::string parts = arrays             ? kinds_of_errors(r.drawn)
                       : r.drawn.relative ? "parts of " + percent(*r.drawn.relative)
@@ -78,7 +78,7 @@ std::string in_words(const lab::Recommendation& r) {
   if (r.inverters_replaced) parts += ", complementary outputs instead of the scene's inverters,";
   if (r.outcome == Outcome::none_stable)
     return "No realisation is known to be stable with these op-amps and capacitances: none is "
-           "recommended. More siemens, or op-amps with less input capacitance.";
+           "recommended. Raise siemens, or take op-amps with less input capacitance.";
   const std::string accuracy = percent(r.drawn.accuracy);
   const lab::Recommendation::Candidate& chosen = r.chosen();
   if (r.outcome == Outcome::reached)
@@ -87,7 +87,7 @@ std::string in_words(const lab::Recommendation& r) {
            std::to_string(chosen.opamps) + ") of those that reach it in 95 of 100 builds.";
   std::string text = "With " + parts + " no realisation is within " + accuracy +
                      " in 95 of 100 builds; " +
-                     circuit_in_words(chosen.realization, chosen.ladder) + " comes nearest" +
+                     circuit_in_words(chosen.realization, chosen.ladder) + " comes closest" +
                      (std::isfinite(chosen.tolerance.p95)
                           ? " (95 of 100 within " + percent(chosen.tolerance.p95) + ")."
                           : ", and is not stable in 95 of 100 either.");
@@ -100,11 +100,12 @@ std::vector<std::string> tolerance_in_words(const lab::Certification& c) {
   std::vector<std::string> lines = in_words(c.circuit.tolerance(), *c.tolerance);
   if (c.certificate().stability == Stability::unstable && c.tolerance->stable > 0)
     lines.push_back(
-        "the builds take op-amps for infinitely fast: the certificate's poles say otherwise");
+        "these builds assume infinitely fast op-amps; with the scene's own the circuit is "
+        "unstable, by the certificate's poles");
   if (c.certificate().stability == Stability::not_modelled)
     lines.push_back(
-        "the builds take op-amps for infinitely fast: whether the circuit is stable with its own "
-        "is not known");
+        "these builds assume infinitely fast op-amps; whether the circuit is stable with the "
+        "scene's own is not known");
   return lines;
 }
 

@@ -89,10 +89,10 @@ void add_circuits(std::vector<std::string>& text, const study::Study& study,
   if (const auto frame = study::fastest_frame(points)) {
     if (study.clock > 0.0)
       sentence +=
-          ": sooner than a controller that needs as many cycles as this machine and is "
-          "clocked below " +
+          ": faster than a controller that needs as many cycles as this machine and has a clock "
+          "below " +
           frequency(study.clock * *frame / fastest.seconds);
-    sentence += "; this machine's " + duration(*frame) + " it beats from a bandwidth of " +
+    sentence += "; it beats this machine's " + duration(*frame) + " from a bandwidth of " +
                 frequency(study::compared_bandwidth * fastest.seconds / *frame) + " on";
   }
   text.push_back(std::move(sentence));
@@ -157,11 +157,11 @@ std::vector<std::string> in_words(const study::Study& study) {
   if (std::isfinite(input.solution_error))
     text.push_back("regularisation, sampling and the scene's own noise leave the exact solution " +
                    percent(input.solution_error) +
-                   " from the truth: no arithmetic takes that back");
+                   " away from the truth: no arithmetic can change that");
   else
     text.push_back(
         "the scene has no contact: its readings are noise, alpha too if a rule chose it; times and "
-        "the errors against the exact solution stand, the rest says nothing of a touch");
+        "the errors against the exact solution are valid, the rest says nothing about a touch");
   if (input.constraints())
     text.push_back(
         "the exact solution is that without the scene's constraints; with them: the curve " +
@@ -174,7 +174,7 @@ std::vector<std::string> in_words(const study::Study& study) {
                  (input.noise_stated ? " per weighted reading (the scene's)"
                                      : " per reading (1 % of the largest, an assumption)") +
                  " moves the solution by " + percent(input.noise_floor) +
-                 ": more accuracy than that cannot be seen");
+                 ": higher accuracy has no effect that can be seen");
   for (std::string& sentence : sizes_in_words(study)) text.push_back(std::move(sentence));
   add_circuits(text, study, points);
   if (std::string sentence = moving_in_words(study); !sentence.empty())
@@ -195,4 +195,29 @@ std::vector<std::vector<std::string>> circuit_cells(const study::Study& study) {
          parts_in_words(circuit)});
   return rows;
 }
+
+std::vector<std::vector<std::string>> front_cells(const study::Study& study) {
+  const std::vector<study::WorkPoint> points = study.points();
+  std::vector<std::vector<std::string>> rows = {
+      {"method", "time of a frame", "quartiles", "error to exact solution", "error to truth"}};
+  const auto or_dash = [](const std::optional<double>& value) {
+    return value ? brief(*value) : std::string("-");
+  };
+  for (const std::size_t i :
+       study::pareto_front(points, study::to_solution, study::TimeOf::frame)) {
+    const study::WorkPoint& point = points[i];
+    rows.push_back({in_words(point), duration(point.seconds),
+                    duration(point.seconds_low) + " ... " + duration(point.seconds_high),
+                    or_dash(point.error_to_solution), or_dash(point.error_to_truth)});
+  }
+  return rows;
+}
+
+std::vector<std::string> failures_in_words(const study::Study& study) {
+  std::vector<std::string> text;
+  for (const study::WorkPoint& point : study.points())
+    if (!point.measured()) text.push_back(in_words(point) + ": " + in_words(*point.failure));
+  return text;
+}
+
 }  // namespace tactile_net::report

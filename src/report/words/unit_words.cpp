@@ -14,15 +14,15 @@ std::string_view own_unit(Dimension dimension) noexcept {
     case Dimension::none:
       return "";
     case Dimension::length:
-      return "unit of the pitch";
+      return "unit of length";
     case Dimension::stress:
       return "unit of E";
     case Dimension::force:
-      return "unit of E x pitch";
+      return "unit of E x length";
     case Dimension::point_force:
-      return "unit of E x pitch^2";
+      return "unit of E x length^2";
     case Dimension::moment:
-      return "unit of E x pitch^3";
+      return "unit of E x length^3";
   }
   return "";
 }

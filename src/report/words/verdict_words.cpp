@@ -8,10 +8,10 @@ namespace {
 using lab::Verdict;
 
 constexpr Named<Verdict> verdict_sentences[] = {
-    {Verdict::ok, "nothing speaks against it"},
+    {Verdict::ok, "the answer passed its checks"},
     {Verdict::failed, "there is no answer"},
     {Verdict::border,
-     "the best alpha lies at the end of what was searched: the readings hold too little, or the "
+     "the best alpha is at the end of the range searched: the readings contain too little, or the "
      "noise or the pad is not as stated"},
     {Verdict::unstable, "the answer depends on alpha: ten times as much would give another one"},
     {Verdict::no_root, "no alpha fits: there is no signal above the noise"},
@@ -33,7 +33,7 @@ constexpr Named<Verdict> verdict_sentences[] = {
     {Verdict::not_converged, "the iteration did not converge"},
     {Verdict::iteration_limit, "the search for the constraints' optimum was stopped"},
     {Verdict::unconstrained,
-     "it may pull or slip where the scene says that nothing does: only tikhonov keeps to that"},
+     "it may pull or slip although the scene says that nothing does: only tikhonov obeys that"},
     {Verdict::oversmoothed, "more than half of the readings is left unexplained"},
     {Verdict::ill_conditioned, "rounding alone may have changed it"},
     {Verdict::inaccurate, "the circuit is more than 1 % off"},
@@ -47,7 +47,7 @@ constexpr Named<Verdict> verdict_sentences[] = {
      "the taxels lie more than two depths apart, or 1.75 under constraints: what presses between "
      "them is a guess"},
     {Verdict::doubted,
-     "no contact explains the readings: what is said of the data says what may be wrong with them"},
+     "no contact explains the readings: the verdict on the data says what may be wrong"},
 };
 
 }  // namespace

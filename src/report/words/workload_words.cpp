@@ -8,6 +8,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/table.hpp"
+#include "tactile_net/scene/option_words.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 
 namespace tactile_net::report {
@@ -40,25 +41,25 @@ constexpr auto reason_sentences = [] {
       {method_named, "reconstruct.methods names it"},
       {method_not_named, "reconstruct.methods does not name it"},
       {rule_chooses, "alpha is chosen by "},
-      {comparison_requested, "--compare-rules asks for it"},
+      {comparison_requested, "a comparison of the rules is asked for"},
       {alpha_given, "alpha is given"},
       {no_method_takes_alpha, "no method takes alpha from it"},
       {forces_have_deviations, "the forces that are printed have deviations"},
-      {hidden_must_be_said, "what no reading shows must be said"},
+      {hidden_must_be_said, "combinations that no reading shows must be named"},
       {no_matrix_method, "neither tikhonov nor closed_form is asked for"},
       {array_too_large, "no matrix is formed for an array as large as this"},
       {parts_not_ideal, "parts are not ideal, or settling or tolerances are asked for"},
       {parts_ideal, "ideal parts"},
       {settling_requested, "network.settling asks for it"},
-      {settling_not_requested, "nobody asks for settling"},
+      {settling_not_requested, "settling is not asked for"},
       {tolerance_requested, "network.tolerance asks for it"},
       {tolerance_unsupported, "tolerances are studied for networks of resistors and op-amps"},
       {nominal_parts, "every component has its value"},
       {no_circuit, "no circuit"},
       {resultant_drawn, "the report draws the resultant over the scene's time"},
       {one_frame, "one frame"},
-      {report_requested, "--out asks for files"},
-      {no_report, "no --out"},
+      {report_requested, "a report is asked for"},
+      {no_report, "no report is asked for"},
   });
 }();
 
@@ -73,7 +74,7 @@ std::string why_in_words(const Workload::Task& task) {
   std::string text(name_in<reason_sentences>(why.reason));
   if (why.reason == Workload::Reason::effects_remember) text += std::to_string(why.frame);
   if (why.reason == Workload::Reason::rule_chooses)
-    text += rule_in_words(why.rule) + ", and flagged where the other rules disagree";
+    text += rule_in_words(why.rule) + "; it is flagged if the other rules disagree";
   return text;
 }
 
@@ -138,7 +139,8 @@ std::string effect_in_words(const Workload::Effect& effect, const Scene& scene) 
 void print_workload(std::ostream& out, const Scene& scene, const Workload& work) {
   out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
       << sensor_in_words(scene) << "; " << material_in_words(scene) << '\n';
-  if (scene.time) out << "  " << time_in_words(scene) << " (--frame takes another)\n";
+  if (scene.time)
+    out << "  " << time_in_words(scene) << " (" << option(Option::frame) << " takes another)\n";
   out << "\nEffects, in the order of the signal path:\n";
   std::vector<std::vector<std::string>> rows = {
       {"effect", "simulated", "operations a frame", "what it does"}};

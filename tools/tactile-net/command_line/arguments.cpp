@@ -36,12 +36,12 @@ Value choice(std::vector<std::string> choices) {
 void read(const std::string& text, std::string& value) { value = text; }
 
 void read(const std::string& text, double& value) {
-  if (!read_number(text, value)) throw std::invalid_argument("'" + text + "' is no number");
+  if (!read_number(text, value)) throw std::invalid_argument("'" + text + "' is not a number");
 }
 
 void read(const std::string& text, std::size_t& value) {
   const auto number = whole_number(text);
-  if (!number) throw std::invalid_argument("'" + text + "' is no whole number from 0");
+  if (!number) throw std::invalid_argument("'" + text + "' is not a whole number from 0");
   value = *number;
 }
 
@@ -50,7 +50,7 @@ void read(const std::string& text, Share& value) {
   const std::string ending = text.substr(sign);
   const bool percent = ending == "%" || ending == " %";
   if ((!percent && !ending.empty()) || !read_number(text.substr(0, sign), value.value))
-    throw std::invalid_argument("'" + text + "' is no share, such as 0.3% or 0.003");
+    throw std::invalid_argument("'" + text + "' is not a share, such as 0.3% or 0.003");
   if (percent) value.value /= 100.0;
 }
 

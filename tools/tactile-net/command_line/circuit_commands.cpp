@@ -57,7 +57,7 @@ void add_certify(AllCommands& all) {
   auto [command, options] = all.add<CertifyOptions>(
       {.name = "certify",
        .text = "Say, without a simulator, whether the scene's circuit is stable, how fast it "
-               "settles, which errors of components it bears, and which realisation to choose",
+               "settles, which errors of components it tolerates, and which realisation to choose",
        .pages = {"circuits.md"},
        .examples = {{"certify scenes/circuits/crossbar.toml --out out",
                      "with poles, settling and builds as plots"},

@@ -17,7 +17,7 @@ void add_init(AllCommands& all) {
            {"init --from-csv mine.csv -o pad.toml", "asks for pitch, depth and modulus"},
            {"init --from-csv scenes/recorded/thin-pad.csv --quantity stress_x,shear_xy --pitch "
             "0.5e-3 --depth 3e-3 --modulus 0.2e6 --layer 3e-3 -o pad.toml",
-            "all is said, nothing is asked"}}});
+            "everything is given, nothing is asked"}}});
   command
       .add_option("--from-csv", options.recording, file("FILE", {"csv", "npy"}),
                   "Recorded readings, CSV or .npy")
@@ -93,18 +93,20 @@ void add_calibrate(AllCommands& all) {
       .add_option("--scene", options.scene, file("SCENE", {"toml"}),
                   "Scene file (TOML) with what is stated of the pad; - reads standard input")
       .required = true;
-  command.add_option("-o,--output", options.output, output_file({"toml"}),
-                     "Scene file again with what was found, comments kept (- = standard output)");
+  command.add_option(
+      "-o,--output", options.output, output_file({"toml"}),
+      "Scene file to write: the scene with what was found, comments kept (- = standard output)");
   command.add_option("--out", options.results.folder, folder(),
                      "Folder for report.html and result.json");
   add_json(command, options.results.json, "Write values, deviations and verdicts as JSON");
   command.add_flag("--robust", options.robust,
-                   "Let readings, forces and positions that stand out count little, and put a "
-                   "force aside that does not fit");
+                   "Give little weight to readings, forces and positions that stand out, and leave "
+                   "out a force that does not fit");
   command.add_option("--next", options.next, number(),
-                     "Say which so many presses to do next, and what each buys");
-  command.add_option("--target", options.target, text("NAME"),
-                     "What these are to tell best: depth, ... (default: readings under any load)");
+                     "Recommend so many presses to do next, and say what each improves");
+  command.add_option(
+      "--target", options.target, text("NAME"),
+      "What these presses are to determine best: depth, ... (default: readings under any load)");
   command.add_option("--fix", options.fixed, text("LIST"),
                      "Keep these as the scene states them: poisson_ratio,thickness, ...");
   command.add_flag("--force", options.results.force,
@@ -222,8 +224,7 @@ void add_grasp(AllCommands& all) {
                   "Hand file (TOML): fingers, contacts, load; - reads it from standard input")
       .required = true;
   command.add_flag("--allow-outside", options.allow_outside,
-                   "Let the hand name files elsewhere than beside its own and below: only for a "
-                   "hand of your own");
+                   "Let the hand name files outside its own folder: only for a hand of your own");
   add_results(command, options.results, "Folder for report.html and result.json",
               "Write the result as JSON");
   add_columns(command, options.columns);

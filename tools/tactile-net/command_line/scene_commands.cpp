@@ -55,16 +55,17 @@ void add_identify(AllCommands& all) {
        .examples = {
            {"identify scenes/two-strains.toml --out out", "with plots, in out/report.html"},
            {"identify scenes/recorded/thin-pad.toml --traction 5000",
-            "ripples of 5000 are to be told from the noise"}}});
+            "detect ripples of 5000 above the noise"}}});
   add_scene(command, options.scene);
   add_results(command, options.results,
               "Folder for report.html, result.json and the plots' data (CSV)",
               "Write the result as JSON");
-  command.add_option("--traction", options.survey.traction, number(),
-                     "Amplitude of the ripple to be told [unit of E] (default: the contacts' "
-                     "peak)");
+  command.add_option(
+      "--traction", options.survey.traction, number(),
+      "Amplitude of the ripples that the sensors are to detect [unit of E] (default: the contacts' "
+      "peak)");
   command.add_option("--readings", options.readings, file("FILE", {"csv", "npy"}),
-                     "Recorded readings: ripples as strong as these are to be told");
+                     "Recorded readings: detect ripples as strong as these");
   add_columns(command, options.columns);
   command.add_option("--noise", options.survey.relative_noise, number(),
                      "Noise of every reading, over the largest that such a ripple causes "

@@ -31,7 +31,7 @@ void add_sweep(AllCommands& all) {
   command.add_option("--shard", options.shard, text("K/N"),
                      "Only the points whose index is K - 1 modulo N");
   command.add_flag("--allow-outside", options.allow_outside,
-                   "Let the study name a scene elsewhere than in its own folder or below");
+                   "Let the study name a scene outside its own folder");
   command.add_option("--slurm", options.slurm, number(),
                      "Print a job file for Slurm, an array of so many tasks, and compute nothing");
   command.add_option("--time", options.time, text("TIME"),
@@ -47,7 +47,8 @@ void add_merge(AllCommands& all) {
        .pages = {"sweeps.md"},
        .examples = {{"merge out", "the shards that share a folder"},
                     {"merge here there --out all", "folders of machines that share none"}}});
-  command.add_list("FOLDER", options.folders, folder(), "What sweep --out named, one or several");
+  command.add_list("FOLDER", options.folders, folder(),
+                   "Folders that sweep --out named, one or several");
   command.add_option(
       "-o,--out", options.folder, folder(),
       "Folder for results.csv, result.json, report.html and the plots' data (default: "

@@ -24,7 +24,8 @@ double deadline_of(const std::string& text) {
   while (number.ends_with(' ')) number.remove_suffix(1);
   double value = 0.0;
   if (!read_number(number, value) || !(value > 0.0) || !std::isfinite(value))
-    throw WrongUsage("--deadline", "'" + text + "' is no time > 0: write it as 100us, 1ms or 2e-5");
+    throw WrongUsage("--deadline",
+                     "'" + text + "' is not a time > 0: write it as 100us, 1ms or 2e-5");
   return value * scale;
 }
 

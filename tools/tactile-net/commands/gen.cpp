@@ -21,7 +21,7 @@ void run(const GenOptions& options, const Streams& streams) {
   decks::refuse_deck(options.scene);
   const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
   if (!options.symbol.empty() && options.subcircuit.empty())
-    throw WrongUsage("--symbol", "is of a sub-circuit: give it a name, --subcircuit NAME");
+    throw WrongUsage("--symbol", "needs a sub-circuit: name it, --subcircuit NAME");
   if (!options.symbol.empty() && (options.output.empty() || options.output == "-"))
     throw WrongUsage("--symbol",
                      "names the sub-circuit's file: say where it is, --output FILE.lib");

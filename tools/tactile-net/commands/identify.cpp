@@ -49,11 +49,11 @@ void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
     out << sentence << '\n';
   out << '\n';
   for (const std::string& line :
-       pages::singular_values_in_words(survey.own.identifiability, scene.units))
+       report::singular_values_in_words(survey.own.identifiability, scene.units))
     out << line << '\n';
   out << '\n';
-  report::print_cells(out, pages::survey_cells(survey, scene.units));
-  out << pages::cells_in_words(scene, survey) << '\n';
+  report::print_cells(out, report::survey_cells(survey, scene.units));
+  out << report::cells_in_words(scene, survey) << '\n';
 }
 
 void print(std::ostream& out, const SkinScene& scene, const lab::SkinSurvey& survey) {
@@ -71,7 +71,7 @@ void survey(const auto& scene, const IdentifyOptions& options, const Streams& st
   if (lab::needs_traction(scene, survey_options))
     throw WrongUsage("--traction",
                      "or --readings is needed: the scene states its noise and has no contact, so "
-                     "nothing says how strong a load is to be told from it");
+                     "nothing says how strong the loads are that must be detected");
   Results results(options.results, streams);
   Progress progress(streams);
   const auto found = lab::identify(scene, survey_options, progress);

@@ -22,7 +22,8 @@ constexpr double most_that_proves = 0.1;
 
 void run_deck(const RelaxOptions& options, Simulator& simulator, const Streams& streams) {
   if (options.network.any())
-    throw WrongUsage("--realization, --bandwidth", "a deck is what it is; these are for scenes");
+    throw WrongUsage("--realization, --bandwidth",
+                     "are for scenes: the circuit of a deck is fixed");
   if (options.tolerance && !(*options.tolerance >= 0.0 && std::isfinite(*options.tolerance)))
     throw WrongUsage("--tolerance", "must be >= 0 and finite");
   Results results({.json = options.json}, streams);

@@ -126,13 +126,12 @@ void run(const SweepOptions& options, const Streams& streams) {
   const sweep::Shard shard = sweep::shard_in(options.shard);
   if (!options.json.empty() && (options.slurm || shard.count > 1))
     throw WrongUsage("--json",
-                     "tells of a sweep as a whole, which a part does not know: it is "
-                     "for merge");
+                     "describes the whole sweep, which a shard does not know: give it to merge");
   if (options.jobs && *options.jobs == 0) throw WrongUsage("--jobs", "must be at least 1");
   if (options.slurm && shard.count > 1)
-    throw WrongUsage("--shard", "is what each task of --slurm has of its own: leave it out");
+    throw WrongUsage("--shard", "is set for each task by --slurm: leave it out");
   if (!options.slurm && options.time != SweepOptions{}.time)
-    throw WrongUsage("--time", "is of a task of a job file: it needs --slurm");
+    throw WrongUsage("--time", "belongs to a job file: it needs --slurm");
   const sweep::Study study(read_study(options.study, {options.allow_outside}));
   if (options.slurm) {
     streams.out << sweep::slurm_script({.study = fs::absolute(options.study).string(),

@@ -130,7 +130,7 @@ study::Study study_of(const AnyScene& scene, const study::TradeoffOptions& optio
 
 void print(std::ostream& out, const study::Study& study, const study::Requirement& requirement) {
   out << "nothing beats these, of " << study.points().size() << " points:\n";
-  report::print_cells(out, pages::front_cells(study));
+  report::print_cells(out, report::front_cells(study));
   out << '\n';
   if (const auto sizes = report::size_cells(study); sizes.size() > 1) {
     out << "a frame on arrays of other sizes:\n";
@@ -143,7 +143,7 @@ void print(std::ostream& out, const study::Study& study, const study::Requiremen
     out << '\n';
   }
   for (const std::string& sentence : report::in_words(study)) out << sentence << '\n';
-  for (const std::string& failure : pages::failures_in_words(study))
+  for (const std::string& failure : report::failures_in_words(study))
     out << "left out: " << failure << '\n';
   if (requirement.accuracy || requirement.deadline)
     out << "\nasked " << report::answer(study, requirement) << '\n';

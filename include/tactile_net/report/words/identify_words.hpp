@@ -1,5 +1,5 @@
 /// @file
-/// A survey in plain words: what cannot be told, why, and what to read instead.
+/// A survey in plain words: what cannot be told, why, what to read instead, and how all compare.
 #pragma once
 
 #include <optional>
@@ -25,5 +25,16 @@ namespace tactile_net::report {
 /// Sentences, the verdict itself first.
 [[nodiscard]] std::vector<std::string> verdict_in_words(const lab::Survey& survey,
                                                         const std::optional<Units>& units = {});
+
+/// Header and rows of the comparison, the scene's own sensors first.
+[[nodiscard]] std::vector<std::vector<std::string>> survey_cells(
+    const lab::Survey& survey, const std::optional<Units>& units = {});
+
+/// How to read those cells.
+[[nodiscard]] std::string cells_in_words(const Scene& scene, const lab::Survey& survey);
+
+/// What the singular values of the scene's sensors say, one sentence each.
+[[nodiscard]] std::vector<std::string> singular_values_in_words(
+    const Identifiability& result, const std::optional<Units>& units = {});
 
 }  // namespace tactile_net::report

@@ -50,6 +50,12 @@ namespace tactile_net::report {
 /// is none.
 [[nodiscard]] std::string moving_in_words(const study::Study& study);
 
+/// The points that nothing beats, fastest first.
+[[nodiscard]] std::vector<std::vector<std::string>> front_cells(const study::Study& study);
+
+/// What did not work, and why.
+[[nodiscard]] std::vector<std::string> failures_in_words(const study::Study& study);
+
 /// The answer to a demand, with its margins.
 [[nodiscard]] std::string answer(const study::Study& study, const study::Requirement& requirement);
 

@@ -3,7 +3,7 @@
 /// not.
 ///
 ///     in_unit(scene, Dimension::stress, 4810)       "4.81 kPa", or "4.81e+03"
-///     axis_unit(scene, Dimension::length, 0.01)     {"mm", 1000}, or {"unit of the pitch", 1}
+///     axis_unit(scene, Dimension::length, 0.01)     {"mm", 1000}, or {"unit of length", 1}
 #pragma once
 
 #include <optional>

@@ -1,14 +1,12 @@
 /// @file
-/// The words for what a study measured, and back: the strings of its CSV and JSON.
+/// The words for what a study measured: the labels of its CSV, JSON and page.
 ///
 ///     in_words(WorkCurve)  "reflections low rank float64", "nic, 10 MHz"
 ///     in_words(Knob)       "rank 24 + 23", "settled to 0.01, by its poles"
 ///     in_words(Job)        "settling, nic"
 #pragma once
 
-#include <optional>
 #include <string>
-#include <string_view>
 
 #include "tactile_net/study/runner.hpp"
 #include "tactile_net/study/work_point.hpp"
@@ -26,11 +24,5 @@ namespace tactile_net::report {
 
 /// "12 %, settling, nic, about 34 s left"
 [[nodiscard]] std::string in_words(const study::StudyProgress& progress);
-
-/// What `in_words` wrote; nothing if it did not write that. A node capacitance comes back to the
-/// three digits that were written.
-[[nodiscard]] std::optional<study::Job> job_named(std::string_view text);
-[[nodiscard]] std::optional<study::WorkCurve> curve_named(std::string_view text);
-[[nodiscard]] std::optional<study::Knob> knob_named(std::string_view text);
 
 }  // namespace tactile_net::report
