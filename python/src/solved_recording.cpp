@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bad_frame.hpp"
+#include "first_look.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/lab/recorded_noise.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -24,18 +25,20 @@ void add(std::vector<double>& numbers, const std::optional<Uncertain>& number) {
   numbers.push_back(number ? number->deviation : unknown);
 }
 
-/// The scene's, with the noise that still frames show where it waits for that.
-lab::SceneProblem problem_of(SharedScene& shared, Method method, const Rows& readings) {
+/// The scene's, with the noise that still frames show where it waits for that, and without taxels
+/// that the recording shows to be broken.
+///
+/// @param said  what is to be said of these
+lab::SceneProblem problem_of(SharedScene& shared, Method method, const Rows& readings,
+                             lab::Findings& said) {
   const auto locked = shared.lock();
   const lab::SceneProblem& stated = locked.problem;
-  if (!lab::wants_noise(stated, method)) return stated;
-  std::size_t frame = 0;
-  return lab::with_recorded_noise(stated, [&](std::span<double> next) {
-    if (frame == readings.shape(0)) return false;
-    const std::span<const double> values = row(readings, frame++);
-    std::copy(values.begin(), values.end(), next.begin());
-    return true;
-  });
+  if (!lab::can_leave_out(stated, method)) return stated;
+  const lab::ReadingsCheck seen = first_look(stated.scene(), readings);
+  lab::SceneProblem problem =
+      lab::wants_noise(stated, method) ? lab::with_recorded_noise(stated, seen) : stated;
+  said = lab::leave_out_broken(problem, seen);
+  return problem;
 }
 
 lab::RecordingSolver solver_of(SharedScene& shared, const lab::SceneProblem& problem, Method method,
@@ -50,7 +53,7 @@ SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
                                  const lab::RecordingSolverOptions& options,
                                  std::vector<double> times, const Rows& readings, Watcher& watcher)
     : shared_(std::move(shared)),
-      problem_(problem_of(*shared_, method, readings)),
+      problem_(problem_of(*shared_, method, readings, first_found_)),
       method_(method),
       missing_(options.missing),
       times_(std::move(times)),
@@ -75,9 +78,10 @@ SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
     else
       recording_.skip();
   }
-  doubts_ = solver_.doubts();
   if (const auto taken = lab::noise_taken(locked.problem, problem_))
-    doubts_.insert(doubts_.begin(), *taken);
+    first_found_.emplace_back(*taken);
+  doubts_ = solver_.doubts();
+  doubts_.insert(doubts_.begin(), first_found_.begin(), first_found_.end());
 }
 
 std::optional<double> SolvedRecording::time(std::size_t frame) const {
@@ -125,6 +129,7 @@ lab::RecordingOverview SolvedRecording::overview(Watcher& watcher) const {
   const auto locked = shared_->lock();
   lab::RecordingOverview overview = recording_.overview(watcher);
   overview.findings = solver_.findings(watcher);
+  overview.findings.insert(overview.findings.begin(), first_found_.begin(), first_found_.end());
   return overview;
 }
 

@@ -62,7 +62,10 @@ class SolvedRecording {
   [[nodiscard]] std::string tractions_csv() const;
 
   ScenePointer shared_;
-  lab::SceneProblem problem_;  // with the noise that the recording shows, where it wants it
+  lab::Findings first_found_{};  // before any frame is solved
+  /// With the noise that the recording shows, where it wants it; without taxels that it shows to be
+  /// broken.
+  lab::SceneProblem problem_;
   Method method_;
   lab::Missing missing_;
   std::vector<double> times_;

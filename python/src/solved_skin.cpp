@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bad_frame.hpp"
+#include "first_look.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/skin_page.hpp"
@@ -24,9 +25,20 @@ void check_finite(std::span<const double> readings, std::size_t frame, bool may_
       throw bad_frame(FrameStatus::not_finite, readings, frame);
 }
 
-lab::SkinRecordingSolver solver_of(SharedSkin& shared, const lab::RecordingSolverOptions& options) {
+/// The scene's, without taxels that the recording shows to be broken.
+///
+/// @param said  what is to be said of these
+lab::SkinSceneProblem problem_of(SharedSkin& shared, const Rows& readings, lab::Findings& said) {
   const auto locked = shared.lock();
-  return lab::SkinRecordingSolver(locked.problem, options);
+  lab::SkinSceneProblem problem = locked.problem;
+  said = lab::leave_out_broken(problem, first_look(problem.scene(), readings));
+  return problem;
+}
+
+lab::SkinRecordingSolver solver_of(SharedSkin& shared, const lab::SkinSceneProblem& problem,
+                                   const lab::RecordingSolverOptions& options) {
+  const auto locked = shared.lock();  // of which `problem` may be a copy
+  return lab::SkinRecordingSolver(problem, options);
 }
 
 }  // namespace
@@ -37,7 +49,8 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
       times_(std::move(times)),
       readings_(readings.data(), readings.data() + readings.size()),
       size_(readings.shape(1)),
-      solver_(solver_of(*shared_, options)) {
+      problem_(problem_of(*shared_, readings, first_found_)),
+      solver_(solver_of(*shared_, problem_, options)) {
   const auto locked = shared_->lock();
   grid_ = locked.problem.grid();
   width_ = locked.problem.tractions();
@@ -52,6 +65,7 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
     }
   }
   doubts_ = solver_.doubts();
+  doubts_.insert(doubts_.begin(), first_found_.begin(), first_found_.end());
 }
 
 lab::SkinAnswer answer_of(const lab::SkinSceneProblem& problem, std::span<const double> readings,
@@ -70,7 +84,7 @@ std::optional<double> SolvedSkin::time(std::size_t frame) const {
 }
 
 lab::SkinRecordingAnswer SolvedSkin::recording() const {
-  lab::SkinRecordingAnswer recording{.scene = shared_->scene(), .grid = grid_};
+  lab::SkinRecordingAnswer recording{.scene = problem_.scene(), .grid = grid_};
   for (std::size_t i = 0; i < answers_.size(); ++i)
     if (answers_[i])
       recording.add(time(i), std::span(readings_).subspan(i * size_, size_), *answers_[i]);
@@ -82,6 +96,7 @@ lab::SkinRecordingAnswer SolvedSkin::recording() const {
 lab::SkinRecordingAnswer SolvedSkin::checked_recording() const {
   lab::SkinRecordingAnswer all = recording();
   all.findings = solver_.findings();
+  all.findings.insert(all.findings.begin(), first_found_.begin(), first_found_.end());
   return all;
 }
 

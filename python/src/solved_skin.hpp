@@ -62,6 +62,8 @@ class SolvedSkin {
   std::size_t size_;              // of a frame of them
   SurfaceGrid grid_{};
   std::size_t width_ = 0;
+  lab::Findings first_found_{};    // before any frame is solved
+  lab::SkinSceneProblem problem_;  // without taxels that the recording shows to be broken
   lab::SkinRecordingSolver solver_;
   std::vector<std::optional<lab::SkinAnswer>> answers_{};
   lab::Findings doubts_{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "realtime/border_pressure.hpp"
@@ -44,23 +45,30 @@ std::vector<std::size_t> holes(const SkinSceneProblem& problem, const std::vecto
 }  // namespace
 
 std::vector<std::size_t> border_values(const SceneProblem& problem) {
+  // Where live taxels are so far apart, with dead ones between, a narrow contact looks like a weak
+  // one. What a single dead taxel hides the bands hold.
+  constexpr double depths = 1.01;
+  constexpr double pitches = 2.01;
   const Surface& surface = problem.surface();
   const std::vector<std::size_t>& dead = problem.scene().dead_taxels;
   const SensorArray& array = problem.scene().sensor;
-  const auto is_live = [&](std::size_t taxel) {
-    return std::find(dead.begin(), dead.end(), taxel) == dead.end();
-  };
-  std::size_t first = 0;  // taxels are numbered by their place
-  while (first < array.count && !is_live(first)) ++first;
-  if (first == array.count) return {};
-  std::size_t last = array.count - 1;
-  while (!is_live(last)) --last;
-  std::vector<std::size_t> ends;
-  for (const std::size_t taxel : {first, last})
-    ends.push_back(
-        nearest_place(position(array, taxel), surface.position(0), surface.spacing, surface.count));
-  if (ends.back() == ends.front()) ends.pop_back();
-  return ends;
+  const double far = std::max(depths * least_depth(array), pitches * array.pitch);
+  std::vector<std::size_t> border;
+  std::optional<std::size_t> before;  // the live taxel: taxels are numbered by their place
+  std::size_t at = 0;                 // the value above it
+  for (std::size_t taxel = 0; taxel < array.count; ++taxel) {
+    if (std::find(dead.begin(), dead.end(), taxel) != dead.end()) continue;
+    const double place = position(array, taxel);
+    const std::size_t next =
+        nearest_place(place, surface.position(0), surface.spacing, surface.count);
+    if (!before) border.push_back(next);
+    if (before && taxel - *before > 1 && place - position(array, *before) > far)
+      while (++at < next) border.push_back(at);
+    before = taxel;
+    at = next;
+  }
+  if (before && border.back() != at) border.push_back(at);
+  return border;
 }
 
 std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,

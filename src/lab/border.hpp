@@ -11,7 +11,8 @@
 
 namespace tactile_net::lab {
 
-/// The tractions above the outermost live taxels of a line, at both of its ends, rising.
+/// The tractions above the outermost live taxels of a line, at both of its ends, and those between
+/// live taxels with several dead ones between them, more than a depth apart: rising.
 [[nodiscard]] std::vector<std::size_t> border_values(const SceneProblem& problem);
 /// The cells above those live taxels of a skin beside which lies a cell that no taxel sees: at the
 /// skin's edges, and around dead taxels. Of a single row or column of taxels its two ends count.

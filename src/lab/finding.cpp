@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, std::variant_size_v<Finding>> finding_nam
     "equal_readings",
     "saturated_taxels",
     "worn_taxels",
+    "taxels_left_out",
     "baseline",
     "zero_under_load",
     "drift",

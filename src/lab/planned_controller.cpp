@@ -9,6 +9,7 @@
 
 #include "lab/border.hpp"
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/skin_answer.hpp"
@@ -145,14 +146,14 @@ PlannerOptions completed(const auto& problem, PlannerOptions options) {
   return options;
 }
 
-/// @param family  the problem's, of a skin
+/// @param family  the problem's
 PlannedController controller_of(const auto& problem, const PlanAlpha& alpha,
-                                const PlannerOptions& given, const auto&... family) {
+                                const PlannerOptions& given, const TikhonovFamily& family) {
   const PlannerOptions options = completed(problem, given);
   std::optional<std::decay_t<decltype(problem)>> whole;
   if (!problem.scene().dead_taxels.empty()) whole = problem.without({});
   return {.alpha = alpha,
-          .estimator = plan_estimator(problem.problem(), family..., alpha.value, options,
+          .estimator = plan_estimator(problem.problem(), family, alpha.value, options,
                                       whole ? &whole->problem() : nullptr),
           .for_raw_numbers = options.calibration.has_value(),
           .needs_baseline = options.calibration && options.calibration->baseline_frames};
@@ -163,7 +164,7 @@ PlannedController controller_of(const auto& problem, const PlanAlpha& alpha,
 PlannedController plan_controller(const SceneProblem& problem, const PlanAlpha& alpha,
                                   const PlannerOptions& options) {
   refuse_estimated_weight(problem);
-  return controller_of(problem, alpha, options);
+  return controller_of(problem, alpha, options, problem.family());
 }
 
 void check_memory(const SkinScene& scene, double memory) {

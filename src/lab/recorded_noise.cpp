@@ -5,12 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "tactile_net/lab/readings_check.hpp"
-
 namespace tactile_net::lab {
 namespace {
-
-constexpr std::size_t most_frames = 20'000;
 
 std::optional<NoiseModel> recorded_noise(const ReadingsCheck& check) {
   const std::vector<Channel> all = channels(std::get<Scene>(check.scene).sensor);
@@ -40,14 +36,9 @@ bool wants_noise(const SceneProblem& problem, Method method) {
          problem.surface().basis == SurfaceBasis::hats;
 }
 
-SceneProblem with_recorded_noise(const SceneProblem& problem,
-                                 const std::function<bool(std::span<double>)>& next) {
-  ReadingsChecker checker(problem.scene());
-  std::vector<double> readings(problem.readings());
-  for (std::size_t k = 0; k < most_frames && next(readings); ++k)
-    checker.add(std::nullopt, readings);
+SceneProblem with_recorded_noise(const SceneProblem& problem, const ReadingsCheck& check) {
   Scene scene = problem.scene();
-  scene.noise = recorded_noise(checker.result_without_loads());
+  scene.noise = recorded_noise(check);
   return scene.noise ? SceneProblem(std::move(scene)) : problem;
 }
 

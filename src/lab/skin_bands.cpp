@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -98,8 +99,18 @@ Uncertain without_smoothing(const Uncertain& radius, double variance) {
 }
 
 /// Taxels that lie further apart than this, in depths: it is constraints that decide how much
-/// presses between them.
+/// presses between them, and without these the place of what does.
 constexpr double between_taxels = 1.25;
+
+/// What the place of a narrow contact changes in the sum of what taxels so far apart read of it,
+/// over that sum, rms: the longest waves that look even at their places. Such readings do not tell
+/// how narrow a contact is.
+///
+/// @param pitch  in depths
+double hidden_by_place(double pitch) {
+  const double wave = 2.0 * std::numbers::pi / pitch;
+  return 2.0 * (1.0 + wave) * std::exp(-wave);
+}
 
 /// What noise adds to a cell that touches nothing, on average [Pa]: under constraints it can only
 /// push there.
@@ -414,8 +425,10 @@ void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMe
     doubt = std::hypot(doubt, moved);
   }
   if (!answer.cone)
-    doubt = std::hypot(doubt, pressed_where_it_drags(answer.wrench, grid, f, answer.cells,
-                                                     problem.unseen(), own, rms));
+    doubt = std::hypot(
+        doubt,
+        pressed_where_it_drags(answer.wrench, grid, f, answer.cells, problem.unseen(), own, rms),
+        decided ? hidden_by_place(pitch) * answer.wrench.normal.value : 0.0);
   doubt_force(answer, doubt);
   const auto apart = separate_contacts(grid, f, answer.cells);
   answer.contacts = apart.size();

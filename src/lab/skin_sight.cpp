@@ -45,7 +45,9 @@ bool is_surrounded(double y, double z, const LinearProblem& problem) {
   std::vector<double> directions;
   for (std::size_t i = 0; i < problem.sites.size(); ++i) {
     const Site& site = problem.sites[i];
-    if (problem.weights[i] != 0.0 && std::hypot(site.y - y, site.z - z) <= near * site.depth)
+    const double reach = near * site.depth;
+    if (problem.weights[i] != 0.0 && std::abs(site.y - y) <= reach &&
+        std::abs(site.z - z) <= reach && std::hypot(site.y - y, site.z - z) <= reach)
       directions.push_back(std::atan2(site.z - z, site.y - y));
   }
   if (directions.size() < 3) return false;

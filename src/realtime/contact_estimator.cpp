@@ -277,7 +277,7 @@ void ContactEstimator::judge(ContactEstimate& estimate, const double* x,
                                            scratch.shares.data(), scratch.spread.data(), n);
   if (estimate.contact && estimate.normal_force > ready.certain_force && !ready.border.empty())
     estimate.beyond_edge = presses_at_border(estimate.tractions.first(ready.values), ready.border);
-  estimate.baseline_moved = is_baseline_moved(x);
+  estimate.baseline_moved = is_baseline_moved(x, misfit.size);
   estimate.residual_rms = std::sqrt(misfit.sum_of_squares / static_cast<double>(scratch.live));
   if (ready.residual_limit > 0.0) {
     // (W g)'(I - H)(W g) = |W r|^2 + alpha |L f|^2.
@@ -302,7 +302,7 @@ void ContactEstimator::judge(ContactEstimate& estimate, const double* x,
 
 /// Whether a constant is more than noise, and nearly all that a channel reads: a contact, unless it
 /// is wider than the patch, presses on some taxels more than on others.
-bool ContactEstimator::is_baseline_moved(const double* x) const noexcept {
+bool ContactEstimator::is_baseline_moved(const double* x, double all_squares) const noexcept {
   constexpr double nearly_all = 0.95;  // of a channel's sum of squares
   const Ready& ready = *ready_;
   const Scratch& scratch = *scratch_;
@@ -314,9 +314,12 @@ bool ContactEstimator::is_baseline_moved(const double* x) const noexcept {
     const double sum =
         ready.loops.dot(scratch.squared_weights.data() + first, x + first, end - first);
     if (size > 0.0 && std::abs(sum) > least * size) {
-      double squares = 0.0;
-      for (std::size_t i = first; i < end; ++i) squares += scratch.squared_weights[i] * x[i] * x[i];
-      if (sum * sum > nearly_all * squares * size * size) return true;
+      const double most = sum * sum / (nearly_all * size * size);  // of a constant's squares
+      double squares = ready.channel_ends.size() == 1 ? all_squares : 0.0;
+      if (ready.channel_ends.size() > 1)
+        for (std::size_t i = first; i < end && squares < most; ++i)
+          squares += scratch.squared_weights[i] * x[i] * x[i];
+      if (squares < most) return true;
     }
     first = end;
   }

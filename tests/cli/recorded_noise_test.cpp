@@ -1,4 +1,4 @@
-// A coarse array whose scene does not state the noise: the recording shows it.
+// What a scene does not state and its recording shows: the noise of a coarse array, broken taxels.
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -20,6 +20,15 @@ const std::string pressed_finger =
     "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.5\ncenter = 0.6\ntrajectory = [{ t = 0.0, "
     "force = 0.0 }, { t = 1.0, force = 0.0 }, { t = 1.2, force = 50.0 }, { t = 3.0, force = 50.0 "
     "}]\n";
+
+const std::string comes_and_stays =
+    "trajectory = [{ t = 0.0, force = 1e-6 }, { t = 0.3, force = 1e-6 }, { t = 0.32, force = 20.0 "
+    "}, "
+    "{ t = 0.5, force = 20.0 }]\n";
+const std::string rest_of_pad =
+    "depth = 1.5\nreads = [\"stress_x\"]\n[material]\nyoungs_modulus = 200.0\n"
+    "poisson_ratio = 0.45\n[noise]\nrms = 0.02\n[time]\nrate = 100.0\nframes = 40\n"
+    "[reconstruct]\ntangential = false\nnonnegative = true\n";
 
 struct SolvedRow {
   double force = 0.0;
@@ -78,4 +87,41 @@ TEST_CASE("the noise that a scene does not state is that of still frames", "[cli
   const ProcessResult bad = solve("silent.toml", folder / "bad.csv");
   CHECK(bad.code == 2);
   CHECK_THAT(bad.errors, ContainsSubstring("bad.csv:") && ContainsSubstring("frames before it"));
+}
+
+TEST_CASE("taxels that a recording shows to be dead are left out as if the scene called them so",
+          "[cli][dead]") {
+  struct PadWithDead {
+    std::string scene, dead, advice;
+  };
+  const PadWithDead of_line{
+      "[sensor]\ncount = 21\npitch = 0.5\n" + rest_of_pad +
+          "[[contact]]\nshape = \"cylinder\"\nhalf_width = 0.5\ncenter = 0.1\n" + comes_and_stays,
+      "[dead_taxels]\nindices = [8, 9, 10, 11]\n", "indices = [8, 9, 10, 11]"};
+  const PadWithDead of_skin{
+      "[sensor]\nrows = 5\ncolumns = 5\npitch = 1.5\n" + rest_of_pad +
+          "[[contact]]\nshape = \"sphere\"\nradius = 1.0\nplace = [0.3, 0.2]\n" + comes_and_stays,
+      "[dead_taxels]\nindices = [12, 13]\n", "indices = [\"2_2\", \"2_3\"]"};
+  for (const PadWithDead& pad : {of_line, of_skin}) {
+    const Folder folder;
+    std::ofstream(folder / "stated.toml") << pad.scene << pad.dead;
+    std::ofstream(folder / "silent.toml") << pad.scene;
+    REQUIRE(run_tool({"simulate", folder / "stated.toml", "-o", folder / "r.csv"}).code == 0);
+    const auto solve = [&](const std::string& scene) {
+      return run_tool({"solve", folder / scene, "--readings", folder / "r.csv", "-o",
+                       folder / "f.csv", "--uncertainty", folder / "u.csv"});
+    };
+    const ProcessResult told = solve("stated.toml");
+    REQUIRE(told.code == 0);
+    CHECK_THAT(told.errors, !ContainsSubstring("left out"));
+    const SolvedRow stated = last_row(read_text(folder / "u.csv"));
+    const ProcessResult seen = solve("silent.toml");
+    REQUIRE(seen.code == 0);
+    CHECK_THAT(seen.errors,
+               ContainsSubstring("left out of all frames") && ContainsSubstring(pad.advice));
+    const SolvedRow found = last_row(read_text(folder / "u.csv"));
+    CHECK(found.verdict == stated.verdict);
+    CHECK_THAT(found.force, WithinRel(stated.force, 1e-6));
+    CHECK_THAT(found.deviation, WithinRel(stated.deviation, 1e-6));
+  }
 }

@@ -179,6 +179,24 @@ TEST_CASE("what presses amid dead taxels of a skin is a lower bound", "[lab][law
   CHECK(holed.solve(holed.readings()).verdict != lab::Verdict::ok);
 }
 
+TEST_CASE("what presses amid dead taxels of a line is a lower bound, and above one of them is held",
+          "[lab][laws]") {
+  const auto answer_of = [](const std::string& dead, const std::string& more) {
+    const Lines line("[sensor]\ncount = 41\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n" +
+                     pad + "[[contact]]\nshape = \"cylinder\"\ncenter = 0.0\nhalf_width = 0.3\n" +
+                     "force = 1.0\n[noise]\nrms = 2.5e-3\n[reconstruct]\ntangential = false\n" +
+                     more + "[dead_taxels]\nindices = [" + dead + "]\n");
+    return line.solve(line.readings());
+  };
+  for (const char* more : {"", "nonnegative = true\n"}) {
+    CHECK(answer_of("18, 19, 20, 21, 22", more).verdict != lab::Verdict::ok);
+    CHECK(answer_of("5, 6, 7, 8, 9", more).verdict == lab::Verdict::ok);  // nothing presses there
+    const FrameNumbers one = answer_of("20", more);
+    CHECK(one.verdict == lab::Verdict::ok);
+    CHECK_THAT(one.force.value, WithinAbs(1.0, 3.0 * one.force.deviation));
+  }
+}
+
 TEST_CASE("a contact in a hole of dead taxels is a lower bound though its rim is pressed harder",
           "[lab][laws][skin]") {
   // Taxels as far apart as they are deep, nine of them dead. Where nothing may pull, what presses

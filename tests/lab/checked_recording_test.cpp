@@ -13,8 +13,10 @@
 #include <variant>
 #include <vector>
 
+#include "tactile_net/lab/broken_taxels.hpp"
 #include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -459,6 +461,34 @@ TEST_CASE("taxels that are worn are told among others that feel much", "[lab][ch
     told.insert(told.end(), found->taxels.begin(), found->taxels.end());
   std::sort(told.begin(), told.end());
   CHECK(told == worn);
+
+  // Solved without them, as by a scene that says so: a force that falls short has a verdict.
+  SkinScene scene = skin.scene;
+  scene.dead_taxels = worn;
+  const lab::SkinSceneProblem stated(scene);
+  lab::SkinSceneProblem problem(skin.scene);
+  const lab::Findings said = lab::leave_out_broken(problem, result);
+  REQUIRE_FALSE(said.empty());
+  CHECK(std::get<finding::TaxelsLeftOut>(said.back()).taxels == worn);
+  CHECK(problem.scene().dead_taxels == worn);
+  const std::vector<double>& pressed = skin.frames[frames_recorded / 2];
+  const lab::SkinAnswer without = lab::solve(problem, pressed);
+  const lab::SkinAnswer expected = lab::solve(stated, pressed);
+  CHECK(without.verdict == expected.verdict);
+  CHECK_THAT(without.wrench.normal.value, WithinRel(expected.wrench.normal.value, 1e-6));
+
+  // A few frames show nothing, and nothing is left out where no taxel is left.
+  lab::ReadingsCheck few = result;
+  few.frames = 4;
+  lab::SkinSceneProblem whole(skin.scene);
+  CHECK(lab::leave_out_broken(whole, few).empty());
+  lab::ReadingsCheck all = result;
+  finding::DeadTaxels every;
+  for (std::size_t taxel = 0; taxel < taxel_count(skin.scene.sensor); ++taxel)
+    every.taxels.push_back(taxel);
+  all.findings = {every};
+  CHECK(lab::leave_out_broken(whole, all).empty());
+  CHECK(whole.scene().dead_taxels.empty());
 }
 
 TEST_CASE("a threshold is told as such, and a taxel without a wire behind it too", "[lab][check]") {

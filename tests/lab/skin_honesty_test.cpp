@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -161,6 +162,25 @@ TEST_CASE("taxels more than two depths apart leave too much to guess", "[lab][sk
   CHECK(answer_of_skin(scene).verdict == lab::Verdict::ok);
   scene.sensor.pitch_y = 5.0;
   CHECK(answer_of_skin(scene).verdict == lab::Verdict::coarse);
+}
+
+TEST_CASE("the force of a narrow contact is held wherever it lies between taxels",
+          "[lab][skin][bands]") {
+  const double apart = GENERATE(1.5, 1.7, 2.0);  // in depths
+  const double radius = GENERATE(0.2, 0.6);
+  const double pitch = 2.0 * apart;
+  SkinScene scene = pressed_skin(0.0, 0.0, "[reconstruct]\ntangential = false\n", "7");
+  scene.sensor.pitch_y = scene.sensor.pitch_z = pitch;
+  scene.sensor.reads = {Quantity::stress_x};
+  for (const auto& [y, z] : {std::pair(0.0, 0.0), std::pair(0.5, 0.0), std::pair(0.5, 0.25),
+                             std::pair(0.25, 0.25), std::pair(0.5, 0.5)}) {
+    scene.contacts = pressed_skin(y * pitch, z * pitch).contacts;
+    std::get<SkinContact>(scene.contacts.front()).radius = radius;
+    const lab::SkinAnswer answer = answer_of_skin(scene);
+    CAPTURE(apart, radius, y, z, name(answer.verdict), answer.wrench.normal.value,
+            answer.wrench.normal.deviation);
+    CHECK(std::abs(answer.wrench.normal.value - 1000.0) <= 2.0 * answer.wrench.normal.deviation);
+  }
 }
 
 TEST_CASE("a converter's steps are noise that is known", "[lab][skin][noise]") {

@@ -101,6 +101,10 @@ struct WornTaxels {
   double share = 0.0;  ///< what the worst one reads, of that
 };
 
+struct TaxelsLeftOut {
+  std::vector<std::size_t> taxels{};  ///< that the recording shows to be dead, stuck or worn
+};
+
 // What the sensor reads when nothing happens.
 struct Baseline {
   std::vector<double> values{};  ///< of every reading, channels x count; 0 for dead taxels
@@ -204,11 +208,12 @@ using Finding = std::variant<
     finding::ValuesMissing, finding::CodesForMissing, finding::SignsLost, finding::FramesNormalised,
     finding::SlowChannels, finding::DeadTaxels, finding::StuckTaxels, finding::NoisyTaxels,
     finding::SingleFrameSpikes, finding::EqualReadings, finding::SaturatedTaxels,
-    finding::WornTaxels, finding::Baseline, finding::ZeroUnderLoad, finding::Drift,
-    finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured, finding::ResidualDiffers,
-    finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled, finding::OrderMirrored,
-    finding::OrderSerpentine, finding::StrainTooLarge, finding::TractionExceedsModulus,
-    finding::DeformationTiny, finding::MixedUnits, finding::DepthBeyondArray, finding::PitchCoarse>;
+    finding::WornTaxels, finding::TaxelsLeftOut, finding::Baseline, finding::ZeroUnderLoad,
+    finding::Drift, finding::NoiseTaken, finding::NoiseDiffers, finding::NoiseColoured,
+    finding::ResidualDiffers, finding::ScaleBy1000, finding::GainsChanged, finding::WholePadPulled,
+    finding::OrderMirrored, finding::OrderSerpentine, finding::StrainTooLarge,
+    finding::TractionExceedsModulus, finding::DeformationTiny, finding::MixedUnits,
+    finding::DepthBeyondArray, finding::PitchCoarse>;
 using Findings = std::vector<Finding>;
 
 /// The spelling in JSON: "dead_taxels".

@@ -2,12 +2,11 @@
 /// The noise of a recording, for a scene that does not state it.
 #pragma once
 
-#include <functional>
 #include <optional>
-#include <span>
 
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/method.hpp"
+#include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
 
 namespace tactile_net::lab {
@@ -18,13 +17,11 @@ namespace tactile_net::lab {
 [[nodiscard]] bool wants_noise(const SceneProblem& problem, Method method);
 
 /// The problem with the noise that still frames show, of several quantities one rms for each; the
-/// same one where too few are still, or some quantity shows no noise at all. Reads up to 20 000
-/// frames.
+/// same one where too few are still, or some quantity shows no noise at all.
 ///
-/// @param next  fills a frame of readings, channels x count, NaN where one is missing; false: there
-///              are no more
+/// @param check  of its recording
 [[nodiscard]] SceneProblem with_recorded_noise(const SceneProblem& problem,
-                                               const std::function<bool(std::span<double>)>& next);
+                                               const ReadingsCheck& check);
 
 /// What is to be said of a problem whose noise was taken so; absent where it was not.
 [[nodiscard]] std::optional<Finding> noise_taken(const SceneProblem& stated,

@@ -190,7 +190,7 @@ class ContactEstimator {
   FrameStatus refused(std::span<const double> readings) const noexcept;
   void predict(const double* x, double* explained) noexcept;
   void judge(ContactEstimate& estimate, const double* x, const double* explained) noexcept;
-  [[nodiscard]] bool is_baseline_moved(const double* x) const noexcept;
+  [[nodiscard]] bool is_baseline_moved(const double* x, double all_squares) const noexcept;
   void fill_dead(double* x) noexcept;
   void fill_planned(double* x) noexcept;
   void add_resultant(ContactEstimate& estimate, std::span<const Moments> moments) noexcept;

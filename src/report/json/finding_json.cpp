@@ -55,6 +55,7 @@ Json numbers(const finding::SaturatedTaxels& f) {
 Json numbers(const finding::WornTaxels& f) {
   return {{"taxels", f.taxels}, {"worst", f.worst}, {"share", f.share}};
 }
+Json numbers(const finding::TaxelsLeftOut& f) { return {{"taxels", f.taxels}}; }
 Json numbers(const finding::Baseline& f) {
   return {{"values", f.values},
           {"frames", f.frames},

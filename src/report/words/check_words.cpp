@@ -40,6 +40,7 @@ std::string dead_advice(const Indices& found, const auto& scene) {
   Indices all = scene.dead_taxels;
   all.insert(all.end(), found.begin(), found.end());
   std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   std::vector<std::string> indices;
   for (const std::size_t taxel : all) indices.push_back(index_of(scene, taxel));
   return "under [dead_taxels], indices = [" + join(indices, ", ") +
@@ -238,6 +239,12 @@ Words say(const finding::WornTaxels& f, const auto& scene) {
               taxel_name(scene.sensor, f.worst) + " " + brief(f.share, 2) +
               " times what a contact that explains the others would make it read",
           dead_advice(f.taxels, scene) + "; or calibrate their gains anew"};
+}
+Words say(const finding::TaxelsLeftOut& f, const auto& scene) {
+  return {taxels(scene, f.taxels, "is", "are") +
+              " left out of all frames, as if under [dead_taxels]: the recording shows " +
+              (f.taxels.size() == 1 ? "it" : "them") + " to be dead, stuck or worn",
+          dead_advice(f.taxels, scene) + " in every recording, streams too"};
 }
 
 // --- rest

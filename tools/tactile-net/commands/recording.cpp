@@ -1,10 +1,16 @@
 #include "commands/recording.hpp"
 
+#include <filesystem>
 #include <ostream>
+#include <system_error>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "commands/input.hpp"
 #include "scene/excerpt.hpp"
+#include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/broken_taxels.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 
@@ -35,6 +41,28 @@ void say_findings(std::ostream& err, Method method, const lab::Findings& finding
   for (const lab::Finding& one : findings)
     err << name(method) << ": note: " << report::in_words(one, scene)
         << "\nhint: " << report::advice(one, scene) << "; tactile-net check says more\n";
+}
+
+bool come_once(const std::string& readings) {
+  std::error_code none;
+  const std::filesystem::file_status status = std::filesystem::status(readings, none);
+  return is_standard_input(readings) ||
+         (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status));
+}
+
+std::optional<lab::ReadingsCheck> first_look(const AnyScene& scene, const std::string& readings,
+                                             const std::string& columns) {
+  if (come_once(readings)) return std::nullopt;
+  try {
+    const frames::ReadingsOptions options{.columns = columns, .accept_missing = true};
+    frames::ReadingsFile file = std::visit(
+        [&](const auto& one) { return frames::ReadingsFile(readings, one, nullptr, options); },
+        scene);
+    return lab::first_look(scene,
+                           [&](std::span<double> frame) { return file.source().next(frame); });
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 InputError with_frames_before(const InputError& error, std::size_t frames,

@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <optional>
 #include <string>
 
 #include "tactile_net/frames/source.hpp"
 #include "tactile_net/lab/finding.hpp"
+#include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/reader.hpp"
 
@@ -27,6 +29,17 @@ void say_times_without_unit(std::ostream& err, const std::string& name);
 /// What is suspicious about its readings, each with what to do about it.
 void say_findings(std::ostream& err, Method method, const lab::Findings& findings,
                   const AnyScene& scene);
+
+/// Whether the readings come once: a stream cannot be read again.
+[[nodiscard]] bool come_once(const std::string& readings);
+
+/// What a file's frames show before any is solved. Absent: they come once, or something is wrong
+/// with the file, which is said when it is read for good.
+///
+/// @param columns  as `frames::ReadingsOptions`
+[[nodiscard]] std::optional<lab::ReadingsCheck> first_look(const AnyScene& scene,
+                                                           const std::string& readings,
+                                                           const std::string& columns);
 
 /// The same error, and where what came before it is to be found.
 ///

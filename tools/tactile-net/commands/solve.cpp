@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <ostream>
 #include <span>
-#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,6 +20,7 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/broken_taxels.hpp"
 #include "tactile_net/lab/recorded_noise.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
@@ -144,30 +143,18 @@ void solve(lab::RecordingSolver& solver, frames::ReadingsFile& file, Outputs& ou
   }
 }
 
-/// The scene's problem; where it wants the noise, with what the recording's still frames show. What
-/// is wrong with the file is said when it is read for good.
+/// The scene's problem; where it wants the noise, with what the recording's still frames show.
 lab::SceneProblem with_noise(const lab::SceneProblem& stated, const SolveOptions& options,
-                             std::ostream& err) {
+                             const std::optional<lab::ReadingsCheck>& seen, std::ostream& err) {
   if (!lab::wants_noise(stated, options.method)) return stated;
-  const auto without = [&](const char* why) {
-    err << options.readings << ": note: the scene states no noise, and " << why
+  if (!seen && !come_once(options.readings)) return stated;
+  const lab::SceneProblem taken = seen ? lab::with_recorded_noise(stated, *seen) : stated;
+  if (!taken.scene().noise)
+    err << options.readings << ": note: the scene states no noise, and "
+        << (seen ? "too few of its frames are still to show it"
+                 : "a stream is read once, so that its still frames cannot show it")
         << ": alpha is chosen without it; state it under [noise]\n";
-    return stated;
-  };
-  std::error_code none;
-  const std::filesystem::file_status status = std::filesystem::status(options.readings, none);
-  const bool is_stream = is_standard_input(options.readings) ||
-                         (std::filesystem::exists(status) && !is_regular_file(status));
-  if (is_stream) return without("a stream is read once, so that its still frames cannot show it");
-  try {
-    frames::ReadingsFile file(options.readings, stated.scene(), nullptr,
-                              {.columns = options.columns, .accept_missing = true});
-    const lab::SceneProblem taken = lab::with_recorded_noise(
-        stated, [&](std::span<double> readings) { return file.source().next(readings); });
-    return taken.scene().noise ? taken : without("too few of its frames are still to show it");
-  } catch (const InputError&) {
-    return stated;
-  }
+  return taken;
 }
 
 /// What the scene, the method and the options have together, before anything is read.
@@ -193,7 +180,12 @@ void solve_line(Scene scene, const SolveOptions& options, const Streams& streams
   refuse_for_lines(options, stated);
   const Method method = options.method;
   const lab::Missing missing = options.missing;
-  const lab::SceneProblem problem = with_noise(stated, options, streams.err);
+  std::optional<lab::ReadingsCheck> seen;
+  if (lab::can_leave_out(stated, method))
+    seen = first_look(stated.scene(), options.readings, options.columns);
+  lab::SceneProblem problem = with_noise(stated, options, seen, streams.err);
+  lab::Findings first_found;
+  if (seen) first_found = lab::leave_out_broken(problem, *seen);
   lab::RecordingSolver solver(problem, method,
                               {.missing = missing, .share_alpha = options.share_alpha});
   for (const std::string& warning : report::in_words(solver.remarks()))
@@ -225,9 +217,9 @@ void solve_line(Scene scene, const SolveOptions& options, const Streams& streams
     say_times_without_unit(streams.err, file.name());
     results->times_without_unit();
   }
+  if (const auto taken = lab::noise_taken(stated, problem)) first_found.emplace_back(*taken);
   lab::Findings findings = results ? solver.findings() : solver.doubts();
-  if (const auto taken = lab::noise_taken(stated, problem))
-    findings.insert(findings.begin(), *taken);
+  findings.insert(findings.begin(), first_found.begin(), first_found.end());
   say_findings(streams.err, options.method, findings, problem.scene());
   if (!results) return;
   const lab::Remarks remarks = solver.remarks();

@@ -16,6 +16,7 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/broken_taxels.hpp"
 #include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_recording_solver.hpp"
 #include "tactile_net/pages/skin_page.hpp"
@@ -168,7 +169,11 @@ lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::Rea
 
 void solve_skin(const SkinScene& scene, const SolveOptions& options, const Streams& streams) {
   refuse_for_skins(options, scene);
-  lab::SkinRecordingSolver solver(lab::SkinSceneProblem(scene),
+  lab::SkinSceneProblem problem(scene);
+  lab::Findings first_found;
+  if (const auto seen = first_look(scene, options.readings, options.columns))
+    first_found = lab::leave_out_broken(problem, *seen);
+  lab::SkinRecordingSolver solver(problem,
                                   {.missing = options.missing, .share_alpha = options.share_alpha});
   frames::ReadingsFile file(
       options.readings, scene, &streams.in,
@@ -198,6 +203,7 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
   }
   Progress progress(streams);
   recording.findings = results ? solver.findings(progress) : solver.doubts();
+  recording.findings.insert(recording.findings.begin(), first_found.begin(), first_found.end());
   progress.clear();
   say_findings(streams.err, options.method, recording.findings, scene);
   if (!results) return;
