@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -171,8 +171,8 @@ void compare_shares(std::size_t count) {
     const FilterFrame frame = family.analyse(noisy.readings);
     const double alpha = choose_alone(frame, AlphaRule::aicc).alpha;
     const auto at = [&](double share) {
-      const SkinConeSolution found =
-          SkinCone(problem, share * alpha, {.friction_limit = friction_limit})
+      const ConeSolution found =
+          ConeTikhonov(problem, share * alpha, {.friction_limit = friction_limit})
               .solve(noisy.readings);
       steps.push_back(static_cast<double>(found.iterations));
       return error(found.tractions, contact.truth);

@@ -45,17 +45,13 @@ std::vector<std::uint32_t> partners_of(const std::vector<Site>& channels) {
 
 }  // namespace
 
-bool is_line(const LinearProblem& problem) noexcept {
-  return problem.grid.columns == 1 && problem.grid.spacing_z == 1.0 && problem.components <= 2;
-}
-
 GridBlocks reading_grid(const LinearProblem& problem) {
   const SurfaceGrid& grid = problem.grid;
   GridBlocks blocks{
       .rows = places_along(grid.rows, grid.margin_rows, grid.stride_rows),
       .columns = places_along(grid.columns, grid.margin_columns, grid.stride_columns)};
   // Of an irregular line only the order counts: its ends are each other's images.
-  if (blocks.rows == 0 && is_line(problem)) blocks.rows = channel_length(problem);
+  if (blocks.rows == 0 && problem.is_line) blocks.rows = channel_length(problem);
   const std::vector<Site> channels = channels_of(problem);
   for (const Site& site : channels) {
     blocks.signs_y.push_back(sign_of(is_odd(site.quantity, Traction::normal, Axis::y)));
@@ -63,7 +59,7 @@ GridBlocks reading_grid(const LinearProblem& problem) {
   }
   if (blocks.size() != problem.sites.size()) return {};
   if (blocks.rows == blocks.columns) blocks.partners = partners_of(channels);
-  return is_line(problem) ? as_row(std::move(blocks)) : blocks;
+  return problem.is_line ? as_row(std::move(blocks)) : blocks;
 }
 
 GridBlocks traction_grid(const LinearProblem& problem) {
@@ -74,7 +70,24 @@ GridBlocks traction_grid(const LinearProblem& problem) {
   }
   if (blocks.rows == blocks.columns && problem.components == 1) blocks.partners = {0};
   if (blocks.rows == blocks.columns && problem.components == 3) blocks.partners = {0, 2, 1};
-  return is_line(problem) ? as_row(std::move(blocks)) : blocks;
+  return problem.is_line ? as_row(std::move(blocks)) : blocks;
+}
+
+bool mirrors_itself(const GridBlocks& readings, std::span<const double> weights) {
+  const std::size_t rows = readings.rows;
+  const std::size_t columns = readings.columns;
+  const auto is_dead = [&](std::size_t block, std::size_t i, std::size_t j) {
+    return weights[(block * rows + i) * columns + j] == 0.0;
+  };
+  for (std::size_t block = 0; block < readings.signs_y.size(); ++block)
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < columns; ++j) {
+        const bool dead = is_dead(block, i, j);
+        if (dead != is_dead(block, rows - 1 - i, j) || dead != is_dead(block, i, columns - 1 - j) ||
+            (!readings.partners.empty() && dead != is_dead(readings.partners[block], j, i)))
+          return false;
+      }
+  return true;
 }
 
 }  // namespace tactile_net

@@ -12,7 +12,7 @@
 #include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/covariance.hpp"
-#include "tactile_net/inverse/reconstruction.hpp"
+#include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
@@ -23,23 +23,22 @@ namespace {
 /// reflections, and up to 32 x 32 taxels its classes are cheaper than a transform in two
 /// dimensions.
 bool can_be_convolution(const LinearProblem& problem) {
-  return is_line(problem) && problem.grid.count() == problem.taxels &&
-         problem.grid.stride_rows == 1;
+  return problem.is_line && problem.grid.count() == problem.taxels && problem.grid.stride_rows == 1;
 }
 
 void check_convolution(const LinearProblem& problem, const PlannerOptions& options) {
   if (options.structure != Structure::fft || can_be_convolution(problem)) return;
   throw std::invalid_argument(
-      is_line(problem) ? "structure fft needs the tractions at the taxels: surface = \"taxels\""
-                       : "structure fft is of line arrays: a skin has reflections");
+      problem.is_line ? "structure fft needs the tractions at the taxels: surface = \"taxels\""
+                      : "structure fft is of line arrays: a skin has reflections");
 }
 
 /// M W^-1: from weighted readings to tractions.
-Eigen::MatrixXd of_weighted(const Reconstruction& inverse, const Eigen::VectorXd& weights) {
-  return as_eigen(inverse.transposed()).transpose() * weights.cwiseInverse().asDiagonal();
+Eigen::MatrixXd of_weighted(const Matrix& inverse, const Eigen::VectorXd& weights) {
+  return as_eigen(inverse) * weights.cwiseInverse().asDiagonal();
 }
 
-ProductTask reconstruction_task(const LinearProblem& problem, const Reconstruction& inverse,
+ProductTask reconstruction_task(const LinearProblem& problem, const Matrix& inverse,
                                 const PlannerOptions& options) {
   ProductTask task;
   task.column_factors = channel_weights(problem);
@@ -66,10 +65,10 @@ std::size_t dead_readings(const LinearProblem& problem) {
   return static_cast<std::size_t>(std::count(problem.weights.begin(), problem.weights.end(), 0.0));
 }
 
-/// Whether dead taxels are what keeps M from being symmetric: some that are each other's mirror
-/// images do not.
+/// Whether dead taxels keep M from being symmetric: those that are each other's mirror images do
+/// not.
 bool is_spoilt(const ProductTask& task, const LinearProblem& problem) {
-  return task.symmetric && dead_readings(problem) > 0 && !is_symmetric(task);
+  return task.symmetric && !mirrors_itself(task.column_grid, problem.weights);
 }
 
 /// Turns a task into one of the whole, on readings that are filled in.
@@ -79,7 +78,7 @@ void fill_in(ProductTask& task, const LinearProblem& problem, const LinearProble
   task.fill = filled_readings(problem, whole, task.matrix, weights);
   task.filled = dead_readings(problem);
   task.target =
-      std::exchange(task.matrix, of_weighted(TikhonovFamily(whole).reconstruction(alpha), weights));
+      std::exchange(task.matrix, of_weighted(TikhonovFamily(whole).matrix(alpha), weights));
 }
 
 /// W K M W^-1, eigenvalues in [0, 1): the readings that the tractions explain, and the constants
@@ -134,7 +133,7 @@ EstimatorPlan plan_without_products(const LinearProblem& problem) {
   plan.unknowns = problem.components;
   plan.values = problem.grid.count();
   plan.weights = problem.weights;
-  if (is_line(problem)) {
+  if (problem.is_line) {
     plan.spacing = problem.grid.spacing_y;
     plan.centre = problem.grid.centre_y;
     return plan;
@@ -147,7 +146,7 @@ EstimatorPlan plan_without_products(const LinearProblem& problem) {
 
 std::string why_no_fft(const LinearProblem& problem, const ProductTask& task,
                        const PlannedProduct& planned) {
-  if (!is_line(problem)) return {};
+  if (!problem.is_line) return {};
   if (!can_be_convolution(problem))
     return "the surface has values between the taxels or beyond them";
   if (!task.allow_fft)
@@ -174,7 +173,8 @@ void check_plan_input(const LinearProblem& problem, const PlannerOptions& option
 PlannedEstimator planned_estimator(const LinearProblem& problem, const TikhonovFamily& family,
                                    double alpha, const PlannerOptions& options,
                                    const LinearProblem* whole) {
-  ProductTask task = reconstruction_task(problem, family.reconstruction(alpha), options);
+  ProductTask task = reconstruction_task(problem, family.matrix(alpha), options);
+  require_full_rank(family.condition(alpha), problem.kernel.rows);
   const Eigen::VectorXd weights = task.column_factors;
   if (options.calibration) take_raw(task, *options.calibration, problem.sites);
   const bool fills = whole != nullptr && is_spoilt(task, problem);

@@ -385,14 +385,6 @@ bool is_better(const Candidate& one, const Candidate& other) {
   return one.accurate ? one.cost < other.cost : one.error_bound < other.error_bound;
 }
 
-bool is_symmetric(const ProductTask& task) {
-  const ProductTask alone{.matrix = task.matrix,
-                          .row_factors = task.row_factors,
-                          .column_factors = task.column_factors};
-  return grid_classes_of(alone, task.row_grid, task.column_grid).asymmetry <=
-         largest_asymmetry * norm_from_below(task.matrix);
-}
-
 PlannedProduct plan_product(const ProductTask& task) { return Planner(task).plan(); }
 
 }  // namespace tactile_net

@@ -33,10 +33,6 @@ struct ProductTask {
   std::size_t filled = 0;  ///< readings that are left out, whose fill this product pays for
 };
 
-/// True if the matrix falls into the classes that its grids have, but for rounding.
-/// @pre  it has grids
-[[nodiscard]] bool is_symmetric(const ProductTask& task);
-
 /// An accurate candidate before one that is not; of accurate ones the cheaper, else the one that
 /// errs less.
 [[nodiscard]] bool is_better(const Candidate& one, const Candidate& other);

@@ -21,6 +21,14 @@ namespace tactile_net {
 inline constexpr const char* nothing_is_read =
     "no reading depends on the tractions: read another quantity, or read in more places";
 
+/// @throw std::invalid_argument  the problem is a skin's
+inline void require_line(const LinearProblem& problem) {
+  if (!problem.is_line)
+    throw std::invalid_argument(
+        "this method is for lines: solve a skin's problem by a TikhonovFamily or, inside "
+        "constraints, by the methods of tactile_net/skin");
+}
+
 /// @throw std::invalid_argument  alpha is not > 0 and finite
 inline void check_alpha(double alpha) {
   if (alpha == 0.0)
@@ -28,6 +36,12 @@ inline void check_alpha(double alpha) {
                                 nothing_is_read);
   if (!(alpha > 0.0) || !std::isfinite(alpha))
     throw std::invalid_argument("alpha must be > 0 and finite");
+}
+
+/// @throw std::invalid_argument  a limit of friction is not > 0 and finite
+inline void check_friction_limit(double limit) {
+  if (!(limit > 0.0) || !std::isfinite(limit))
+    throw std::invalid_argument("friction_limit must be > 0 and finite");
 }
 
 /// @param gamma  of the family that is to solve
@@ -68,6 +82,12 @@ inline void check_size(std::span<const double> readings, std::size_t rows) {
 inline void check_readings(std::span<const double> readings, std::size_t rows) {
   check_size(readings, rows);
   if (!all_finite(readings)) throw std::invalid_argument("readings are not finite");
+}
+
+/// @throw std::invalid_argument  a matrix from readings to tractions is not finite
+inline void check_finite(const Matrix& reconstruction) {
+  if (!all_finite(reconstruction.values))
+    throw std::invalid_argument("the reconstruction matrix is not finite: scale the readings");
 }
 
 /// @throw std::invalid_argument  there is not one traction per column of the problem

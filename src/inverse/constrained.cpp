@@ -6,42 +6,14 @@
 #include <string>
 
 #include "inverse/checks.hpp"
+#include "inverse/cone_edges.hpp"
 #include "inverse/nonnegative.hpp"
 #include "inverse/stacked.hpp"
 
 namespace tactile_net {
-namespace {
-
-void check(const LinearProblem& problem, const Constraints& constraints) {
-  require_line(problem);
-  if (!constraints.friction_limit) return;
-  if (!(*constraints.friction_limit > 0.0) || !std::isfinite(*constraints.friction_limit))
-    throw std::invalid_argument("friction_limit must be > 0 and finite");
-  if (problem.components != 2)
-    throw std::invalid_argument("a friction limit needs the tangential traction as an unknown");
-}
-
-}  // namespace
-
-Matrix edges(const LinearProblem& problem, const Constraints& constraints) {
-  check(problem, constraints);
-  const std::size_t n = problem.components * problem.grid.count();
-  Matrix map{n, n, std::vector<double>(n * n)};
-  for (std::size_t i = 0; i < n; ++i) map(i, i) = 1.0;
-  if (!constraints.friction_limit) return map;
-  const double limit = *constraints.friction_limit;
-  for (std::size_t i = 0; i < problem.grid.count(); ++i) {
-    const std::size_t t = i + problem.grid.count();
-    map(i, t) = 1.0;
-    map(t, i) = limit;
-    map(t, t) = -limit;
-  }
-  return map;
-}
-
 ActiveFace active_face(const LinearProblem& problem, const Constraints& constraints,
                        std::span<const std::size_t> free) {
-  check(problem, constraints);
+  const std::optional<double> limit = ConeEdges(problem, constraints).limit();
   const std::size_t n = problem.grid.count();
   const auto is_free = [&](std::size_t column) {
     return std::binary_search(free.begin(), free.end(), column);
@@ -52,10 +24,9 @@ ActiveFace active_face(const LinearProblem& problem, const Constraints& constrai
       throw std::invalid_argument("the face is of another problem: it has more variables");
     const std::size_t cell = column % n;
     ActiveFace::Direction direction{.cell = cell};
-    if (constraints.friction_limit && !(is_free(cell) && is_free(cell + n))) {
-      const double limit = *constraints.friction_limit;
-      const double size = std::hypot(1.0, limit);
-      direction.along = {1.0 / size, (column < n ? limit : -limit) / size, 0.0};
+    if (limit && !(is_free(cell) && is_free(cell + n))) {
+      const double size = std::hypot(1.0, *limit);
+      direction.along = {1.0 / size, (column < n ? *limit : -*limit) / size, 0.0};
     } else {
       direction.along[column / n] = 1.0;
     }
@@ -65,10 +36,11 @@ ActiveFace active_face(const LinearProblem& problem, const Constraints& constrai
 }
 
 struct ConstrainedTikhonov::System {
-  explicit System(const LinearProblem& problem) : weighting(problem) {}
+  System(const LinearProblem& problem, const Constraints& constraints)
+      : weighting(problem), edges(problem, constraints) {}
 
   Weighting weighting;
-  Eigen::MatrixXd edges;
+  ConeEdges edges;
   Eigen::MatrixXd q;         // the first rows of the orthonormal factor, for the readings
   Eigen::MatrixXd triangle;  // of the stacked matrix times edges, columns of unit norm
   Eigen::VectorXd norms;     // of those columns before
@@ -77,11 +49,10 @@ struct ConstrainedTikhonov::System {
 
 ConstrainedTikhonov::ConstrainedTikhonov(const LinearProblem& problem, double alpha,
                                          const Constraints& constraints)
-    : system_(std::make_unique<System>(problem)) {
+    : system_(std::make_unique<System>(problem, constraints)) {
   check_alpha(alpha);
   System& s = *system_;
-  s.edges = as_eigen(tactile_net::edges(problem, constraints));
-  Eigen::MatrixXd a = stacked(problem, alpha) * s.edges;
+  Eigen::MatrixXd a = s.edges.applied(stacked(problem, alpha));
   s.norms = a.colwise().norm();
   a *= s.norms.cwiseInverse().asDiagonal();
   const StackedQr qr(a);
@@ -112,7 +83,7 @@ ConstrainedSolution ConstrainedTikhonov::solve(std::span<const double> readings,
   if (scale > 0.0) g = g / scale;
   NonnegativeSolution found =
       nonnegative_least_squares(s.triangle, s.q.transpose() * g, s.bounded, iteration_limit);
-  const Eigen::VectorXd f = s.edges * found.z.cwiseQuotient(s.norms) * scale;
+  const Eigen::VectorXd f = s.edges.tractions(found.z.cwiseQuotient(s.norms)) * scale;
   if (!f.allFinite()) return {.status = FrameStatus::too_large};
 
   ConstrainedSolution solution{

@@ -31,6 +31,28 @@ Eigen::MatrixXd along_both(Eigen::MatrixXd columns, const Eigen::MatrixXd& left,
   return columns;
 }
 
+/// Waves of one component: every one of these along y with every one of those along z.
+struct ComponentWaves {
+  std::vector<Index> y{}, z{};
+  Index component = 0;
+};
+
+/// Parts coordinates into components.
+/// @param columns  waves along z; `cells` waves in all
+std::vector<ComponentWaves> by_component(std::span<const Index> coordinates, Index cells,
+                                         Index columns) {
+  std::vector<ComponentWaves> all;
+  for (const Index at : coordinates) {
+    const Index component = at / cells;
+    const Index y = at % cells / columns;
+    if (all.empty() || all.back().component != component) all.push_back({.component = component});
+    ComponentWaves& waves = all.back();
+    if (waves.y.empty() || waves.y.back() != y) waves.y.push_back(y);
+    if (waves.y.size() == 1) waves.z.push_back(at % columns);
+  }
+  return all;
+}
+
 }  // namespace
 
 Eigen::VectorXd stabiliser_spectrum(const LinearProblem& problem) {
@@ -68,6 +90,35 @@ Eigen::MatrixXd WaveCoordinates::sums(Eigen::MatrixXd tractions) const {
   const Eigen::ArrayXd shrunk = stretch_.cwiseInverse();
   all.array().colwise() *= shrunk;
   return all;
+}
+
+Eigen::MatrixXd WaveCoordinates::sums_of(std::span<const Index> rows,
+                                         Eigen::MatrixXd tractions) const {
+  const Index cells = component_size();
+  Eigen::MatrixXd result(std::ssize(rows), tractions.cols());
+  Index first = 0;
+  for (const ComponentWaves& waves : by_component(rows, cells, z_.cols())) {
+    const Eigen::MatrixXd left = y_(Eigen::indexing::all, waves.y);
+    const Eigen::MatrixXd right = z_(Eigen::indexing::all, waves.z);
+    const Index count = left.cols() * right.cols();
+    const Index start = waves.component * cells;
+    if (right.size() == 1) {
+      result.middleRows(first, count) =
+          left.transpose() * tractions.middleRows(start, cells) * right(0, 0);
+    } else {
+      for (Index j = 0; j < result.cols(); ++j) {
+        const Eigen::Map<const RowMajor> x(tractions.col(j).data() + start, left.rows(),
+                                           right.rows());
+        Eigen::Map<RowMajor>(result.col(j).data() + first, left.cols(), right.cols()) =
+            left.transpose() * x * right;
+      }
+    }
+    first += count;
+  }
+  const Eigen::ArrayXd shrunk =
+      stretch_(std::vector<Index>(rows.begin(), rows.end())).cwiseInverse();
+  result.array().colwise() *= shrunk;
+  return result;
 }
 
 Eigen::MatrixXd WaveCoordinates::coordinates(const Eigen::MatrixXd& tractions) const {

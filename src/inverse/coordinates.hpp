@@ -2,6 +2,10 @@
 /// Coordinates of tractions, f = T c, in which the stabiliser is |c|^2. Private.
 #pragma once
 
+#include <span>
+#include <utility>
+#include <vector>
+
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
 
@@ -21,6 +25,12 @@ class TractionCoordinates {
   [[nodiscard]] virtual Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const = 0;
   /// T' f, column by column. A matrix that is handed over is not copied.
   [[nodiscard]] virtual Eigen::MatrixXd sums(Eigen::MatrixXd tractions) const = 0;
+  /// These rows of that, a mirror class's coordinates (mirror_classes.hpp).
+  [[nodiscard]] virtual Eigen::MatrixXd sums_of(std::span<const Eigen::Index> rows,
+                                                Eigen::MatrixXd tractions) const {
+    return sums(std::move(tractions))(std::vector<Eigen::Index>(rows.begin(), rows.end()),
+                                      Eigen::indexing::all);
+  }
   /// The diagonal of T T'.
   [[nodiscard]] virtual Eigen::VectorXd squares() const = 0;
   /// The same of normal tractions summed over a window around each cell.
@@ -43,6 +53,11 @@ class WaveCoordinates final : public TractionCoordinates {
   [[nodiscard]] Eigen::Index traction_count() const noexcept override { return stretch_.size(); }
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::MatrixXd& coordinates) const override;
   [[nodiscard]] Eigen::MatrixXd sums(Eigen::MatrixXd tractions) const override;
+  /// Works out no others.
+  /// @pre  of each component every one of some waves along y with every one of some along z, in
+  ///       order
+  [[nodiscard]] Eigen::MatrixXd sums_of(std::span<const Eigen::Index> rows,
+                                        Eigen::MatrixXd tractions) const override;
   [[nodiscard]] Eigen::VectorXd squares() const override;
   [[nodiscard]] Eigen::VectorXd squares(const SurfaceGrid& grid,
                                         const CellWindow& window) const override;

@@ -55,10 +55,10 @@ struct TikhonovFamily::Factors {
     Eigen::MatrixXd of_u;     // of the left vectors
   };
   /// Made when it is first asked for. Thread-safe.
-  /// @pre  the problem is on a grid of one column
+  /// @pre  the problem is a line's
   [[nodiscard]] const Spectra& spectra() const;
 
-  std::size_t line;  // readings whose spectrum is taken together; 0: on several columns none is
+  std::size_t line;  // readings of a line whose spectrum is taken together; 0: of a skin none is
   Weighting weighting;
   std::shared_ptr<const TractionCoordinates> coordinates;
   std::vector<Block> blocks{};

@@ -6,10 +6,10 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "inverse/cone_edges.hpp"
 #include "inverse/nonnegative.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
-#include "tactile_net/inverse/constrained.hpp"
 
 namespace tactile_net {
 namespace {
@@ -198,7 +198,7 @@ GainChanges gain_changes(const LinearProblem& contacts, double friction_limit,
   const Constraints press{.nonnegative = true, .friction_limit = friction_limit};
   const Eigen::MatrixXd cone =
       weights.asDiagonal() *
-      (as_eigen(contacts.kernel).topRows(weights.size()) * as_eigen(edges(contacts, press)));
+      ConeEdges(contacts, press).applied(as_eigen(contacts.kernel).topRows(weights.size()));
   std::vector<Eigen::VectorXd> loads;
   for (const std::vector<double>& one : given.loads) loads.push_back(weighted_by_noise(one));
   const Eigen::VectorXd rest =

@@ -1,25 +1,17 @@
 /// @file
-/// The stabiliser of linear_problem.hpp on a grid of one column, a line's: of each traction
+/// The stabiliser of linear_problem.hpp on a line's grid of one column: of each traction
 /// L'L = m (l^2/h^2 Q + I), bidiagonal. Private.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 
+#include "inverse/checks.hpp"
 #include "inverse/stabiliser_weight.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
-
-/// @throw std::invalid_argument  the problem is a skin's: its grid has several columns
-inline void require_line(const LinearProblem& problem) {
-  if (problem.grid.columns != 1)
-    throw std::invalid_argument(
-        "this method is for lines, whose tractions lie in one column: solve a skin's "
-        "problem by the methods of tactile_net/skin");
-}
 
 /// What L of the traction that column i of K belongs to is multiplied by.
 [[nodiscard]] inline double stabiliser_weight(const LinearProblem& problem, Eigen::Index i) {

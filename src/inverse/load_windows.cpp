@@ -9,7 +9,6 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/family_factors.hpp"
-#include "inverse/line_stabiliser.hpp"
 #include "numeric/require.hpp"
 
 namespace tactile_net {

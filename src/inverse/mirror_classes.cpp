@@ -114,6 +114,10 @@ std::vector<MirrorClass> mirror_classes(const LinearProblem& problem) {
   return classes;
 }
 
+Eigen::MatrixXd folded_kernel(const Eigen::Ref<const RowMajor>& kernel, const MirrorClass& part) {
+  return kernel.transpose() * part.readings.transpose();
+}
+
 MirrorClass whole_class(const LinearProblem& problem, Index coordinates) {
   MirrorClass whole;
   const auto rows = static_cast<Index>(problem.sites.size());

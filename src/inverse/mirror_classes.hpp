@@ -19,6 +19,11 @@ struct MirrorClass {
 /// One where nothing mirrors itself, else two or four, but those of which there is nothing.
 [[nodiscard]] std::vector<MirrorClass> mirror_classes(const LinearProblem& problem);
 
+/// The kernel's columns as rows, of the readings of a class: half as many numbers or a quarter,
+/// before they are parted into waves.
+[[nodiscard]] Eigen::MatrixXd folded_kernel(const Eigen::Ref<const RowMajor>& kernel,
+                                            const MirrorClass& part);
+
 /// All readings, and so many coordinates.
 [[nodiscard]] MirrorClass whole_class(const LinearProblem& problem, Eigen::Index coordinates);
 

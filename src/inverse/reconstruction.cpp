@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/finite.hpp"
 
@@ -14,8 +15,7 @@ Reconstruction::Reconstruction(const Matrix& matrix, double condition) : conditi
   if (matrix.values.empty() || matrix.values.size() != matrix.rows * matrix.columns)
     throw std::invalid_argument(
         "a reconstruction matrix needs rows x columns values, at least one");
-  if (!all_finite(matrix.values))
-    throw std::invalid_argument("the reconstruction matrix is not finite: scale the readings");
+  check_finite(matrix);
   transposed_ = from_eigen(as_eigen(matrix).transpose());
   const double most = as_eigen(matrix).cwiseAbs().rowwise().sum().maxCoeff();
   constexpr double largest = std::numeric_limits<double>::max();

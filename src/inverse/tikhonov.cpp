@@ -48,7 +48,7 @@ std::vector<double> tikhonov_solve(const LinearProblem& problem, double alpha,
   check_alpha(alpha);
   check_readings(readings, problem.kernel.rows);
   const Eigen::VectorXd g = Weighting(problem)(readings);
-  if (problem.grid.columns > 1) return solved_in_waves(problem, alpha, g);
+  if (!problem.is_line) return solved_in_waves(problem, alpha, g);
   const Eigen::MatrixXd a = stacked(problem, alpha);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(a.rows());
   right.head(g.size()) = g;

@@ -115,14 +115,13 @@ double tikhonov_filter(double gamma, double alpha) {
 TikhonovFamily::Factors::Factors(const LinearProblem& problem,
                                  std::shared_ptr<const TractionCoordinates> basis,
                                  std::vector<MirrorClass> classes)
-    : line(problem.grid.columns == 1 ? channel_length(problem) : 0),
+    : line(problem.is_line ? channel_length(problem) : 0),
       weighting(problem),
       coordinates(std::move(basis)),
       stabiliser_condition(condition_of_stabiliser(problem)) {
-  const Eigen::MatrixXd all = coordinates->sums(as_eigen(problem.kernel).transpose());  // T' K' W
   for (MirrorClass& part : classes) {
-    const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
-    const Eigen::MatrixXd transposed = selected * part.readings.transpose();
+    const Eigen::MatrixXd transposed =
+        coordinates->sums_of(part.waves, folded_kernel(as_eigen(problem.kernel), part));
     Block block{.part = std::move(part)};
     if (transposed.size() > 0) {
       Svd svd = long_singular_value_decomposition(transposed);
@@ -306,7 +305,7 @@ std::vector<double> TikhonovFamily::solve(const FilterFrame& frame, double alpha
   return {f.begin(), f.end()};
 }
 
-Reconstruction TikhonovFamily::reconstruction(double alpha) const {
+Matrix TikhonovFamily::matrix(double alpha) const {
   check_alpha(alpha);
   const Factors& factors = *factors_;
   Eigen::MatrixXd coordinates =
@@ -318,9 +317,16 @@ Reconstruction TikhonovFamily::reconstruction(double alpha) const {
     coordinates(block.part.waves, Eigen::indexing::all) =
         factors.weighting.applied(Eigen::MatrixXd(own * block.part.readings));
   }
+  Matrix result = from_eigen(factors.coordinates->tractions(coordinates));
+  check_finite(result);
+  return result;
+}
+
+Reconstruction TikhonovFamily::reconstruction(double alpha) const {
+  const Factors& factors = *factors_;
   const bool exactly = factors.line > 0 && factors.coordinates->stretch().size() > 0;
-  return {from_eigen(factors.coordinates->tractions(coordinates)),
-          exactly ? factors.stacked_condition(alpha) : stacked_condition(alpha)};
+  const Matrix inverse = matrix(alpha);
+  return {inverse, exactly ? factors.stacked_condition(alpha) : stacked_condition(alpha)};
 }
 
 }  // namespace tactile_net

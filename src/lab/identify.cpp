@@ -108,7 +108,10 @@ SensorArray reading(const SensorArray& array, const std::vector<Quantity>& reads
   std::vector<Taxel> taxels;
   for (const Taxel& taxel : array.taxels)
     for (const double depth : depths)
-      taxels.push_back({taxel.y, taxel.depth * (depth / array.depths.front()), reads, taxel.width});
+      taxels.push_back({.y = taxel.y,
+                        .depth = taxel.depth * (depth / array.depths.front()),
+                        .reads = reads,
+                        .width = taxel.width});
   return uneven_array(std::move(taxels));
 }
 

@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/filter_frame.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/large/part.hpp"
 
 namespace tactile_net::lab {

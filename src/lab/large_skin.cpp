@@ -80,8 +80,8 @@ std::vector<double> LargeSkin::solve(std::span<const double> readings, double al
   return tractions;
 }
 
-SkinConeSolution LargeSkin::solve_in_cones(std::span<const double> readings, double alpha,
-                                           const Constraints& constraints) {
+ConeSolution LargeSkin::solve_in_cones(std::span<const double> readings, double alpha,
+                                       const Constraints& constraints) {
   return LargeSkinCone(system_, alpha, constraints).solve(readings);
 }
 

@@ -43,8 +43,8 @@ class LargeSkin {
   /// @throw FrameOverflow          the tractions overflow a double
   /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] std::vector<double> solve(std::span<const double> readings, double alpha);
-  [[nodiscard]] SkinConeSolution solve_in_cones(std::span<const double> readings, double alpha,
-                                                const Constraints& constraints);
+  [[nodiscard]] ConeSolution solve_in_cones(std::span<const double> readings, double alpha,
+                                            const Constraints& constraints);
   /// Refers to this object, until its alpha is another one.
   [[nodiscard]] std::unique_ptr<const LargeSkinCovariance> covariance(double alpha,
                                                                       double prior_alpha);

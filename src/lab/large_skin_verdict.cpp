@@ -96,13 +96,10 @@ Unexplained LargeSkinFit::left_by(const JudgedFrame& frame,
 Unexplained LargeSkinFit::search(const JudgedFrame& frame, Friction friction, double smoothing,
                                  double enough) const {
   const Constraints press{.friction_limit = p.limit_of(friction)};
-  const SkinConeSolution found =
-      LargeSkinCone(system_, smoothing * square(), press)
-          .solve(frame.readings, most_search_steps, 1e-5, enough * p.unit);
-  Unexplained left =
-      found.status == FrameStatus::ok
-          ? left_by(frame, found.tractions)
-          : Unexplained{.residual = frame.seen, .norm = std::sqrt(sum_of_squares(frame.seen))};
+  const ConeSolution found = LargeSkinCone(system_, smoothing * square(), press)
+                                 .solve(frame.readings, most_search_steps, 1e-5, enough * p.unit);
+  if (found.status != FrameStatus::ok) return nothing_explained(frame, friction);
+  Unexplained left = left_by(frame, found.tractions);
   left.friction = friction;
   return left;
 }

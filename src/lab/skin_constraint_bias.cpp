@@ -43,7 +43,7 @@ std::vector<double> weighted_readings(const LinearProblem& problem,
 }  // namespace
 
 double constraint_bias(const ContactAlone& contact,
-                       const std::function<SkinConeSolution(std::span<const double>)>& solve,
+                       const std::function<ConeSolution(std::span<const double>)>& solve,
                        double noise_rms) {
   const double put_in = pressed(contact.tractions, contact.cells);
   if (!(put_in > 0.0)) return 0.0;
@@ -54,7 +54,7 @@ double constraint_bias(const ContactAlone& contact,
     for (std::size_t i = 0; i < readings.size(); ++i)
       if (contact.weights[i] > 0.0)
         readings[i] = (contact.read[i] + sign * noise[i]) / contact.weights[i];
-    const SkinConeSolution again = solve(readings);
+    const ConeSolution again = solve(readings);
     if (again.status != FrameStatus::ok) return 0.0;
     found += 0.5 * pressed(again.tractions, contact.cells);
   }

@@ -31,8 +31,8 @@ struct ContactAlone {
 /// @return           of the force on these cells, what is too much of it, over it; 0 where nothing
 ///                   presses, or the solutions end without an answer. Within +-0.5.
 [[nodiscard]] double constraint_bias(
-    const ContactAlone& contact,
-    const std::function<SkinConeSolution(std::span<const double>)>& solve, double noise_rms);
+    const ContactAlone& contact, const std::function<ConeSolution(std::span<const double>)>& solve,
+    double noise_rms);
 
 /// The same of a skin with all of its matrix.
 [[nodiscard]] double constraint_bias(const SkinSceneProblem& problem, const SkinMethod& method,

@@ -28,8 +28,8 @@ class DenseMethod final : public SkinMethod {
                                           double alpha) const override {
     return problem_.family().solve(frame, alpha);
   }
-  [[nodiscard]] SkinConeSolution solve_in_cones(std::span<const double> readings,
-                                                double alpha) const override {
+  [[nodiscard]] ConeSolution solve_in_cones(std::span<const double> readings,
+                                            double alpha) const override {
     return problem_.cone(alpha)->solve(readings);
   }
   [[nodiscard]] std::unique_ptr<const CellCovariance> covariance(
@@ -71,7 +71,7 @@ class LargeMethod final : public SkinMethod {
     convergence_ = large_.solver(alpha).convergence();
     return tractions;
   }
-  SkinConeSolution solve_in_cones(std::span<const double> readings, double alpha) const override {
+  ConeSolution solve_in_cones(std::span<const double> readings, double alpha) const override {
     return large_.solve_in_cones(readings, alpha, *constraints_);
   }
   std::unique_ptr<const CellCovariance> covariance(double alpha,

@@ -33,8 +33,8 @@ class SkinMethod {
                                                   std::span<const double> readings,
                                                   double alpha) const = 0;
   /// @pre  the problem has constraints
-  [[nodiscard]] virtual SkinConeSolution solve_in_cones(std::span<const double> readings,
-                                                        double alpha) const = 0;
+  [[nodiscard]] virtual ConeSolution solve_in_cones(std::span<const double> readings,
+                                                    double alpha) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const CellCovariance> covariance(
       double alpha, double prior_alpha) const = 0;
   /// Of a covariance that this method gave; absent: it is exact.

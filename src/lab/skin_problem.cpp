@@ -114,9 +114,10 @@ struct SkinSceneProblem::Parts {
   std::optional<SkinSceneProblem> beyond{};
   std::optional<PatternCache<SkinSceneProblem, double>> weighed{};  // by tangential weight
 
-  std::optional<SkinCone> any_cone{};  // whose alpha does not matter: cones of others come from it
+  std::optional<ConeTikhonov>
+      any_cone{};  // whose alpha does not matter: cones of others come from it
 
-  Lent<double, SkinCone> cones{};                            // by alpha
+  Lent<double, ConeTikhonov> cones{};                        // by alpha
   Lent<std::vector<std::size_t>, SkinSceneProblem> rests{};  // by the taxels that are left out
 
   /// What all frames share is made under it, from what is made under it.
@@ -257,12 +258,12 @@ std::size_t SkinSceneProblem::bytes() const {
   return sizeof(double) * (matrices * rows * columns + numbers_of_rules * std::min(rows, columns));
 }
 
-std::shared_ptr<const SkinCone> SkinSceneProblem::cone(double alpha) const {
+std::shared_ptr<const ConeTikhonov> SkinSceneProblem::cone(double alpha) const {
   return parts_->cones(alpha, [&] {
-    const SkinCone& any = [&]() -> const SkinCone& {
+    const ConeTikhonov& any = [&]() -> const ConeTikhonov& {
       const std::lock_guard lock(parts_->mutex);
       if (!parts_->any_cone)
-        parts_->any_cone.emplace(SkinCone(problem(), alpha, *parts_->constraints));
+        parts_->any_cone.emplace(ConeTikhonov(problem(), alpha, *parts_->constraints));
       return *parts_->any_cone;
     }();
     return any.with_alpha(alpha);

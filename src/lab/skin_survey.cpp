@@ -93,10 +93,10 @@ SkinArray reading(const SkinArray& skin, const std::vector<Quantity>& reads,
     for (const double factor : factors) other.depths.push_back(factor * least);
     return other;
   }
-  std::vector<SkinTaxel> taxels;
+  std::vector<Taxel> taxels;
   for (std::size_t i = 0; i < skin.taxels.size(); ++i)
     for (std::size_t d = 0; d < factors.size(); ++d) {
-      const SkinTaxel& taxel = skin.taxels[i];
+      const Taxel& taxel = skin.taxels[i];
       taxels.push_back({std::to_string(i) + "@" + std::to_string(d), taxel.y, taxel.z,
                         taxel.depth * factors[d], reads});
     }

@@ -106,7 +106,7 @@ Interior interior_of(const lab::SkinExperiment& experiment, double bottom, doubl
   Interior interior{.rows = scene.material.layer ? std::size_t{8} : std::size_t{16},
                     .columns = std::min<std::size_t>(2 * grid.rows, 64)};
   const double width = grid.spacing_y * static_cast<double>(grid.rows);
-  std::vector<SkinTaxel> points;
+  std::vector<Taxel> points;
   for (std::size_t i = 0; i < interior.rows; ++i)
     for (std::size_t j = 0; j < interior.columns; ++j)
       points.push_back(

@@ -103,8 +103,10 @@ std::vector<Taxel> read_positions(const Value& positions, const Common& common,
   std::vector<Taxel> taxels;
   std::size_t misfits = 0;
   for (std::size_t i = 0; i < places->size(); ++i) {
-    taxels.push_back(
-        {(*places)[i], (*depths)[i], each.empty() ? common.reads : each[i], (*widths)[i]});
+    taxels.push_back({.y = (*places)[i],
+                      .depth = (*depths)[i],
+                      .reads = each.empty() ? common.reads : each[i],
+                      .width = (*widths)[i]});
     if (i == 0 || misfits == most_misfits) continue;
     const double before = (*places)[i - 1];
     if ((*places)[i] < before || ((*places)[i] == before && (*depths)[i] == (*depths)[i - 1])) {

@@ -14,7 +14,7 @@ namespace {
 class Places {
  public:
   /// @throw std::runtime_error  another taxel has this one's name, or reads the same in its place
-  void add(std::size_t line, const SkinTaxel& taxel) {
+  void add(std::size_t line, const Taxel& taxel) {
     if (const auto [other, is_new] = names_.try_emplace(taxel.name, line);
         !is_new && !taxel.name.empty())
       throw error_in_line(line, "the name is that of the taxel in line " +
@@ -36,8 +36,8 @@ class Places {
   std::map<std::tuple<double, double, double, Quantity>, std::size_t> readings_{};
 };
 
-std::vector<SkinTaxel> read_taxels(const std::filesystem::path& path, const SkinTaxel& missing,
-                                   const Unit& length) {
+std::vector<Taxel> read_taxels(const std::filesystem::path& path, const Taxel& missing,
+                               const Unit& length) {
   constexpr std::array<std::string_view, 5> known = {"name", "y", "z", "depth", "reads"};
   enum Column { name_column, y, z, depth, reads };
   const TaxelTable table(path, known, length);
@@ -45,10 +45,10 @@ std::vector<SkinTaxel> read_taxels(const std::filesystem::path& path, const Skin
   table.require(z, false, "");
   table.require(depth, missing.depth > 0.0, ", and the scene states no sensor.depth");
   table.require(reads, !missing.reads.empty(), ", and the scene states no sensor.reads");
-  std::vector<SkinTaxel> taxels;
+  std::vector<Taxel> taxels;
   Places places;
   for (const TaxelTable::Row& row : table.rows(1, static_cast<std::size_t>(most_taxels))) {
-    SkinTaxel taxel = missing;
+    Taxel taxel = missing;
     if (table.has(name_column)) taxel.name = table.text(row, name_column);
     taxel.y = table.length(row, y);
     taxel.z = table.length(row, z);
@@ -111,7 +111,7 @@ SkinArray read_uneven(Table& table, const Value& file, const std::filesystem::pa
   for (const std::string_view key : {"rows", "columns", "pitch", "depths"})
     table.not_here(key, "applies to taxels on a lattice; these have places of their own",
                    "remove it");
-  SkinTaxel missing;
+  Taxel missing;
   if (const auto value = table.value("depth"))
     missing.depth = value->number(positive, read.units.length).value_or(0.0);
   double depth_factor = 1.0;
@@ -123,8 +123,8 @@ SkinArray read_uneven(Table& table, const Value& file, const std::filesystem::pa
   const auto path = read_taxel_path(file, folder);
   if (!path) return {};
   try {
-    std::vector<SkinTaxel> taxels = read_taxels(*path, missing, read.units.length);
-    for (SkinTaxel& taxel : taxels) taxel.depth *= depth_factor;
+    std::vector<Taxel> taxels = read_taxels(*path, missing, read.units.length);
+    for (Taxel& taxel : taxels) taxel.depth *= depth_factor;
     SkinArray array = uneven_skin(std::move(taxels));
     read.reads_complete = read.depths_complete = true;
     return array;

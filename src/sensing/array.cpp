@@ -1,27 +1,23 @@
 #include "tactile_net/sensing/array.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "numeric/require.hpp"
+#include "sensing/array_parts.hpp"
 #include "tactile_net/sensing/aperture.hpp"
 
 namespace tactile_net {
 namespace {
 
-void check_reads(const std::vector<Quantity>& reads) {
-  if (reads.empty()) throw std::invalid_argument("reads must hold at least one quantity");
-  for (auto read = reads.begin(); read != reads.end(); ++read) {
-    check_line(*read);
-    if (std::find(reads.begin(), read, *read) != read)
-      throw std::invalid_argument("reads must name a quantity once (got " +
-                                  std::string(name(*read)) + " twice)");
-  }
-}
-
-bool contains(const auto& values, const auto& value) {
-  return std::find(values.begin(), values.end(), value) != values.end();
+/// A name becomes a part of a CSV file's header.
+void check_name(const std::string& text) {
+  for (const char c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == ',' || c == '"' || c == 0x7f)
+      throw std::invalid_argument(
+          "the name of a taxel must hold no comma, quotation mark or control character");
 }
 
 void check_width(const std::string& name, double width, double depth) {
@@ -29,53 +25,85 @@ void check_width(const std::string& name, double width, double depth) {
           "be >= 0 and at most 10000 depths", width);
 }
 
+void check_plane(const std::vector<Quantity>& reads) {
+  for (const Quantity quantity : reads) check_line(quantity);
+}
+
 void check(const std::vector<Taxel>& taxels) {
   require(taxels.size() >= 2, "taxels", "be 2 at least", taxels.size());
   for (std::size_t i = 0; i < taxels.size(); ++i) {
-    const Taxel& taxel = taxels[i];
-    const std::string which = "taxel " + std::to_string(i);
-    require(std::isfinite(taxel.y), "y of " + which, "be finite", taxel.y);
-    require_positive("depth of " + which, taxel.depth);
-    check_width("width of " + which, taxel.width, taxel.depth);
-    check_reads(taxel.reads);
-    for (std::size_t j = i; j-- > 0 && taxels[j].y >= taxel.y;) {
-      require(taxels[j].y == taxel.y, "y of " + which, "not be less than that of the one before",
-              taxel.y);
-      if (taxels[j].depth != taxel.depth) continue;
-      for (const Quantity quantity : taxel.reads)
-        if (contains(taxels[j].reads, quantity))
-          throw std::invalid_argument("taxels " + std::to_string(j) + " and " + std::to_string(i) +
-                                      " are at one place and read the same, " +
-                                      std::string(name(quantity)));
-    }
+    const std::string which = "taxel " + label(taxels[i], i);
+    require(taxels[i].z == 0.0, "z of " + which,
+            "be 0 on a line array: make a skin of taxels that lie beside each other, uneven_skin",
+            taxels[i].z);
+    check_plane(taxels[i].reads);
   }
-}
-
-std::vector<Channel> even_channels(const SensorArray& array) {
-  std::vector<Channel> result;
-  for (const Quantity quantity : array.reads)
-    for (std::size_t i = 0; i < array.depths.size(); ++i) {
-      std::string label(name(quantity));
-      if (array.depths.size() > 1) label += '@' + std::to_string(i);
-      result.push_back({quantity, array.depths[i], std::move(label), result.size() * array.count,
-                        array.count, array.width});
-    }
-  return result;
+  check_taxels(taxels);
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const std::string which = "taxel " + label(taxels[i], i);
+    check_width("width of " + which, taxels[i].width, taxels[i].depth);
+    require(i == 0 || taxels[i].y >= taxels[i - 1].y, "y of " + which,
+            "not be less than that of the one before", taxels[i].y);
+  }
 }
 
 }  // namespace
 
+std::string label(const Taxel& taxel, std::size_t index) {
+  return taxel.name.empty() ? std::to_string(index) : taxel.name;
+}
+
+void check_reads(const std::vector<Quantity>& reads, const std::string& what) {
+  if (reads.empty()) throw std::invalid_argument(what + " must hold at least one quantity");
+  for (auto read = reads.begin(); read != reads.end(); ++read)
+    if (std::find(reads.begin(), read, *read) != read)
+      throw std::invalid_argument(what + " must name a quantity once (got " +
+                                  std::string(name(*read)) + " twice)");
+}
+
+void check_taxels(const std::vector<Taxel>& taxels) {
+  std::map<std::string, std::size_t> named;
+  std::map<std::tuple<double, double, double, Quantity>, std::size_t> read;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const Taxel& taxel = taxels[i];
+    check_name(taxel.name);
+    const std::string which = "taxel " + label(taxel, i);
+    require_finite("y of " + which, taxel.y);
+    require_finite("z of " + which, taxel.z);
+    require_positive("depth of " + which, taxel.depth);
+    check_reads(taxel.reads, "reads of " + which);
+    if (const auto [same, is_new] = named.emplace(label(taxel, i), i); !is_new)
+      throw std::invalid_argument("taxels " + std::to_string(same->second) + " and " +
+                                  std::to_string(i) + " have one name, " + same->first +
+                                  ": a reading must be told from another");
+    for (const Quantity quantity : taxel.reads) {
+      // -0 and 0 are one place.
+      const auto place = std::tuple(taxel.y + 0.0, taxel.z + 0.0, taxel.depth, quantity);
+      if (const auto [same, is_new] = read.emplace(place, i); !is_new)
+        throw std::invalid_argument(
+            "taxels " + label(taxels[same->second], same->second) + " and " + label(taxel, i) +
+            " are at one place, y = " + shortest(taxel.y) + ", z = " + shortest(taxel.z) +
+            ", and read the same, " + std::string(name(quantity)) +
+            ": leave one out, or average their readings");
+    }
+  }
+}
+
+void check_depths(const std::vector<double>& depths) {
+  if (depths.empty()) throw std::invalid_argument("depths must hold at least one value");
+  for (auto depth = depths.begin(); depth != depths.end(); ++depth) {
+    require_positive("depth", *depth);
+    require(std::find(depths.begin(), depth, *depth) == depth, "depths",
+            "be given once each, as two taxels at one place would read the same", *depth);
+  }
+}
+
 SensorArray uneven_array(std::vector<Taxel> taxels) {
   check(taxels);
   SensorArray array{.count = taxels.size()};
-  for (const Taxel& taxel : taxels) {
-    if (!contains(array.depths, taxel.depth)) array.depths.push_back(taxel.depth);
-    for (const Quantity quantity : taxel.reads)
-      if (!contains(array.reads, quantity)) array.reads.push_back(quantity);
-  }
   array.pitch = (taxels.back().y - taxels.front().y) / static_cast<double>(taxels.size() - 1);
-  if (array.pitch == 0.0) array.pitch = *std::min_element(array.depths.begin(), array.depths.end());
-  array.taxels = std::move(taxels);
+  take_taxels(array, std::move(taxels));
+  if (array.pitch == 0.0) array.pitch = least_depth(array);
   return array;
 }
 
@@ -88,12 +116,10 @@ void check(const SensorArray& array) {
   }
   require(array.count >= 2, "count", "be >= 2", array.count);
   require_positive("pitch", array.pitch);
-  if (array.depths.empty()) throw std::invalid_argument("depths must hold at least one value");
-  for (const double depth : array.depths) {
-    require_positive("depth", depth);
-    check_width("width", array.width, depth);
-  }
-  check_reads(array.reads);
+  check_depths(array.depths);
+  for (const double depth : array.depths) check_width("width", array.width, depth);
+  check_reads(array.reads, "reads");
+  check_plane(array.reads);
 }
 
 double position(const SensorArray& array, std::size_t taxel) noexcept {
@@ -107,51 +133,21 @@ std::vector<double> positions(const SensorArray& array) {
   return result;
 }
 
-std::size_t channel_count(const SensorArray& array) noexcept {
-  return is_even(array) ? array.reads.size() * array.depths.size() : array.reads.size();
-}
+std::size_t channel_count(const SensorArray& array) noexcept { return count_channels(array); }
 
-std::size_t reading_count(const SensorArray& array) noexcept {
-  if (is_even(array)) return channel_count(array) * array.count;
-  std::size_t count = 0;
-  for (const Taxel& taxel : array.taxels) count += taxel.reads.size();
-  return count;
-}
+std::size_t reading_count(const SensorArray& array) noexcept { return count_readings(array); }
 
 std::vector<Channel> channels(const SensorArray& array) {
-  if (is_even(array)) return even_channels(array);
-  std::vector<Channel> result;
-  for (std::size_t first = 0; const Quantity quantity : array.reads) {
-    Channel channel{.quantity = quantity, .name = std::string(name(quantity)), .first = first};
-    for (const Taxel& taxel : array.taxels) {
-      if (!contains(taxel.reads, quantity)) continue;
-      channel.depth = channel.count++ == 0 ? taxel.depth : std::min(channel.depth, taxel.depth);
-    }
-    first += channel.count;
-    result.push_back(std::move(channel));
-  }
-  return result;
+  return list_channels(array, array.width);
 }
 
 std::vector<Site> sites(const SensorArray& array) {
-  std::vector<Site> result;
-  result.reserve(reading_count(array));
-  for (std::size_t c = 0; const Channel& channel : channels(array)) {
-    for (std::size_t i = 0; i < array.count; ++i) {
-      if (!is_even(array) && !contains(array.taxels[i].reads, channel.quantity)) continue;
-      const auto [depth, width] = is_even(array)
-                                      ? std::pair(channel.depth, channel.width)
-                                      : std::pair(array.taxels[i].depth, array.taxels[i].width);
-      result.push_back({.y = position(array, i),
-                        .depth = depth,
-                        .quantity = channel.quantity,
-                        .taxel = i,
-                        .channel = c,
-                        .width = width});
-    }
-    ++c;
-  }
-  return result;
+  return list_sites(array,
+                    [&](std::size_t taxel) { return std::pair(position(array, taxel), 0.0); });
+}
+
+double least_depth(const SensorArray& array) noexcept {
+  return *std::min_element(array.depths.begin(), array.depths.end());
 }
 
 SensorArray every(const SensorArray& array, std::size_t stride) {
@@ -166,12 +162,12 @@ SensorArray every(const SensorArray& array, std::size_t stride) {
   return result;
 }
 
+std::string taxel_name(const SensorArray& array, std::size_t taxel) {
+  return is_even(array) ? std::to_string(taxel) : label(array.taxels[taxel], taxel);
+}
+
 std::vector<std::string> reading_names(const SensorArray& array) {
-  const std::vector<Channel> all = channels(array);
-  std::vector<std::string> names;
-  for (const Site& site : sites(array))
-    names.push_back(all[site.channel].name + "_" + std::to_string(site.taxel));
-  return names;
+  return list_reading_names(array);
 }
 
 void require_even(const SensorArray& array, std::string_view asks) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "numeric/real_fft.hpp"
+#include "sensing/spectral_convolution.hpp"
 #include "sensing/superpose.hpp"
 
 namespace tactile_net {

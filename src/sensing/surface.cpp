@@ -1,12 +1,11 @@
 #include "tactile_net/sensing/surface.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "numeric/named.hpp"
-#include "numeric/require.hpp"
+#include "sensing/axis_steps.hpp"
 
 namespace tactile_net {
 namespace {
@@ -22,9 +21,6 @@ double widest_gap(const SensorArray& array) noexcept {
     widest = std::max(widest, array.taxels[i].y - array.taxels[i - 1].y);
   return widest;
 }
-
-/// ceil, but for rounding.
-double rounded_up(double ratio) { return std::ceil(ratio * (1.0 - 1e-12)); }
 
 }  // namespace
 
@@ -63,10 +59,6 @@ double measure_of(const SensorArray& array, const Surface& surface) noexcept {
   return is_even(array) ? 1.0 / static_cast<double>(surface.stride) : surface.spacing / array.pitch;
 }
 
-double least_depth(const SensorArray& array) noexcept {
-  return *std::min_element(array.depths.begin(), array.depths.end());
-}
-
 bool is_dense(const SensorArray& array) noexcept {
   return widest_gap(array) <= 0.5 * least_depth(array);
 }
@@ -78,10 +70,7 @@ SurfaceOptions one_value_per_taxel(const SensorArray& array) noexcept {
 
 Surface surface_of(const SensorArray& array, const SurfaceOptions& options) {
   check(array);
-  if (options.spacing) require_positive("spacing", *options.spacing);
-  if (options.margin)
-    require(*options.margin >= 0.0 && std::isfinite(*options.margin), "margin",
-            "be >= 0 and finite", *options.margin);
+  check_spacing_and_margin(options.spacing, options.margin);
   if (options.basis == SurfaceBasis::taxels) {
     require_even(array, "a line load over each taxel");
     return {.basis = options.basis, .count = array.count, .spacing = array.pitch};
@@ -94,8 +83,7 @@ Surface surface_of(const SensorArray& array, const SurfaceOptions& options) {
   const double first = position(array, 0);
   const double length = is_even(array) ? array.pitch : position(array, array.count - 1) - first;
   const double parts = is_even(array) ? static_cast<double>(array.count - 1) : 1.0;
-  const double stride = std::max(rounded_up(length / wanted), length > 0.0 ? 1.0 : 0.0);
-  const double spacing = length > 0.0 ? length / stride : wanted;
+  const auto [spacing, stride] = steps_over(length, wanted);
   const double reach = rounded_up(options.margin.value_or(2.0 * depth) / spacing);
   // The outermost hats end one spacing further.
   const double margin = std::max(reach - 1.0, length > 0.0 ? 0.0 : 1.0);

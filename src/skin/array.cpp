@@ -3,73 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <span>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "numeric/require.hpp"
+#include "sensing/array_parts.hpp"
 #include "skin/near_places.hpp"
-#include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
 namespace {
 
-bool contains(const auto& values, const auto& value) {
-  return std::find(values.begin(), values.end(), value) != values.end();
-}
-
-void check_reads(const std::vector<Quantity>& reads, const std::string& what) {
-  if (reads.empty()) throw std::invalid_argument(what + " must hold at least one quantity");
-  for (auto read = reads.begin(); read != reads.end(); ++read)
-    if (std::find(reads.begin(), read, *read) != read)
-      throw std::invalid_argument(what + " must name a quantity once (got " +
-                                  std::string(name(*read)) + " twice)");
-}
-
-std::string label(const SkinTaxel& taxel, std::size_t index) {
-  return taxel.name.empty() ? std::to_string(index) : taxel.name;
-}
-
-/// A name becomes a part of a CSV file's header.
-void check_name(const std::string& text) {
-  for (const char c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || c == ',' || c == '"' || c == 0x7f)
-      throw std::invalid_argument(
-          "the name of a taxel must hold no comma, quotation mark or control character");
-}
-
-void check(const std::vector<SkinTaxel>& taxels) {
-  std::map<std::string, std::size_t> named;
-  std::map<std::tuple<double, double, double, Quantity>, std::size_t> read;
-  for (std::size_t i = 0; i < taxels.size(); ++i) {
-    const SkinTaxel& taxel = taxels[i];
-    check_name(taxel.name);
-    const std::string which = "taxel " + label(taxel, i);
-    require_finite("y of " + which, taxel.y);
-    require_finite("z of " + which, taxel.z);
-    require_positive("depth of " + which, taxel.depth);
-    check_reads(taxel.reads, "reads of " + which);
-    if (const auto [same, is_new] = named.emplace(label(taxel, i), i); !is_new)
-      throw std::invalid_argument("taxels " + std::to_string(same->second) + " and " +
-                                  std::to_string(i) + " have one name, " + same->first +
-                                  ": a reading must be told from another");
-    for (const Quantity quantity : taxel.reads) {
-      // -0 and 0 are one place.
-      const auto place = std::tuple(taxel.y + 0.0, taxel.z + 0.0, taxel.depth, quantity);
-      if (const auto [same, is_new] = read.emplace(place, i); !is_new)
-        throw std::invalid_argument(
-            "taxels " + label(taxels[same->second], same->second) + " and " + label(taxel, i) +
-            " are at one place, y = " + shortest(taxel.y) + ", z = " + shortest(taxel.z) +
-            ", and read the same, " + std::string(name(quantity)) +
-            ": leave one out, or average their readings");
-    }
-  }
+/// Taxels of an irregular skin.
+void check(const std::vector<Taxel>& taxels) {
+  if (taxels.empty()) throw std::invalid_argument("taxels must hold at least one taxel");
+  check_taxels(taxels);
+  for (std::size_t i = 0; i < taxels.size(); ++i)
+    require(taxels[i].width == 0.0, "width of taxel " + label(taxels[i], i),
+            "be 0 on a skin, whose taxels read at a point: leave the width out", taxels[i].width);
 }
 
 /// The mean distance from a place to the nearest other one; the least depth if all are one place.
-double mean_distance(const std::vector<SkinTaxel>& taxels, double alone) {
+double mean_distance(const std::vector<Taxel>& taxels, double alone) {
   const NearPlaces places{std::span(taxels)};
   double sum = 0.0;
   std::size_t count = 0;
@@ -88,49 +43,14 @@ double mean_distance(const std::vector<SkinTaxel>& taxels, double alone) {
   return count > 0 ? sum : alone;
 }
 
-std::vector<Channel> even_channels(const SkinArray& skin) {
-  std::vector<Channel> result;
-  for (const Quantity quantity : skin.reads)
-    for (std::size_t i = 0; i < skin.depths.size(); ++i) {
-      std::string label(name(quantity));
-      if (skin.depths.size() > 1) label += '@' + std::to_string(i);
-      result.push_back({quantity, skin.depths[i], std::move(label),
-                        result.size() * taxel_count(skin), taxel_count(skin)});
-    }
-  return result;
-}
-
-Site site(const SkinArray& skin, std::size_t taxel, const Channel& channel, std::size_t index) {
-  if (!is_even(skin)) {
-    const SkinTaxel& own = skin.taxels[taxel];
-    return {own.y, own.z, own.depth, channel.quantity, taxel, index};
-  }
-  // A single row or column lies at 0, whatever its pitch.
-  const auto place = [](std::size_t i, std::size_t count, double pitch) {
-    return count == 1 ? 0.0 : centred(i, count) * pitch;
-  };
-  return {place(taxel / skin.columns, skin.rows, skin.pitch_y),
-          place(taxel % skin.columns, skin.columns, skin.pitch_z),
-          channel.depth,
-          channel.quantity,
-          taxel,
-          index};
-}
-
 }  // namespace
 
-SkinArray uneven_skin(std::vector<SkinTaxel> taxels) {
-  if (taxels.empty()) throw std::invalid_argument("taxels must hold at least one taxel");
+SkinArray uneven_skin(std::vector<Taxel> taxels) {
   check(taxels);
   SkinArray skin{.rows = taxels.size(), .columns = 1};
-  for (std::size_t i = 0; i < taxels.size(); ++i) {
-    taxels[i].name = label(taxels[i], i);
-    if (!contains(skin.depths, taxels[i].depth)) skin.depths.push_back(taxels[i].depth);
-    for (const Quantity quantity : taxels[i].reads)
-      if (!contains(skin.reads, quantity)) skin.reads.push_back(quantity);
-  }
-  skin.pitch_y = skin.pitch_z = mean_distance(taxels, least_depth(skin));
-  skin.taxels = std::move(taxels);
+  for (std::size_t i = 0; i < taxels.size(); ++i) taxels[i].name = label(taxels[i], i);
+  take_taxels(skin, std::move(taxels));
+  skin.pitch_y = skin.pitch_z = mean_distance(skin.taxels, least_depth(skin));
   return skin;
 }
 
@@ -145,12 +65,7 @@ void check(const SkinArray& skin) {
   require(skin.columns >= 1, "columns", "be >= 1", skin.columns);
   if (skin.rows > 1) require_positive("pitch_y", skin.pitch_y);
   if (skin.columns > 1) require_positive("pitch_z", skin.pitch_z);
-  if (skin.depths.empty()) throw std::invalid_argument("depths must hold at least one value");
-  for (auto depth = skin.depths.begin(); depth != skin.depths.end(); ++depth) {
-    require_positive("depth", *depth);
-    require(std::find(skin.depths.begin(), depth, *depth) == depth, "depths",
-            "be given once each, as two taxels at one place would read the same", *depth);
-  }
+  check_depths(skin.depths);
   check_reads(skin.reads, "reads");
 }
 
@@ -167,42 +82,21 @@ void check(const SkinArray& skin, const Material& material) {
   for (const double depth : skin.depths) require(depth <= base, "depth", rule, depth);
 }
 
-std::size_t channel_count(const SkinArray& skin) noexcept {
-  return is_even(skin) ? skin.reads.size() * skin.depths.size() : skin.reads.size();
-}
+std::size_t channel_count(const SkinArray& skin) noexcept { return count_channels(skin); }
 
-std::size_t reading_count(const SkinArray& skin) noexcept {
-  if (is_even(skin)) return channel_count(skin) * taxel_count(skin);
-  std::size_t count = 0;
-  for (const SkinTaxel& taxel : skin.taxels) count += taxel.reads.size();
-  return count;
-}
+std::size_t reading_count(const SkinArray& skin) noexcept { return count_readings(skin); }
 
-std::vector<Channel> channels(const SkinArray& skin) {
-  if (is_even(skin)) return even_channels(skin);
-  std::vector<Channel> result;
-  for (std::size_t first = 0; const Quantity quantity : skin.reads) {
-    Channel channel{.quantity = quantity, .name = std::string(name(quantity)), .first = first};
-    for (const SkinTaxel& taxel : skin.taxels) {
-      if (!contains(taxel.reads, quantity)) continue;
-      channel.depth = channel.count++ == 0 ? taxel.depth : std::min(channel.depth, taxel.depth);
-    }
-    first += channel.count;
-    result.push_back(std::move(channel));
-  }
-  return result;
-}
+std::vector<Channel> channels(const SkinArray& skin) { return list_channels(skin, 0.0); }
 
 std::vector<Site> sites(const SkinArray& skin) {
-  std::vector<Site> result;
-  result.reserve(reading_count(skin));
-  for (std::size_t c = 0; const Channel& channel : channels(skin)) {
-    for (std::size_t i = 0; i < taxel_count(skin); ++i)
-      if (is_even(skin) || contains(skin.taxels[i].reads, channel.quantity))
-        result.push_back(site(skin, i, channel, c));
-    ++c;
-  }
-  return result;
+  // A single row or column lies at 0, whatever its pitch.
+  const auto along = [](std::size_t i, std::size_t count, double pitch) {
+    return count == 1 ? 0.0 : centred(i, count) * pitch;
+  };
+  return list_sites(skin, [&](std::size_t taxel) {
+    return std::pair(along(taxel / skin.columns, skin.rows, skin.pitch_y),
+                     along(taxel % skin.columns, skin.columns, skin.pitch_z));
+  });
 }
 
 double least_depth(const SkinArray& skin) noexcept {
@@ -214,12 +108,6 @@ std::string taxel_name(const SkinArray& skin, std::size_t taxel) {
   return std::to_string(taxel / skin.columns) + "_" + std::to_string(taxel % skin.columns);
 }
 
-std::vector<std::string> reading_names(const SkinArray& skin) {
-  const std::vector<Channel> all = channels(skin);
-  std::vector<std::string> names;
-  for (const Site& site : sites(skin))
-    names.push_back(all[site.channel].name + "_" + taxel_name(skin, site.taxel));
-  return names;
-}
+std::vector<std::string> reading_names(const SkinArray& skin) { return list_reading_names(skin); }
 
 }  // namespace tactile_net

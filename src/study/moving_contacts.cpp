@@ -14,12 +14,6 @@
 namespace tactile_net::study {
 namespace {
 
-double least_depth(const auto& sensor) {
-  double depth = channels(sensor).front().depth;
-  for (const auto& channel : channels(sensor)) depth = std::min(depth, channel.depth);
-  return depth;
-}
-
 std::vector<double> solved(const StudyInput& input, const lab::SceneProblem& line,
                            const std::vector<double>& readings) {
   return tikhonov_solve(line.problem(), input.alpha, readings);

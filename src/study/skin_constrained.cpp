@@ -3,7 +3,7 @@
 
 #include "study/digital.hpp"
 #include "study/points.hpp"
-#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 
 namespace tactile_net::study {
 
@@ -11,10 +11,10 @@ StudySection skin_constrained(const StudyInput& input, const lab::Clock& clock) 
   StudySection section;
   const WorkCurve curve{.family = WorkCurve::Family::friction_cone};
   try {
-    const SkinCone cone(input.skin().problem(), input.alpha,
-                        input.constraints().value_or(Constraints{}));
+    const ConeTikhonov cone(input.skin().problem(), input.alpha,
+                            input.constraints().value_or(Constraints{}));
     for (std::size_t limit = 5; limit <= 1280; limit *= 2) {
-      SkinConeSolution solution;
+      ConeSolution solution;
       const lab::Seconds seconds =
           lab::time_of([&] { solution = cone.solve(input.readings, limit); }, 0.03, clock);
       if (solution.status != FrameStatus::ok) throw Failed({.kind = Failure::Kind::no_frame});

@@ -48,12 +48,11 @@ inline PlanCase coarse_line(std::vector<std::size_t> dead) {
                   .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5, .margin = 1.0}});
 }
 
-inline bool is_skin(const PlanCase& sensor) { return sensor.problem.grid.columns > 1; }
+inline bool is_skin(const PlanCase& sensor) { return !sensor.problem.is_line; }
 
 /// M itself, by a solver that knows no plan.
 inline Reconstruction dense_answer(const LinearProblem& problem, double alpha) {
-  return problem.grid.columns > 1 ? TikhonovFamily(problem).reconstruction(alpha)
-                                  : tikhonov(problem, alpha);
+  return problem.is_line ? tikhonov(problem, alpha) : TikhonovFamily(problem).reconstruction(alpha);
 }
 
 inline PlannedEstimator planned(const PlanCase& sensor, double alpha,

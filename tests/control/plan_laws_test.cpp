@@ -224,6 +224,7 @@ namespace {
 /// A line's numbers as those of a skin of one column, so wide [m]. Where the line has a tangential
 /// traction the skin has the one across, too, on which no reading depends.
 LinearProblem as_column(LinearProblem problem, double width) {
+  problem.is_line = false;
   problem.grid.spacing_z = width;
   if (problem.components == 1) return problem;
   const auto widen = [&](Matrix& matrix) {
@@ -295,6 +296,10 @@ TEST_CASE("a line's plan is that of a skin of one column", "[planner]") {
   }
 }
 
+TEST_CASE("a skin of one column has cells, however wide they are", "[planner]") {
+  CHECK(plan_estimator(as_column(dense_line({}).problem, 1.0), 1e-4).plan.cells);
+}
+
 TEST_CASE("who has a problem's family need not make it twice", "[planner]") {
   for (const PlanCase& sensor : std::vector<PlanCase>{square(5), dense_line({})}) {
     const PlannerOptions options{.accuracy = 1e-9, .noise_rms = 1e-3};
@@ -318,6 +323,8 @@ TEST_CASE("what cannot be planned is refused", "[planner]") {
     CHECK_THROWS_AS(plan_estimator(other, TikhonovFamily(sensor.problem), 1e-4),
                     std::invalid_argument);
   }
+  for (const PlanCase& sensor : std::vector<PlanCase>{square(5), coarse_line({})})
+    CHECK_THROWS_AS(planned(sensor, 1e-300), std::domain_error);
   const PlanCase dead = dense_line({3});
   CHECK_THROWS_AS(plan_estimator(dead.problem, 1e-4, {}, &dead.problem), std::invalid_argument);
   CHECK_THROWS_WITH(planned(square(5), 1e-4, {.structure = Structure::fft}),

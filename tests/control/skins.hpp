@@ -81,7 +81,7 @@ inline Skin fine(std::size_t size) {
 
 inline Skin uneven(std::size_t count, double depth = 3e-3) {
   std::mt19937 generator(11);
-  std::vector<SkinTaxel> taxels;
+  std::vector<Taxel> taxels;
   for (std::size_t i = 0; i < count; ++i) {
     const auto random = [&] { return static_cast<double>(generator()) / 0x1p32; };
     taxels.push_back({.y = 14e-3 * random(),

@@ -31,7 +31,7 @@ struct SurfaceCase {
 
 SensorArray stress_at(const std::vector<double>& places, double depth = 1.5) {
   std::vector<Taxel> taxels;
-  for (const double y : places) taxels.push_back({y, depth, {stress_x}});
+  for (const double y : places) taxels.push_back({.y = y, .depth = depth, .reads = {stress_x}});
   return uneven_array(std::move(taxels));
 }
 
@@ -50,9 +50,9 @@ std::vector<SurfaceCase> surface_cases() {
   std::vector<SurfaceCase> all;
   all.push_back({.name = "two taxels", .array = stress_at({-1.0, 2.5})});
   all.push_back({.name = "all taxels at one place",
-                 .array = uneven_array({{0.3, 0.5, {stress_x, shear_xy}},
-                                        {0.3, 1.0, {stress_x, shear_xy}},
-                                        {0.3, 2.5, {stress_x, shear_xy}}}),
+                 .array = uneven_array({{.y = 0.3, .depth = 0.5, .reads = {stress_x, shear_xy}},
+                                        {.y = 0.3, .depth = 1.0, .reads = {stress_x, shear_xy}},
+                                        {.y = 0.3, .depth = 2.5, .reads = {stress_x, shear_xy}}}),
                  .unknowns = 2});
   all.push_back({.name = "taxels 1e-6 apart",
                  .array = stress_at({-2.0, -2.0 + 1e-6, 0.1, 0.1 + 1e-6, 1.9, 1.9 + 1e-6}),
@@ -61,13 +61,15 @@ std::vector<SurfaceCase> surface_cases() {
                  .array = stress_at({-2.0, 0.0, 2.0}),
                  .surface = {.basis = SurfaceBasis::hats, .spacing = 0.02, .margin = 1.0}});
   all.push_back({.name = "one taxel for each quantity",
-                 .array = uneven_array({{-1.0, 1.5, {stress_x}}, {1.2, 1.5, {shear_xy}}}),
+                 .array = uneven_array({{.y = -1.0, .depth = 1.5, .reads = {stress_x}},
+                                        {.y = 1.2, .depth = 1.5, .reads = {shear_xy}}}),
                  .unknowns = 2});
   Material layer{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
   layer.layer = Layer{.thickness = 2.0, .base = Base::bonded};
   all.push_back({.name = "a taxel at the base of a layer",
-                 .array = uneven_array(
-                     {{-1.5, 1.0, {stress_x}}, {0.0, 2.0, {stress_x}}, {1.7, 1.4, {stress_x}}}),
+                 .array = uneven_array({{.y = -1.5, .depth = 1.0, .reads = {stress_x}},
+                                        {.y = 0.0, .depth = 2.0, .reads = {stress_x}},
+                                        {.y = 1.7, .depth = 1.4, .reads = {stress_x}}}),
                  .material = layer,
                  .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5, .margin = 2.0}});
   for (const double margin : {0.0, 15.0})

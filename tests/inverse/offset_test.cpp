@@ -48,13 +48,13 @@ Pair pair_of(const std::string& name, const SensorArray& array, LineProblemOptio
 
 SensorArray uneven() {
   using enum Quantity;
-  return uneven_array({{-6.0, 1.2, {stress_x}},
-                       {-3.5, 1.0, {stress_x, shear_xy}},
-                       {-2.0, 1.0, {shear_xy}},
-                       {0.3, 1.2, {stress_x, shear_xy}},
-                       {1.9, 1.0, {stress_x}},
-                       {4.4, 1.0, {stress_x, shear_xy}},
-                       {6.0, 1.4, {shear_xy}}});
+  return uneven_array({{.y = -6.0, .depth = 1.2, .reads = {stress_x}},
+                       {.y = -3.5, .depth = 1.0, .reads = {stress_x, shear_xy}},
+                       {.y = -2.0, .depth = 1.0, .reads = {shear_xy}},
+                       {.y = 0.3, .depth = 1.2, .reads = {stress_x, shear_xy}},
+                       {.y = 1.9, .depth = 1.0, .reads = {stress_x}},
+                       {.y = 4.4, .depth = 1.0, .reads = {stress_x, shear_xy}},
+                       {.y = 6.0, .depth = 1.4, .reads = {shear_xy}}});
 }
 
 std::vector<Pair> pairs() {

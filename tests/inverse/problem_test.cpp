@@ -1,3 +1,5 @@
+#include "tactile_net/skin/problem.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -5,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "inverse/coordinates.hpp"
+#include "inverse/mirror_classes.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/stabiliser.hpp"
@@ -132,4 +136,32 @@ TEST_CASE("a matrix that no memory should be asked for is refused before it is",
   const LineProblemOptions hats{.surface = {.basis = SurfaceBasis::hats}};
   CHECK_THROWS_AS(make_problem(long_array, pad, hats), std::invalid_argument);
   CHECK_THROWS_WITH(make_problem(long_array, pad, hats), ContainsSubstring("20000 readings"));
+}
+
+TEST_CASE("a class has the same kernel whether its readings or its waves are taken first",
+          "[problem][property]") {
+  std::vector<NamedProblem> problems = sample_problems();
+  const SkinArray skin{.rows = 4,
+                       .columns = 7,
+                       .pitch_y = 1.0,
+                       .pitch_z = 1.2,
+                       .depths = {1.5},
+                       .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}};
+  problems.push_back({"skin", make_problem(skin, Material{})});
+  problems.push_back({"its dead ends", make_problem(skin, Material{}, {.dead_taxels = {0, 6}})});
+  for (const auto& [name, problem] : problems) {
+    CAPTURE(name);
+    const WaveCoordinates waves(problem, stabiliser_spectrum(problem).cwiseSqrt());
+    const Eigen::MatrixXd all = waves.sums(as_eigen(problem.kernel).transpose());
+    double squares = 0.0;
+    for (const MirrorClass& part : mirror_classes(problem)) {
+      const Eigen::MatrixXd folded =
+          waves.sums_of(part.waves, folded_kernel(as_eigen(problem.kernel), part));
+      const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
+      CHECK((folded - selected * part.readings.transpose()).norm() <= 1e-14 * all.norm());
+      squares += folded.squaredNorm();
+    }
+    // No wave of a class shows in another's readings.
+    CHECK_THAT(squares, WithinRel(all.squaredNorm(), 1e-12));
+  }
 }

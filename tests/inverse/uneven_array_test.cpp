@@ -27,7 +27,7 @@ constexpr double taxel_depth = 1.5e-3;
 std::vector<Taxel> taxels_of(const SensorArray& array, double offset = 0.0) {
   std::vector<Taxel> taxels;
   for (const double y : positions(array))
-    taxels.push_back({y + offset, array.depths.front(), array.reads});
+    taxels.push_back({.y = y + offset, .depth = array.depths.front(), .reads = array.reads});
   return taxels;
 }
 
@@ -250,8 +250,9 @@ TEST_CASE("arrays at the edge of sense give finite, stable answers", "[uneven][h
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   for (int i = 0; i < 1000; ++i)
-    many.push_back({1e-4 * (i + 0.9 * uniform(generator)),
-                    taxel_depth * (0.8 + 0.4 * uniform(generator)), normal});
+    many.push_back({.y = 1e-4 * (i + 0.9 * uniform(generator)),
+                    .depth = taxel_depth * (0.8 + 0.4 * uniform(generator)),
+                    .reads = normal});
   struct Case {
     const char* name;
     std::vector<Taxel> taxels;
@@ -261,31 +262,45 @@ TEST_CASE("arrays at the edge of sense give finite, stable answers", "[uneven][h
   };
   const SurfaceOptions hats{.basis = SurfaceBasis::hats};
   const std::vector<Case> cases = {
-      {"two taxels", {{-1e-3, taxel_depth, normal}, {1e-3, taxel_depth, normal}}, silicone},
+      {"two taxels",
+       {{.y = -1e-3, .depth = taxel_depth, .reads = normal},
+        {.y = 1e-3, .depth = taxel_depth, .reads = normal}},
+       silicone},
       {"one place, three depths",
-       {{0.0, 1e-3, normal}, {0.0, 2e-3, normal}, {0.0, 3e-3, normal}},
+       {{.y = 0.0, .depth = 1e-3, .reads = normal},
+        {.y = 0.0, .depth = 2e-3, .reads = normal},
+        {.y = 0.0, .depth = 3e-3, .reads = normal}},
        silicone},
       {"1e-6 of a depth apart",
-       {{-2e-3, taxel_depth, normal},
-        {0.0, taxel_depth, normal},
-        {1e-6 * taxel_depth, taxel_depth, normal}},
+       {{.y = -2e-3, .depth = taxel_depth, .reads = normal},
+        {.y = 0.0, .depth = taxel_depth, .reads = normal},
+        {.y = 1e-6 * taxel_depth, .depth = taxel_depth, .reads = normal}},
        silicone},
       {"one taxel per quantity",
-       {{-1e-3, taxel_depth, normal}, {1e-3, taxel_depth, {Quantity::shear_xy}}},
+       {{.y = -1e-3, .depth = taxel_depth, .reads = normal},
+        {.y = 1e-3, .depth = taxel_depth, .reads = {Quantity::shear_xy}}},
        silicone,
        hats,
        2},
-      {"at the base of a layer", {{-1e-3, 3e-3, normal}, {2e-3, 3e-3, normal}}, layer},
+      {"at the base of a layer",
+       {{.y = -1e-3, .depth = 3e-3, .reads = normal}, {.y = 2e-3, .depth = 3e-3, .reads = normal}},
+       layer},
       {"no margin",
-       {{-3e-3, taxel_depth, normal}, {0.0, taxel_depth, normal}, {2e-3, taxel_depth, normal}},
+       {{.y = -3e-3, .depth = taxel_depth, .reads = normal},
+        {.y = 0.0, .depth = taxel_depth, .reads = normal},
+        {.y = 2e-3, .depth = taxel_depth, .reads = normal}},
        silicone,
        {.basis = SurfaceBasis::hats, .margin = 0.0}},
       {"a margin of ten depths",
-       {{-3e-3, taxel_depth, normal}, {0.0, taxel_depth, normal}, {2e-3, taxel_depth, normal}},
+       {{.y = -3e-3, .depth = taxel_depth, .reads = normal},
+        {.y = 0.0, .depth = taxel_depth, .reads = normal},
+        {.y = 2e-3, .depth = taxel_depth, .reads = normal}},
        silicone,
        {.basis = SurfaceBasis::hats, .margin = 10.0 * taxel_depth}},
       {"spacing 100 times finer than the taxels",
-       {{-3e-3, taxel_depth, normal}, {0.0, taxel_depth, normal}, {2.5e-3, taxel_depth, normal}},
+       {{.y = -3e-3, .depth = taxel_depth, .reads = normal},
+        {.y = 0.0, .depth = taxel_depth, .reads = normal},
+        {.y = 2.5e-3, .depth = taxel_depth, .reads = normal}},
        silicone,
        {.basis = SurfaceBasis::hats, .spacing = 2.5e-5}},
       {"a thousand", many, silicone, {.basis = SurfaceBasis::hats, .spacing = 4e-4}}};

@@ -196,7 +196,7 @@ struct Skins : SensorProblem<lab::SkinSceneProblem> {
                       std::size_t dead) {
     SkinScene scene = std::get<SkinScene>(parse_any_scene(toml, "skin.toml"));
     std::mt19937_64 random(4);
-    std::vector<SkinTaxel> all;
+    std::vector<Taxel> all;
     for (std::size_t i = 0; i < taxels; ++i) {
       const double row = static_cast<double>(i / columns) - 2.5;
       const double column = static_cast<double>(i % columns) - 2.0;
@@ -205,7 +205,7 @@ struct Skins : SensorProblem<lab::SkinSceneProblem> {
                      .depth = between(1.2, 1.8, random),
                      .reads = scene.sensor.reads});
     }
-    std::vector<SkinTaxel> in_order;
+    std::vector<Taxel> in_order;
     for (const std::size_t i : order) in_order.push_back(all[i]);
     scene.sensor = uneven_skin(std::move(in_order));
     scene.dead_taxels = {place_of(dead, order)};

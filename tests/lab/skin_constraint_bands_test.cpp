@@ -254,7 +254,7 @@ TEST_CASE("taxels here and there see what lies among them", "[lab][skin][edge]")
   // A triangular lattice, jittered: the nearest neighbours are closer than its pitch.
   std::mt19937 random(2);
   std::uniform_real_distribution<double> jitter(-0.35, 0.35);
-  std::vector<SkinTaxel> taxels;
+  std::vector<Taxel> taxels;
   for (int i = -4; i <= 4; ++i)
     for (int j = -4; j <= 4; ++j)
       taxels.push_back({"",
@@ -272,7 +272,7 @@ TEST_CASE("taxels here and there see what lies among them", "[lab][skin][edge]")
     const double y = grid.y(cell / grid.columns);
     const double z = grid.z(cell % grid.columns);
     double nearest = 1e9;
-    for (const SkinTaxel& taxel : scene.sensor.taxels)
+    for (const Taxel& taxel : scene.sensor.taxels)
       nearest = std::min(nearest, std::hypot(taxel.y - y, taxel.z - z));
     if (std::max(std::abs(y), std::abs(z)) < 3.5) {
       CHECK_FALSE(problem.unseen()[cell]);

@@ -110,7 +110,7 @@ TEST_CASE("a recording's answers are the same bits by any number of threads",
 TEST_CASE("what frames share is one for all threads, and is not kept for threads that have ended",
           "[lab][skin][stream][threads]") {
   const lab::SkinSceneProblem problem(sliding("[reconstruct]\nfriction_limit = 0.8\n"));
-  std::vector<std::weak_ptr<const SkinCone>> cones;
+  std::vector<std::weak_ptr<const ConeTikhonov>> cones;
   std::vector<std::weak_ptr<const lab::SkinSceneProblem>> rests;
   const auto ask = [&](double alpha, std::size_t taxel) {
     std::thread thread([&] {

@@ -120,7 +120,7 @@ TEST_CASE("the widest hole is where taxels are missing", "[lab][skin][identify][
   CHECK_THAT(there->y, WithinAbs(-0.5, 1e-12));
   CHECK_THAT(there->z, WithinAbs(-0.5, 1e-12));
   // An angle of taxels: its empty corner is not among them.
-  std::vector<SkinTaxel> taxels;
+  std::vector<Taxel> taxels;
   for (int i = 0; i < 6; ++i) {
     taxels.push_back({"a" + std::to_string(i), 1.0 * i, 0.0, 1.0, {Quantity::stress_x}});
     if (i > 0) taxels.push_back({"b" + std::to_string(i), 0.0, 1.0 * i, 1.0, {Quantity::stress_x}});

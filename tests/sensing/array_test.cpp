@@ -94,7 +94,8 @@ TEST_CASE("a line array reads the quantities of plane strain alone", "[array]") 
     const bool is_own = std::find(line_quantities.begin(), line_quantities.end(), quantity) !=
                         line_quantities.end();
     const SensorArray even{.count = 3, .pitch = 0.5, .depths = {1.0}, .reads = {quantity}};
-    const std::vector<Taxel> taxels{{0.0, 1.0, {quantity}}, {0.5, 1.0, {quantity}}};
+    const std::vector<Taxel> taxels{{.y = 0.0, .depth = 1.0, .reads = {quantity}},
+                                    {.y = 0.5, .depth = 1.0, .reads = {quantity}}};
     CAPTURE(name(quantity));
     if (is_own) {
       CHECK_NOTHROW(check(even));
@@ -110,10 +111,11 @@ TEST_CASE("a line array reads the quantities of plane strain alone", "[array]") 
 TEST_CASE(
     "a channel of an uneven array counts the taxels that read it, and begins where the last ends",
     "[array][uneven]") {
-  const SensorArray array = uneven_array({{-2.0, 1.5, {Quantity::stress_x, Quantity::shear_xy}},
-                                          {0.0, 1.2, {Quantity::shear_xy}},
-                                          {0.0, 1.4, {Quantity::stress_x}},
-                                          {3.0, 1.3, {Quantity::shear_xy}}});
+  const SensorArray array =
+      uneven_array({{.y = -2.0, .depth = 1.5, .reads = {Quantity::stress_x, Quantity::shear_xy}},
+                    {.y = 0.0, .depth = 1.2, .reads = {Quantity::shear_xy}},
+                    {.y = 0.0, .depth = 1.4, .reads = {Quantity::stress_x}},
+                    {.y = 3.0, .depth = 1.3, .reads = {Quantity::shear_xy}}});
   const std::vector<Channel> all = channels(array);
   REQUIRE(all.size() == 2);
   CHECK(all[0].quantity == Quantity::stress_x);

@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "sensing/spectral_convolution.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net;

@@ -130,7 +130,7 @@ TEST_CASE("one row, one column, one taxel are skins", "[skin]") {
 
 TEST_CASE("a skin that cannot be is refused with the rule and what to do", "[skin]") {
   const auto refused = [](auto change) {
-    std::vector<SkinTaxel> taxels = palm().taxels;
+    std::vector<Taxel> taxels = palm().taxels;
     change(taxels);
     return [taxels] { return uneven_skin(taxels); };
   };
@@ -184,4 +184,42 @@ TEST_CASE("a taxel below the base is refused, one on it is not", "[skin]") {
                     "depth of taxel palm must be at most the layer's thickness, 0.6: below its "
                     "base there is nothing to read (got 0.75)");
   CHECK_NOTHROW(check(palm(), Material{}));
+}
+
+TEST_CASE("taxels at z = 0 are read in one order on a line and on a skin", "[skin]") {
+  const std::vector<Taxel> taxels{
+      {.name = "heel", .y = -2.0, .depth = 1.5, .reads = {Quantity::stress_x, Quantity::shear_xy}},
+      {.y = 0.0, .depth = 1.2, .reads = {Quantity::shear_xy}},
+      {.name = "ball", .y = 3.0, .depth = 1.3, .reads = {Quantity::strain_x, Quantity::stress_x}}};
+  const SensorArray line = uneven_array(taxels);
+  const SkinArray skin = uneven_skin(taxels);
+  CHECK(line.depths == skin.depths);
+  CHECK(line.reads == skin.reads);
+  CHECK(reading_count(line) == reading_count(skin));
+  CHECK(reading_names(line) == reading_names(skin));
+  CHECK(reading_names(line).front() == "stress_x_heel");
+  const std::vector<Channel> of_line = channels(line);
+  const std::vector<Channel> of_skin = channels(skin);
+  REQUIRE(of_line.size() == of_skin.size());
+  for (std::size_t c = 0; c < of_line.size(); ++c) {
+    CHECK(of_line[c].first == of_skin[c].first);
+    CHECK(of_line[c].count == of_skin[c].count);
+    CHECK(of_line[c].depth == of_skin[c].depth);
+  }
+}
+
+TEST_CASE("what a line or a skin has not is refused with what to do", "[skin]") {
+  const Taxel here{.depth = 1.0, .reads = {Quantity::stress_x}};
+  Taxel beside = here;
+  beside.y = 1.0;
+  beside.z = 0.5;
+  CHECK_NOTHROW(uneven_skin({here, beside}));
+  CHECK_THROWS_WITH(uneven_array({here, beside}), ContainsSubstring("uneven_skin"));
+  Taxel wide = here;
+  wide.y = 1.0;
+  wide.width = 0.5;
+  CHECK_NOTHROW(uneven_array({here, wide}));
+  CHECK_THROWS_WITH(uneven_skin({here, wide}), ContainsSubstring("leave the width out"));
+  SensorArray twice{.count = 3, .pitch = 1.0, .depths = {1.0, 1.0}, .reads = here.reads};
+  CHECK_THROWS_WITH(check(twice), ContainsSubstring("given once each"));
 }

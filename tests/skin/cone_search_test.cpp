@@ -1,4 +1,4 @@
-#include "skin/cone_search.hpp"
+#include "inverse/cone/cone_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,8 +35,8 @@ TEST_CASE("a search without taxels is that of the problem which never had them",
     for (std::size_t row = 0; row < lies.size(); ++row)
       if (std::find(gone.begin(), gone.end(), rest.sites[row].taxel) != gone.end())
         lies[row] *= -50.0;
-    const SkinConeSolution expected = ConeSearch(rest, alpha, held).solve(lies, 50000, 1e-11);
-    const SkinConeSolution found =
+    const ConeSolution expected = ConeSearch(rest, alpha, held).solve(lies, 50000, 1e-11);
+    const ConeSolution found =
         ConeSearch(frame.problem, alpha, held).without(gone).solve(lies, 50000, 1e-11);
     REQUIRE(expected.verdict == ConstrainedVerdict::ok);
     REQUIRE(found.verdict == ConstrainedVerdict::ok);
@@ -53,8 +53,8 @@ TEST_CASE("a search from what is near leads to the same in fewer steps", "[skin]
   const std::vector<double> near = whole.solve(frame.readings, 50000, 1e-11).tractions;
   for (const std::size_t taxel : {3u, 12u}) {
     const ConeSearch rest = whole.without(std::span(&taxel, 1));
-    const SkinConeSolution expected = rest.solve(frame.readings, 50000, 1e-11);
-    const SkinConeSolution found = rest.solve(frame.readings, 50000, 1e-11, {}, near);
+    const ConeSolution expected = rest.solve(frame.readings, 50000, 1e-11);
+    const ConeSolution found = rest.solve(frame.readings, 50000, 1e-11, {}, near);
     CAPTURE(taxel, found.iterations, expected.iterations);
     REQUIRE(found.verdict == ConstrainedVerdict::ok);
     CHECK(distance(found.tractions, expected.tractions) <= 1e-6 * norm(expected.tractions));
@@ -77,7 +77,7 @@ TEST_CASE("a search that looks on ends where it is told to", "[skin][cone]") {
   CHECK(look(1).iterations == 100);
   CHECK(look(3).iterations == 400);
   CHECK(look(3).verdict == ConstrainedVerdict::iteration_limit);
-  const SkinConeSolution watched = look(1000);
+  const ConeSolution watched = look(1000);
   CHECK(watched.iterations == 5000);
   CHECK(looks == 6);  // 100 to 3200
   CHECK(watched.tractions == search.solve(frame.readings, 5000, 1e-15).tractions);

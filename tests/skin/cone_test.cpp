@@ -1,7 +1,6 @@
-#include "tactile_net/skin/cone.hpp"
-
 #include <limits>
 
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tests/catch.hpp"
@@ -69,8 +68,8 @@ TEST_CASE("the cone's tractions are those of projected gradients", "[skin][cone]
   if (grid.spacing) REQUIRE(frame.problem.kernel.columns <= frame.problem.kernel.rows);
   for (const double alpha : {1e-2, 1e-3}) {
     const double limit = 0.5;
-    const SkinConeSolution found = SkinCone(frame.problem, alpha, {.friction_limit = limit})
-                                       .solve(frame.readings, 20000, 1e-11);
+    const ConeSolution found = ConeTikhonov(frame.problem, alpha, {.friction_limit = limit})
+                                   .solve(frame.readings, 20000, 1e-11);
     REQUIRE(found.status == FrameStatus::ok);
     CHECK(found.verdict == ConstrainedVerdict::ok);
     CHECK(found.residual <= 1e-11);
@@ -82,8 +81,8 @@ TEST_CASE("the cone's tractions are those of projected gradients", "[skin][cone]
 TEST_CASE("nothing pulls, and friction keeps its limit in every cell", "[skin][cone][property]") {
   const SkinFrame frame = dragged_frame(8, 11);
   const double limit = 0.3;
-  const SkinConeSolution found =
-      SkinCone(frame.problem, 1e-3, {.friction_limit = limit}).solve(frame.readings);
+  const ConeSolution found =
+      ConeTikhonov(frame.problem, 1e-3, {.friction_limit = limit}).solve(frame.readings);
   REQUIRE(found.verdict == ConstrainedVerdict::ok);
   const std::size_t cells = frame.problem.grid.count();
   CHECK(found.separation + found.slip + found.stick == cells);
@@ -106,11 +105,11 @@ TEST_CASE("a cone of another alpha is the one made anew, to the last bit", "[ski
   const bool offsets = GENERATE(false, true);
   const SkinFrame frame = dragged_frame(6, 11, {.grid = grid, .unknown_offsets = offsets});
   const Constraints held{.friction_limit = 0.5};
-  const SkinCone first(frame.problem, 1e-1, held);
+  const ConeTikhonov first(frame.problem, 1e-1, held);
   for (const double alpha : {1e-1, 1e-3, 1e-5}) {
     CAPTURE(alpha);
-    const SkinConeSolution expected = SkinCone(frame.problem, alpha, held).solve(frame.readings);
-    const SkinConeSolution found = first.with_alpha(alpha).solve(frame.readings);
+    const ConeSolution expected = ConeTikhonov(frame.problem, alpha, held).solve(frame.readings);
+    const ConeSolution found = first.with_alpha(alpha).solve(frame.readings);
     REQUIRE(found.status == FrameStatus::ok);
     CHECK(found.tractions == expected.tractions);
     CHECK(found.iterations == expected.iterations);
@@ -124,8 +123,8 @@ TEST_CASE("a cone of another alpha is the one made anew, to the last bit", "[ski
 TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone][family]") {
   const SkinFrame frame = dragged_frame(8, 11, {.tangential_weight = 2.0});
   const double alpha = 1e-3;
-  const SkinConeSolution found =
-      SkinCone(frame.problem, alpha, {.friction_limit = 0.8}).solve(frame.readings, 5000, 1e-10);
+  const ConeSolution found = ConeTikhonov(frame.problem, alpha, {.friction_limit = 0.8})
+                                 .solve(frame.readings, 5000, 1e-10);
   REQUIRE(found.stick > 0);
   const TikhonovFamily face(frame.problem, found.face);
   const std::vector<double> f = face.solve(face.analyse(frame.readings), alpha);
@@ -133,8 +132,8 @@ TEST_CASE("a family on the face finds the cone's tractions again", "[skin][cone]
   CHECK(distance(f, found.tractions) <= 0.1 * norm(found.tractions));
 
   // Without friction's limit a face is flat: equal.
-  const SkinConeSolution pressed =
-      SkinCone(frame.problem, alpha, {.nonnegative = true}).solve(frame.readings, 20000, 1e-12);
+  const ConeSolution pressed =
+      ConeTikhonov(frame.problem, alpha, {.nonnegative = true}).solve(frame.readings, 20000, 1e-12);
   const TikhonovFamily flat(frame.problem, pressed.face);
   CHECK(distance(flat.solve(flat.analyse(frame.readings), alpha), pressed.tractions) <=
         1e-6 * norm(pressed.tractions));
@@ -195,8 +194,8 @@ TEST_CASE("without constraints that bind the cone's tractions are the family's",
   const SkinFrame frame = dragged_frame(6, 11);
   const TikhonovFamily family(frame.problem);
   const std::vector<double> free = family.solve(family.analyse(frame.readings), 1e-2);
-  const SkinConeSolution found =
-      SkinCone(frame.problem, 1e-2, {.nonnegative = false}).solve(frame.readings, 5000, 1e-12);
+  const ConeSolution found =
+      ConeTikhonov(frame.problem, 1e-2, {.nonnegative = false}).solve(frame.readings, 5000, 1e-12);
   CHECK(distance(found.tractions, free) <= 1e-10 * norm(free));
 }
 
@@ -204,8 +203,8 @@ TEST_CASE("a dense array's cone is found within the steps that were promised", "
   const SkinFrame frame = dragged_frame(16, 11);
   const double alpha = GENERATE(1e-3, 1e-4, 1e-5);
   CAPTURE(alpha);
-  const SkinConeSolution found =
-      SkinCone(frame.problem, alpha, {.friction_limit = 0.8}).solve(frame.readings);
+  const ConeSolution found =
+      ConeTikhonov(frame.problem, alpha, {.friction_limit = 0.8}).solve(frame.readings);
   CHECK(found.verdict == ConstrainedVerdict::ok);
   CHECK(found.residual <= 1e-6);
   CHECK(found.iterations <= 500);
@@ -227,17 +226,18 @@ TEST_CASE("the constraints take away half of the error", "[skin][cone][alpha]") 
     const AlphaChoice chosen = choose_alone(frame, AlphaRule::aicc);
     without += distance(family.solve(frame, chosen.alpha), truth) / norm(truth);
     const double alpha = constrained_alpha(chosen.rule, chosen.alpha);
-    with += distance(SkinCone(problem, alpha, {.friction_limit = 0.8}).solve(readings).tractions,
-                     truth) /
-            norm(truth);
+    with +=
+        distance(ConeTikhonov(problem, alpha, {.friction_limit = 0.8}).solve(readings).tractions,
+                 truth) /
+        norm(truth);
   }
   CHECK(with <= 0.8 * without);
 }
 
 TEST_CASE("a frame that stops early, is none, or is empty, is said to be so", "[skin][cone]") {
   const SkinFrame frame = dragged_frame(6, 11);
-  const SkinCone cone(frame.problem, 1e-5, {.friction_limit = 0.8});
-  const SkinConeSolution early = cone.solve(frame.readings, 3);
+  const ConeTikhonov cone(frame.problem, 1e-5, {.friction_limit = 0.8});
+  const ConeSolution early = cone.solve(frame.readings, 3);
   CHECK(early.verdict == ConstrainedVerdict::iteration_limit);
   CHECK(early.iterations == 3);
   CHECK(early.residual > 1e-6);
@@ -245,7 +245,7 @@ TEST_CASE("a frame that stops early, is none, or is empty, is said to be so", "[
   std::vector<double> readings = frame.readings;
   readings[4] = std::numeric_limits<double>::quiet_NaN();
   CHECK(cone.solve(readings).status == FrameStatus::not_finite);
-  const SkinConeSolution silent = cone.solve(std::vector<double>(readings.size()));
+  const ConeSolution silent = cone.solve(std::vector<double>(readings.size()));
   CHECK(silent.status == FrameStatus::ok);
   CHECK(silent.separation == frame.problem.grid.count());
   CHECK(norm(silent.tractions) == 0.0);
@@ -253,10 +253,11 @@ TEST_CASE("a frame that stops early, is none, or is empty, is said to be so", "[
   CHECK_THROWS_WITH(TikhonovFamily(frame.problem, silent.face), ContainsSubstring("held at zero"));
   CHECK_THROWS_WITH(TikhonovFamily(frame.problem, ActiveFace{{{10000, {1.0, 0.0, 0.0}}}}),
                     ContainsSubstring("another problem"));
-  CHECK_THROWS_WITH(SkinCone(frame.problem, 1.0, {.friction_limit = 0.0}),
+  CHECK_THROWS_WITH(ConeTikhonov(frame.problem, 1.0, {.friction_limit = 0.0}),
                     ContainsSubstring("friction_limit"));
-  CHECK_THROWS_WITH(SkinCone(frame.problem, 0.0, {}), ContainsSubstring("alpha"));
+  CHECK_THROWS_WITH(ConeTikhonov(frame.problem, 0.0, {}), ContainsSubstring("alpha"));
   const LinearProblem one = make_problem(square_skin(4, 2e-3), silicone, {.components = 1});
-  CHECK_THROWS_WITH(SkinCone(one, 1.0, {.friction_limit = 1.0}), ContainsSubstring("tangential"));
-  CHECK(SkinCone(one, 1.0, {}).solve(std::vector<double>(48, 1.0)).status == FrameStatus::ok);
+  CHECK_THROWS_WITH(ConeTikhonov(one, 1.0, {.friction_limit = 1.0}),
+                    ContainsSubstring("tangential"));
+  CHECK(ConeTikhonov(one, 1.0, {}).solve(std::vector<double>(48, 1.0)).status == FrameStatus::ok);
 }

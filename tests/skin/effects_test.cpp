@@ -66,7 +66,7 @@ TEST_CASE("a skin's layout: channels, taxels, and who lies beside whom", "[skin]
   SkinArray square = three_by_four;
   square.pitch_z = 1.0;
   square.depths = {1.0};
-  std::vector<SkinTaxel> taxels;
+  std::vector<Taxel> taxels;
   for (const Site& site : sites(square))
     if (site.channel == 0) taxels.push_back({"", site.y, site.z, 1.0, square.reads});
   const SignalLayout loose = signal_layout(uneven_skin(taxels));
@@ -129,8 +129,11 @@ TEST_CASE("noise, gains, offsets and the rest know a skin's quantities", "[skin]
   CHECK(cut[23] == 20.0);
   CHECK(cut[47] == 30.0);
   CHECK(limited->note().value().cut_off == 4 + 18);
-  const auto levels =
-      after(make_effect(Converter{.bits = 1, .low = 0.0, .high = 48.0}, layout), in);
+  const auto levels = after(
+      make_effect(Quantization{.bits = 1,
+                               .range = {{stress_x, {0.0, 48.0}}, {displacement_z, {0.0, 48.0}}}},
+                  layout),
+      in);
   CHECK(levels[10] == 0.0);
   CHECK(levels[40] == 48.0);
   const auto warm =

@@ -8,10 +8,10 @@
 #include <string>
 
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
 #include "tests/skin/skins.hpp"
@@ -56,7 +56,7 @@ std::vector<Named> named_skins() {
   depths.depths = {1e-3, 2e-3};
   const Material firm{.youngs_modulus = 2e5, .poisson_ratio = 0.5};
   const Material thin{.poisson_ratio = 0.48, .layer = Layer{2e-3, Base::bonded}};
-  const SkinTaxel place{"", 0.3e-3, 0.1e-3, 1e-3, press_and_drag};
+  const Taxel place{"", 0.3e-3, 0.1e-3, 1e-3, press_and_drag};
   return {
       {"even", make(square_skin(6, 2e-3)), 4},
       {"odd, incompressible", make(square_skin(5, 2e-3), {}, firm), 4},
@@ -297,7 +297,7 @@ TEST_CASE("units do not matter, however large or small", "[skin][family][propert
   const double alpha = choose_alone(frame, AlphaRule::rgcv).alpha;
   const std::vector<double> f = family.solve(frame, alpha);
   const std::vector<double> g =
-      SkinCone(problem, alpha, {.friction_limit = 0.5}).solve(readings).tractions;
+      ConeTikhonov(problem, alpha, {.friction_limit = 0.5}).solve(readings).tractions;
   for (const double length : {1e-150, 1e150})
     for (const double pressure : {1e-100, 1e100}) {
       CAPTURE(length, pressure);
@@ -315,7 +315,7 @@ TEST_CASE("units do not matter, however large or small", "[skin][family][propert
       std::vector<double> back = large.solve(seen, alpha);
       for (double& one : back) one /= pressure;
       CHECK(distance(back, f) <= 1e-10 * norm(f));
-      back = SkinCone(other, alpha, {.friction_limit = 0.5}).solve(read).tractions;
+      back = ConeTikhonov(other, alpha, {.friction_limit = 0.5}).solve(read).tractions;
       for (double& one : back) one /= pressure;
       CHECK(distance(back, g) <= 1e-4 * norm(g));
     }

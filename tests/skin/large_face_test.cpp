@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/covariance.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/large/cone.hpp"
 #include "tactile_net/skin/large/face.hpp"
 #include "tactile_net/skin/large/family.hpp"
@@ -52,7 +52,7 @@ struct Solved {
     alpha = 1e-4 * size_of(dense);
     readings = readings_of(dense, 5);
     if (components == 3) limits.friction_limit = 0.8;
-    found = SkinCone(dense, alpha, limits).solve(readings);
+    found = ConeTikhonov(dense, alpha, limits).solve(readings);
     contact = cells_within(dense.grid, 3e-3);
   }
 
@@ -62,7 +62,7 @@ struct Solved {
   double alpha = 0.0;
   std::vector<double> readings{};
   Constraints limits{.nonnegative = true, .friction_limit = {}};
-  SkinConeSolution found{};
+  ConeSolution found{};
   std::vector<std::size_t> contact{};
 };
 
@@ -160,7 +160,7 @@ TEST_CASE("degrees of freedom on a face are those of its decomposition", "[skin]
 TEST_CASE("gradients leave free what alternating directions do", "[skin][large][face]") {
   const Solved s(GENERATE(std::size_t{1}, std::size_t{3}));
   const auto system = make_large_skin_system(s.skin, silicone, s.options);
-  const SkinConeSolution large = LargeSkinCone(system, s.alpha, s.limits).solve(s.readings);
+  const ConeSolution large = LargeSkinCone(system, s.alpha, s.limits).solve(s.readings);
   REQUIRE(large.verdict == ConstrainedVerdict::ok);
   // Where a cell hardly touches, the one or the other may hold it.
   const auto few = static_cast<double>(s.found.face.free.size()) / 50.0;

@@ -4,8 +4,8 @@
 #include "src/skin/large/lattice_products.hpp"
 #include "src/skin/large/tiles.hpp"
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/large/cone.hpp"
 #include "tactile_net/skin/large/family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
@@ -224,10 +224,10 @@ TEST_CASE("a large skin's cone is that of the dense problem", "[skin][large][con
       const double alpha = 1e-4 * size_of(dense);
       const std::vector<double> readings = readings_of(dense, 7);
       const Constraints constraints{.friction_limit = limit};
-      const SkinConeSolution expected =
-          SkinCone(dense, alpha, constraints).solve(readings, 20000, 1e-9);
+      const ConeSolution expected =
+          ConeTikhonov(dense, alpha, constraints).solve(readings, 20000, 1e-9);
       const LargeSkinCone cone(make_large_skin_system(skin, silicone, options), alpha, constraints);
-      const SkinConeSolution found = cone.solve(readings, 20000, 1e-9);
+      const ConeSolution found = cone.solve(readings, 20000, 1e-9);
       CAPTURE(weight, limit.value_or(0.0), found.iterations, found.residual);
       REQUIRE(found.status == FrameStatus::ok);
       CHECK(found.verdict == ConstrainedVerdict::ok);
@@ -253,17 +253,17 @@ TEST_CASE("a large cone says where it stopped early, and refuses what it cannot 
   const auto system = make_large_skin_system(skin, silicone, {});
   const LargeSkinCone cone(system, alpha, {.friction_limit = 0.5});
   const std::vector<double> readings = readings_of(dense, 8);
-  const SkinConeSolution early = cone.solve(readings, 3);
+  const ConeSolution early = cone.solve(readings, 3);
   CHECK(early.verdict == ConstrainedVerdict::iteration_limit);
   CHECK(early.iterations == 3);
   CHECK(early.residual > 1e-6);
-  const SkinConeSolution whole = cone.solve(readings);
+  const ConeSolution whole = cone.solve(readings);
   CHECK(whole.verdict == ConstrainedVerdict::ok);
   CHECK(whole.residual <= 1e-6);
-  const SkinConeSolution explained = cone.solve(readings, 2000, 1e-6, 0.5 * norm(readings));
+  const ConeSolution explained = cone.solve(readings, 2000, 1e-6, 0.5 * norm(readings));
   CHECK(explained.verdict == ConstrainedVerdict::ok);
   CHECK(explained.iterations < whole.iterations);
-  const SkinConeSolution nothing = cone.solve(std::vector<double>(readings.size()));
+  const ConeSolution nothing = cone.solve(std::vector<double>(readings.size()));
   CHECK(nothing.verdict == ConstrainedVerdict::ok);
   CHECK(nothing.separation == dense.grid.count());
   CHECK(norm(nothing.tractions) == 0.0);

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -52,7 +52,7 @@ TEST_CASE("cones copy a skin's matrix once, and take it into cosines in place", 
   REQUIRE(TikhonovFamily(*problem).classes() == 4);  // whose matrices are a quarter as large
   CHECK(matrices_made(*problem, [&] { (void)TikhonovFamily(*problem); }) <= 1);
   CHECK(matrices_made(*problem, [&] {
-          const SkinCone cone(*problem, 1e-3, {.nonnegative = true, .friction_limit = 0.5});
+          const ConeTikhonov cone(*problem, 1e-3, {.nonnegative = true, .friction_limit = 0.5});
           (void)cone.with_alpha(1e-4);
         }) <= 2);
 }

@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tests/catch.hpp"
@@ -99,7 +99,7 @@ TEST_CASE("every other map of readings knows the offsets", "[skin][offset]") {
   std::vector<double> mapped(f.size());
   REQUIRE(family.reconstruction(alpha).solve(moved, mapped) == FrameStatus::ok);
   CHECK(distance(mapped, f) <= 1e-9 * norm(f));
-  const SkinCone cone(problem, alpha, Constraints{.friction_limit = 0.8});
+  const ConeTikhonov cone(problem, alpha, Constraints{.friction_limit = 0.8});
   const auto a = cone.solve(readings);
   const auto b = cone.solve(moved);
   REQUIRE(a.verdict == ConstrainedVerdict::ok);

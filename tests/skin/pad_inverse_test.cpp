@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/covariance.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/resultant.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/pad_material.hpp"
@@ -19,7 +19,7 @@ using namespace tactile_net;
 namespace {
 
 struct Recording {
-  std::vector<SkinTaxel> taxels{};
+  std::vector<Taxel> taxels{};
   std::array<std::array<std::vector<double>, 3>, 5> frames{};  // by quantity
 };
 
@@ -66,8 +66,8 @@ void check_pad(const std::string& set, const SkinArray& skin, const Recording& r
       readings.insert(readings.end(), quantity.begin(), quantity.end());
     const double alpha = constrained_alpha(
         AlphaRule::rgcv, choose_alone(family.analyse(readings), tables, AlphaRule::rgcv).alpha);
-    const SkinConeSolution found =
-        SkinCone(problem, alpha, {.friction_limit = 0.8}).solve(readings);
+    const ConeSolution found =
+        ConeTikhonov(problem, alpha, {.friction_limit = 0.8}).solve(readings);
     REQUIRE(found.verdict == ConstrainedVerdict::ok);
     const TikhonovFamily face(problem, found.face);
     const FilterFrame seen = face.analyse(readings);

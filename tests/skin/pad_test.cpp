@@ -24,7 +24,7 @@ const std::vector<Quantity> file_columns = {stress_x,       shear_xy,       shea
                                             displacement_x, displacement_y, displacement_z};
 
 struct Pad {
-  std::vector<SkinTaxel> taxels{};
+  std::vector<Taxel> taxels{};
   /// Of each frame those of taxel after taxel, all columns.
   std::array<std::vector<double>, 5> readings{};
 };

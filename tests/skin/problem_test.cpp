@@ -125,8 +125,8 @@ TEST_CASE("taxels anywhere have the pitch that a look at every pair of them find
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   for (const double wide : {1.0, 1e-3, 0.0}) {
-    std::vector<SkinTaxel> taxels(40);
-    for (SkinTaxel& taxel : taxels)
+    std::vector<Taxel> taxels(40);
+    for (Taxel& taxel : taxels)
       taxel = {"", place(random), wide * place(random), 1e-2, {Quantity::stress_x}};
     taxels.push_back(taxels.front());  // one place, another quantity
     taxels.back().reads = {Quantity::stress_y};

@@ -11,8 +11,8 @@
 
 #include "realtime/touching_cells.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/covariance.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
 
@@ -166,7 +166,7 @@ TEST_CASE("two deviations hold about the share of the truth that they promise",
     };
     covered += share(family, alpha, family.solve(frame, alpha));
     const double less = constrained_alpha(AlphaRule::rgcv, alpha);
-    const SkinConeSolution found = SkinCone(problem, less, {.friction_limit = 0.8}).solve(readings);
+    const ConeSolution found = ConeTikhonov(problem, less, {.friction_limit = 0.8}).solve(readings);
     constrained += share(TikhonovFamily(problem, found.face), less, found.tractions);
   }
   CHECK(covered / count >= 0.95);
@@ -459,7 +459,7 @@ TEST_CASE("deviations of windows are those of their sums, inside and on a face",
   std::vector<double> readings(problem.weights.size());
   for (double& reading : readings) reading = normal(random);
   const double alpha = 1e-3;
-  const SkinConeSolution held = SkinCone(problem, alpha, {.friction_limit = 0.5}).solve(readings);
+  const ConeSolution held = ConeTikhonov(problem, alpha, {.friction_limit = 0.5}).solve(readings);
   REQUIRE_FALSE(held.face.free.empty());
   for (const TikhonovFamily& family :
        {TikhonovFamily(problem), TikhonovFamily(problem, held.face)}) {

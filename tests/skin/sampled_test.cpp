@@ -20,7 +20,7 @@ SkinArray square_lattice(std::size_t rows, std::size_t columns, double depth) {
 
 /// The same taxels, without a lattice.
 SkinArray loose(const SkinArray& skin) {
-  std::vector<SkinTaxel> taxels;
+  std::vector<Taxel> taxels;
   for (const Site& site : sites(skin))
     if (site.channel == 0) taxels.push_back({"", site.y, site.z, site.depth, skin.reads});
   return uneven_skin(taxels);

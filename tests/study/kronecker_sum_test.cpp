@@ -95,7 +95,7 @@ TEST_CASE("Kronecker products are of even skins, of their own inverse, and of a 
   const Reconstruction inverse = TikhonovFamily(skin.problem).reconstruction(skin_alpha);
   CHECK_THROWS_AS(KroneckerTerms(square(5).problem, inverse), std::invalid_argument);
   CHECK_THROWS_AS(KroneckerTerms(skin.problem, inverse).sum(0.0), std::invalid_argument);
-  std::vector<SkinTaxel> taxels;
+  std::vector<Taxel> taxels;
   for (int i = 0; i < 5; ++i)
     taxels.push_back({"", 2e-3 * i, 1e-3 * i * i, 3e-3, {Quantity::stress_x}});
   const Skin uneven = skin_of("uneven", uneven_skin(taxels), {.components = 1});

@@ -116,7 +116,7 @@ struct PlannedEstimator {
 ///                               array does not have (reflections and fft where it is not
 ///                               symmetric, fft of a skin or in float32); the calibration is not
 ///                               one of these readings; `check(plan)` does
-/// @throw std::domain_error      as `tikhonov`
+/// @throw std::domain_error      alpha is smaller than double precision resolves
 [[nodiscard]] PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
                                               const PlannerOptions& options = {},
                                               const LinearProblem* whole = nullptr);

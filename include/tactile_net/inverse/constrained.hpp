@@ -41,8 +41,10 @@ struct ConstrainedSolution {
   /// gradients of the free variables, and wrong signs of those held at zero.
   double kkt_residual = 0.0;
   std::size_t iterations = 0;
-  double condition = 0.0;           ///< 2-norm condition number of the free columns
-  std::vector<std::size_t> free{};  ///< columns of `edges` that are not held at zero
+  double condition = 0.0;  ///< 2-norm condition number of the free columns
+  /// Variables that are not held at zero: tractions, or with a limit of friction the edges a of
+  /// all places and then b.
+  std::vector<std::size_t> free{};
 };
 
 class ConstrainedTikhonov {
@@ -69,14 +71,10 @@ class ConstrainedTikhonov {
   std::unique_ptr<System> system_;
 };
 
-/// The map from the constrained variables to the tractions, f = E z, (unknowns x count) x
-/// variables: the cone's edges, or the identity.
-[[nodiscard]] Matrix edges(const LinearProblem& problem, const Constraints& constraints);
-
 /// The face that free variables span: where both edges of a cone are free every direction is.
 ///
-/// @param free  columns of `edges`, as in `ConstrainedSolution`, in rising order
-/// @throw std::invalid_argument  as `edges`; there is no such column
+/// @param free  variables, as in `ConstrainedSolution`, in rising order
+/// @throw std::invalid_argument  as `ConstrainedTikhonov`; there is no such variable
 [[nodiscard]] ActiveFace active_face(const LinearProblem& problem, const Constraints& constraints,
                                      std::span<const std::size_t> free);
 

@@ -23,9 +23,9 @@
 ///
 /// Lines and skins are judged alike, by contacts that are found in two ways. On a line a
 /// non-negative least squares finds the nearest contact of all. On a skin friction's cones are
-/// searched with less and less smoothing (skin/cone.hpp), which bounds that distance from above:
-/// first among the tractions found, and no further than the verdict needs. Constants added to a
-/// channel are not looked for there, and nothing is kept from frame to frame.
+/// searched with less and less smoothing (inverse/cone_tikhonov.hpp), which bounds that distance
+/// from above: first among the tractions found, and no further than the verdict needs. Constants
+/// added to a channel are not looked for there, and nothing is kept from frame to frame.
 ///
 ///     const DataJudge judge(problem, {.noise_rms = 1.0, .largest_traction = pad.youngs_modulus});
 ///     const DataVerdict data = judge.judge(readings, tractions);

@@ -41,12 +41,15 @@ namespace tactile_net {
 
 struct LinearProblem {
   Matrix kernel{};  ///< W K, readings x (components x values); P W K where offsets are unknown
-  std::vector<double> weights{};   ///< diagonal of W, one per row; 0 for a dead taxel
-  std::vector<Site> sites{};       ///< where each row's reading is taken
-  std::size_t taxels = 0;          ///< places of the readings
-  std::size_t components = 1;      ///< of the tractions, the first of `skin_tractions`: 1 or 2 of a
-                                   ///< line, 1 or 3 of a skin
-  SurfaceGrid grid{};              ///< the values of each component
+  std::vector<double> weights{};  ///< diagonal of W, one per row; 0 for a dead taxel
+  std::vector<Site> sites{};      ///< where each row's reading is taken
+  std::size_t taxels = 0;         ///< places of the readings
+  std::size_t components = 1;     ///< of the tractions, the first of `skin_tractions`: 1 or 2 of a
+                                  ///< line, 1 or 3 of a skin
+  SurfaceGrid grid{};             ///< the values of each component
+  /// Of a line: one column in plane strain, whose forces are per metre of width. A skin of one
+  /// column is a skin.
+  bool is_line = false;
   double measure = 1.0;            ///< m: of a value over that of a taxel, > 0
   double smoothing_length = 0.0;   ///< l [m], >= 0
   double tangential_weight = 1.0;  ///< w of the tangential tractions, > 0

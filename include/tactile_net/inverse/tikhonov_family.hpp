@@ -27,9 +27,9 @@ class TikhonovFamily {
   /// O(rows x columns x min(rows, columns)); with 2 classes a quarter of it, with 4 a 16th.
   explicit TikhonovFamily(const LinearProblem& problem);
 
-  /// The family on a face of the constraints (constrained.hpp, skin/cone.hpp): directions that the
-  /// face holds are no unknowns. Rules for alpha and covariances then judge those that are left.
-  /// One class.
+  /// The family on a face of the constraints (constrained.hpp, inverse/cone_tikhonov.hpp):
+  /// directions that the face holds are no unknowns. Rules for alpha and covariances then judge
+  /// those that are left. One class.
   ///
   /// @throw std::invalid_argument  the face leaves nothing free, or is of another problem
   TikhonovFamily(const LinearProblem& problem, const ActiveFace& face);
@@ -57,7 +57,7 @@ class TikhonovFamily {
 
   /// The frame in the basis of the singular vectors. O(rows x columns), with 4 classes a quarter.
   ///
-  /// On a grid of one column, a line's, it has a periodogram (rule ncp), which is worked out when a
+  /// Of a line it has a periodogram (rule ncp), which is worked out when a
   /// rule first asks for it, for the family's first frame in O(rows^2 x columns).
   /// @throw std::invalid_argument  readings have the wrong size or are not finite
   [[nodiscard]] FilterFrame analyse(std::span<const double> readings) const;
@@ -67,10 +67,13 @@ class TikhonovFamily {
   /// @throw std::invalid_argument  alpha is not > 0 and finite; the frame is of another family
   [[nodiscard]] std::vector<double> solve(const FilterFrame& frame, double alpha) const;
 
-  /// The matrix from readings to the minimiser for one alpha, for many frames. Its condition is
-  /// exact on a grid of one column, and else, or on a face, `stacked_condition`.
-  /// @throw std::invalid_argument  alpha is not > 0 and finite
-  /// @throw std::domain_error      the exact condition is beyond double precision
+  /// The matrix from readings to the minimiser for one alpha, (components x values) x readings.
+  /// @throw std::invalid_argument  alpha is not > 0 and finite; the matrix is not finite
+  [[nodiscard]] Matrix matrix(double alpha) const;
+
+  /// The same made ready for many frames, with its condition: the exact one of a line, which takes
+  /// as much work as the family, and else, or on a face, `stacked_condition`.
+  /// @throw as `matrix`; std::domain_error  the exact condition is beyond double precision
   [[nodiscard]] Reconstruction reconstruction(double alpha) const;
 
   struct Factors;

@@ -23,7 +23,7 @@ struct SkinAnswer {
   std::vector<double> deviations{};  ///< of each, one standard deviation [Pa]; empty: not known
   ChosenAlpha alpha{};
   Verdict verdict = Verdict::ok;
-  std::optional<SkinConeSolution> cone{};  ///< where the scene has constraints
+  std::optional<ConeSolution> cone{};  ///< where the scene has constraints
   NoiseEstimate noise{};
   DataVerdict data{};                ///< whether the readings can be true
   double degrees_of_freedom = 0.0;   ///< of the readings that the tractions use up, under

@@ -13,12 +13,12 @@
 
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/alpha_tables.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net::lab {
@@ -79,7 +79,7 @@ class SkinSceneProblem {
   [[nodiscard]] std::size_t bytes() const;
 
   /// Of this alpha, kept at least until another alpha is asked for. @pre  there are constraints
-  [[nodiscard]] std::shared_ptr<const SkinCone> cone(double alpha) const;
+  [[nodiscard]] std::shared_ptr<const ConeTikhonov> cone(double alpha) const;
 
   /// Whether readings can be true.
   [[nodiscard]] const DataJudge& data_judge() const;

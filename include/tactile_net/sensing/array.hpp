@@ -12,12 +12,15 @@
 
 namespace tactile_net {
 
-/// A place in the pad where something is read.
+/// A place in the pad of a line array or a skin where something is read.
 struct Taxel {
+  std::string name{};             ///< "thumb_3"; empty: its index
   double y = 0.0;                 ///< along the surface [m]
+  double z = 0.0;                 ///< along the surface [m]; of a line array 0
   double depth = 0.0;             ///< below it [m], > 0
-  std::vector<Quantity> reads{};  ///< at least one of `line_quantities`, none twice
-  double width = 0.0;             ///< along y [m], >= 0: it reads the mean over it (aperture.hpp)
+  std::vector<Quantity> reads{};  ///< at least one, none twice; of a line array `line_quantities`
+  /// Along y [m], >= 0: a line array's taxel reads the mean over it (aperture.hpp). Of a skin 0.
+  double width = 0.0;
 };
 
 /// A regular array: equally spaced taxels along y, centred on y = 0, at one or several depths; or
@@ -29,7 +32,7 @@ struct Taxel {
 struct SensorArray {
   std::size_t count = 0;          ///< taxels along y, >= 2
   double pitch = 0.0;             ///< distance of neighbours [m], > 0; the mean, if irregular
-  std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one
+  std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one, none twice
   std::vector<Quantity> reads{};  ///< at least one of `line_quantities`, none twice
   /// Width of every taxel of a regular array [m], >= 0; taxels of an irregular one have their own.
   double width = 0.0;
@@ -43,10 +46,9 @@ struct SensorArray {
 ///
 ///     const SensorArray palm = uneven_array({{.y = -3e-3, .depth = 1.5e-3, .reads = reads}, ...});
 ///
-/// @param taxels  two at least, at most one of them with the same y, depth and quantity
-/// @throw std::invalid_argument  y falls or is not finite, a depth is not > 0, a taxel reads
-///                               nothing, something twice or what is none of `line_quantities`,
-///                               two at one place read the same
+/// @param taxels  two at least, no two of one name, at most one of them with the same y, depth and
+///                quantity
+/// @throw std::invalid_argument  as `check`
 [[nodiscard]] SensorArray uneven_array(std::vector<Taxel> taxels);
 
 /// True for a regular array: taxels equally spaced, equally deep and reading the same.
@@ -54,8 +56,9 @@ struct SensorArray {
   return array.taxels.empty();
 }
 
-/// @throw std::invalid_argument  a value is out of its range or not finite, a quantity none of
-///                               `line_quantities`
+/// @throw std::invalid_argument  a value is out of its range or not finite, y falls, z is not 0, a
+///                               quantity is none of `line_quantities`; two taxels have one name,
+///                               or lie at one place and read the same
 void check(const SensorArray& array);
 
 /// Place `index` of `count` equally spaced ones, in units of their distance, with 0 at the middle.
@@ -69,6 +72,11 @@ void check(const SensorArray& array);
 /// y of every taxel [m], `count` values.
 [[nodiscard]] std::vector<double> positions(const SensorArray& array);
 
+/// Taxels along y. In a regular array those at several depths below one place count once.
+[[nodiscard]] inline std::size_t taxel_count(const SensorArray& array) noexcept {
+  return array.count;
+}
+
 /// Number of readings in a frame.
 [[nodiscard]] std::size_t reading_count(const SensorArray& array) noexcept;
 
@@ -81,22 +89,23 @@ void check(const SensorArray& array);
 /// The place and the quantity of every reading, in the order of the readings.
 [[nodiscard]] std::vector<Site> sites(const SensorArray& array);
 
+/// The least depth of all taxels [m]. @pre  the array has a depth
+[[nodiscard]] double least_depth(const SensorArray& array) noexcept;
+
 /// The array of taxels 0, stride, 2 stride ...; it has the last taxel where stride divides count -
 /// 1.
 /// @param stride  >= 1
 [[nodiscard]] SensorArray every(const SensorArray& array, std::size_t stride);
 
-/// Names of all readings, "strain_x_0" ...: the channel's name and the taxel's index.
+/// Name of a taxel: its own, or its index. @pre  taxel < taxel_count
+[[nodiscard]] std::string taxel_name(const SensorArray& array, std::size_t taxel);
+
+/// Names of all readings, "strain_x_0" ...: the channel's name and the taxel's.
 [[nodiscard]] std::vector<std::string> reading_names(const SensorArray& array);
 
 /// Refuses an irregular array.
 /// @param asks  what needs equal distances, for the message: "dft"
 /// @throw std::invalid_argument  the array is irregular
 void require_even(const SensorArray& array, std::string_view asks);
-
-/// Name of a taxel: its index.
-[[nodiscard]] inline std::string taxel_name(const SensorArray& /*array*/, std::size_t taxel) {
-  return std::to_string(taxel);
-}
 
 }  // namespace tactile_net

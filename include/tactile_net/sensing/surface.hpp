@@ -32,9 +32,6 @@ enum class SurfaceBasis {
 /// The name as scenes and JSON spell it: "taxels", "grid".
 [[nodiscard]] std::string_view name(SurfaceBasis basis) noexcept;
 
-/// The least depth of all taxels [m]. @pre  the array has a depth
-[[nodiscard]] double least_depth(const SensorArray& array) noexcept;
-
 /// True if taxels lie no further apart than half the least depth: then line loads over them, or a
 /// grid as fine as they are, suffice. @pre  the array has a depth
 [[nodiscard]] bool is_dense(const SensorArray& array) noexcept;

@@ -10,19 +10,9 @@
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
-#include "tactile_net/elasticity/quantity.hpp"
-#include "tactile_net/sensing/site.hpp"
+#include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
-
-/// A place in the skin where something is read.
-struct SkinTaxel {
-  std::string name{};             ///< "thumb_3"; empty: its index
-  double y = 0.0;                 ///< along the surface [m]
-  double z = 0.0;                 ///< along the surface [m]
-  double depth = 0.0;             ///< below it [m], > 0
-  std::vector<Quantity> reads{};  ///< at least one, none twice
-};
 
 /// A regular skin: a lattice of equally spaced taxels centred on y = z = 0, at one or several
 /// depths; or an irregular one, made by `uneven_skin`: taxels anywhere. One row, one column and one
@@ -41,7 +31,7 @@ struct SkinArray {
   std::vector<double> depths{};   ///< below the surface [m], each > 0, at least one, none twice
   std::vector<Quantity> reads{};  ///< at least one, none twice
   /// The taxels of an irregular skin, from which all other members follow. Empty: a regular skin.
-  std::vector<SkinTaxel> taxels{};
+  std::vector<Taxel> taxels{};
 };
 
 /// An irregular skin: taxels anywhere, in any order.
@@ -51,14 +41,14 @@ struct SkinArray {
 /// @param taxels  one at least, no two of one name, at most one with the same place, depth and
 ///                quantity; names are filled in where they are empty
 /// @throw std::invalid_argument  as `check`
-[[nodiscard]] SkinArray uneven_skin(std::vector<SkinTaxel> taxels);
+[[nodiscard]] SkinArray uneven_skin(std::vector<Taxel> taxels);
 
 /// True for a regular skin: taxels on a lattice, equally deep and reading the same.
 [[nodiscard]] inline bool is_even(const SkinArray& skin) noexcept { return skin.taxels.empty(); }
 
-/// @throw std::invalid_argument  a place is not finite, a depth not > 0, a pitch not > 0; no taxel,
-///                               no depth, nothing read or something twice; two taxels of one name,
-///                               or at one place that read the same
+/// @throw std::invalid_argument  a place is not finite, a depth not > 0, a pitch not > 0, a width
+///                               not 0; no taxel, no depth, nothing read or something twice; two
+///                               taxels of one name, or at one place that read the same
 void check(const SkinArray& skin);
 
 /// Checks the skin and the material.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "inverse/checks.hpp"
 #include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
 
@@ -22,7 +23,7 @@ JudgedProblem::JudgedProblem(const LinearProblem& of, DataLimits given)
   };
   const std::vector<double>& largest = limits.largest_readings;
   require(positive(unit), "noise_rms must be > 0 and finite");
-  require(positive(limits.friction_limit.value_or(1.0)), "friction_limit must be > 0 and finite");
+  check_friction_limit(limits.friction_limit.value_or(1.0));
   require(positive(limits.largest_traction.value_or(1.0)),
           "largest_traction must be > 0 and finite");
   require(largest.empty() || (largest.size() == of.weights.size() &&
@@ -65,7 +66,7 @@ double JudgedProblem::limit(double taken) const {
 
 void check_contacts(const LinearProblem& problem, const LinearProblem& contacts) {
   if (contacts.weights != problem.weights || contacts.components != problem.components ||
-      contacts.unknown_offsets != problem.unknown_offsets)
+      contacts.is_line != problem.is_line || contacts.unknown_offsets != problem.unknown_offsets)
     throw std::invalid_argument(
         "contacts need the rows and components of the problem: make both of the same sensor and "
         "options, and let them differ in the grid alone");
@@ -82,6 +83,11 @@ std::vector<double> negated(std::span<const double> values) {
   std::vector<double> all(values.begin(), values.end());
   for (double& value : all) value = -value;
   return all;
+}
+
+Unexplained nothing_explained(const JudgedFrame& frame, Friction friction) {
+  return {
+      .residual = frame.seen, .norm = as_eigen(std::span(frame.seen)).norm(), .friction = friction};
 }
 
 Unexplained left_by_tractions(const LinearProblem& of, double unit, const JudgedFrame& frame,

@@ -107,6 +107,9 @@ struct ChannelConstants {
                                             const JudgedFrame& frame,
                                             std::span<const double> tractions);
 
+/// What a contact that presses nowhere leaves: all of a frame.
+[[nodiscard]] Unexplained nothing_explained(const JudgedFrame& frame, Friction friction);
+
 /// Contacts of one problem. What has a default is of one kind of fit alone.
 class ContactFit {
  public:
@@ -212,7 +215,7 @@ class ContactFit {
 
 /// Contacts on a skin, sought inside friction's cones with less and less smoothing, which takes
 /// long, and so ends as soon as it can. O(1): cones are factored once, when a frame first needs
-/// them. (skin/cone_fit.cpp)
+/// them.
 /// @param contacts  called when a frame first needs one, and checked by `check_contacts`
 [[nodiscard]] std::unique_ptr<const ContactFit> cone_fit(
     const JudgedProblem& judged, std::function<std::shared_ptr<const LinearProblem>()> contacts);

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "inverse/data/frame_judge.hpp"
-#include "inverse/data/memory.hpp"
 #include "numeric/named.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 
@@ -16,20 +15,13 @@ constexpr Named<DataDoubt> doubts[] = {
 
 using Shared = std::shared_ptr<const LinearProblem>;
 
-/// Whether a non-negative least squares finds contacts: friction acts along one axis, and the
-/// places are a line's.
-bool is_in_a_plane(const LinearProblem& problem) {
-  return problem.grid.columns == 1 && problem.components <= 2;
-}
-
-/// @param contacts  called at once where the problem is in a plane
+/// @param contacts  called at once where the problem is a line's
 std::unique_ptr<const ContactFit> fit_of(const JudgedProblem& judged,
                                          std::function<Shared()> contacts) {
-  if (!is_in_a_plane(judged.problem)) return cone_fit(judged, std::move(contacts));
-  Shared made = contacts();
+  if (!judged.problem.is_line) return cone_fit(judged, std::move(contacts));
+  const Shared made = contacts();
   check_contacts(judged.problem, *made);
-  if (is_in_a_plane(*made)) return line_fit(judged, *made);
-  return cone_fit(judged, [made] { return made; });
+  return line_fit(judged, *made);
 }
 
 }  // namespace

@@ -3,16 +3,79 @@
 #include <limits>
 #include <utility>
 
+#include "inverse/cone_edges.hpp"
 #include "inverse/data/contact_fit.hpp"
-#include "inverse/data/memory.hpp"
 #include "inverse/nonnegative.hpp"
 #include "inverse/significance.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
-#include "tactile_net/inverse/constrained.hpp"
 
 namespace tactile_net {
+
+/// Sets of a cone's columns, the last one that helped first.
+class KeptContacts {
+ public:
+  struct Explained {
+    Eigen::VectorXd residual{};
+    double gain = 0.0;  ///< what constants would take from its square
+    bool leaves_an_end = false;
+  };
+
+  /// By one of them, none of whose columns pulls, up to a residual of `enough`.
+  [[nodiscard]] std::optional<Explained> explain(const Eigen::VectorXd& y, double enough);
+
+  /// @param constants  what a constant in each channel is, a column each
+  void keep(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& constants, bool leaves_an_end);
+
+ private:
+  struct Set {
+    Eigen::MatrixXd columns;
+    Eigen::MatrixXd inverse;    // from y to what each column takes, by least squares
+    Eigen::MatrixXd constants;  // orthonormal: what a constant in each channel adds to the columns
+    bool leaves_an_end = false;
+  };
+  static constexpr std::size_t most = 4;
+
+  std::vector<Set> sets_{};
+};
+
+DataMemory::DataMemory() : kept_(std::make_unique<KeptContacts>()) {}
+DataMemory::~DataMemory() = default;
+DataMemory::DataMemory(DataMemory&&) noexcept = default;
+DataMemory& DataMemory::operator=(DataMemory&&) noexcept = default;
+
+std::optional<KeptContacts::Explained> KeptContacts::explain(const Eigen::VectorXd& y,
+                                                             double enough) {
+  for (auto set = sets_.begin(); set != sets_.end(); ++set) {
+    const Eigen::VectorXd z = set->inverse * y;
+    if (z.minCoeff() < 0.0) continue;
+    Eigen::VectorXd residual = y - set->columns * z;
+    if (residual.norm() > enough) continue;
+    const Explained found{std::move(residual), (set->constants.transpose() * y).squaredNorm(),
+                          set->leaves_an_end};
+    std::rotate(sets_.begin(), set, set + 1);
+    return found;
+  }
+  return std::nullopt;
+}
+
+void KeptContacts::keep(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& constants,
+                        bool leaves_an_end) {
+  constexpr double dependent = 1e-10;
+  const Svd svd = singular_value_decomposition(columns);
+  if (!(svd.values.minCoeff() > dependent * svd.values(0))) return;
+  Eigen::MatrixXd added = constants - svd.u * (svd.u.transpose() * constants);
+  if (added.cols() > 0) {
+    const Svd rest = singular_value_decomposition(added);
+    added = rest.u.leftCols((rest.values.array() > dependent).count());
+  }
+  if (sets_.size() == most) sets_.pop_back();
+  sets_.insert(sets_.begin(),
+               {columns, svd.v * svd.values.cwiseInverse().asDiagonal() * svd.u.transpose(), added,
+                leaves_an_end});
+}
+
 namespace {
 
 constexpr std::size_t most_exchanges = 300;
@@ -39,7 +102,7 @@ class LineFit final : public ContactFit {
         found_places_(parts_of(p.problem.grid)) {
     const auto columns = [&](Friction friction) {
       const Constraints press{.nonnegative = true, .friction_limit = p.limit_of(friction)};
-      Eigen::MatrixXd all = as_eigen(contacts.kernel) * as_eigen(edges(contacts, press)) / p.unit;
+      Eigen::MatrixXd all = ConeEdges(contacts, press).applied(as_eigen(contacts.kernel)) / p.unit;
       for (Eigen::Index j = 0; j < all.cols(); ++j)
         if (const double norm = all.col(j).norm(); norm > 0.0) all.col(j) /= norm;
       return all;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lab/pattern_cache.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
@@ -15,7 +16,6 @@
 #include "tactile_net/lab/missing.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/sensing/resultant.hpp"
-#include "tactile_net/skin/cone.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -243,8 +243,8 @@ class SkinSolver final : public PatternSolver {
     if (!presser_ || presser_->dead != dead_) {
       LinearProblem left = *whole_contacts_;
       leave_out(left, dead_);
-      SkinCone cone(left, least_smoothing(whole_.family().singular_values(), 1e-5),
-                    press_of(left.components, scene.reconstruct));
+      ConeTikhonov cone(left, least_smoothing(whole_.family().singular_values(), 1e-5),
+                        press_of(left.components, scene.reconstruct));
       presser_ = {.dead = dead_, .problem = std::move(left), .cone = std::move(cone)};
     }
     return presser_->press(*whole_contacts_, *frame);
@@ -291,7 +291,7 @@ class SkinSolver final : public PatternSolver {
   SkinSceneProblem problem_;       // without what is dead in the last frame
   std::vector<std::size_t> dead_;  // there
   std::optional<LinearProblem> whole_contacts_{};
-  std::optional<Presser<SkinCone>> presser_{};
+  std::optional<Presser<ConeTikhonov>> presser_{};
 };
 
 }  // namespace

@@ -10,8 +10,22 @@
 namespace tactile_net {
 namespace {
 
+struct Converter {
+  int bits;
+  double low, high;
+};
+
 double step_of(const Converter& converter) {
   return (converter.high - converter.low) / (std::ldexp(1.0, converter.bits) - 1.0);
+}
+
+void quantize(std::span<double> readings, const Converter& converter) noexcept {
+  const auto [bits, low, high] = converter;
+  const double steps = std::ldexp(1.0, bits) - 1.0;
+  for (double& reading : readings) {
+    const double level = std::round((reading - low) / (high - low) * steps);
+    reading = std::lerp(low, high, std::clamp(level, 0.0, steps) / steps);
+  }
 }
 
 class Levels final : public SensorEffect {
@@ -52,15 +66,6 @@ class Levels final : public SensorEffect {
 
 }  // namespace
 
-void quantize(std::span<double> readings, const Converter& converter) noexcept {
-  const auto [bits, low, high] = converter;
-  const double steps = std::ldexp(1.0, bits) - 1.0;
-  for (double& reading : readings) {
-    const double level = std::round((reading - low) / (high - low) * steps);
-    reading = std::lerp(low, high, std::clamp(level, 0.0, steps) / steps);
-  }
-}
-
 double step(const Quantization& quantization, Quantity quantity) {
   const auto& [low, high] = quantization.range.at(quantity);
   return step_of({quantization.bits, low, high});
@@ -74,10 +79,6 @@ std::unique_ptr<SensorEffect> make_effect(const Quantization& quantization,
     converters.push_back({quantization.bits, low, high});
   }
   return std::make_unique<Levels>(sensor.channels, std::move(converters));
-}
-
-std::unique_ptr<SensorEffect> make_effect(const Converter& converter, const SignalLayout& sensor) {
-  return std::make_unique<Levels>(sensor.channels, std::vector(sensor.channels.size(), converter));
 }
 
 }  // namespace tactile_net

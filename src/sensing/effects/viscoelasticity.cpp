@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "sensing/effects/creep.hpp"
 #include "sensing/effects/first_order_lag.hpp"
 #include "sensing/effects/per_taxel.hpp"
 

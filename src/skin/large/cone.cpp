@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "inverse/cone/cell_cones.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/cell_cones.hpp"
 #include "skin/large/system.hpp"
 
 namespace tactile_net {
@@ -85,8 +85,8 @@ LargeSkinCone::~LargeSkinCone() = default;
 LargeSkinCone::LargeSkinCone(LargeSkinCone&&) noexcept = default;
 LargeSkinCone& LargeSkinCone::operator=(LargeSkinCone&&) noexcept = default;
 
-SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::size_t iteration_limit,
-                                      double enough, double explained) const {
+ConeSolution LargeSkinCone::solve(std::span<const double> readings, std::size_t iteration_limit,
+                                  double enough, double explained) const {
   Parts& p = *parts_;
   const auto read = static_cast<Index>(p.system->readings());
   if (std::ssize(readings) != read) return {.status = FrameStatus::wrong_size};
@@ -96,7 +96,7 @@ SkinConeSolution LargeSkinCone::solve(std::span<const double> readings, std::siz
       as_eigen(std::span(p.system->problem.weights)).cwiseProduct(as_eigen(readings));
   const double scale = right.cwiseAbs().maxCoeff();
   if (!std::isfinite(scale)) return {.status = FrameStatus::too_large};
-  SkinConeSolution solution;
+  ConeSolution solution;
   const auto count = static_cast<Index>(p.system->tractions());
   solution.tractions.assign(static_cast<std::size_t>(count), 0.0);
   if (scale == 0.0) {

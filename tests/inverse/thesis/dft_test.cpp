@@ -140,8 +140,9 @@ TEST_CASE("verdicts have the names that results use", "[dft]") {
 TEST_CASE("uneven taxels have no spectrum", "[dft][uneven]") {
   const Material silicone{.youngs_modulus = 2e5, .poisson_ratio = 0.45};
   const std::vector<Quantity> reads = {Quantity::stress_x};
-  const SensorArray array =
-      uneven_array({{-1e-3, 1.5e-3, reads}, {0.0, 1.5e-3, reads}, {2e-3, 1.5e-3, reads}});
+  const SensorArray array = uneven_array({{.y = -1e-3, .depth = 1.5e-3, .reads = reads},
+                                          {.y = 0.0, .depth = 1.5e-3, .reads = reads},
+                                          {.y = 2e-3, .depth = 1.5e-3, .reads = reads}});
   CHECK_THROWS_WITH(DftInverse(array, silicone),
                     ContainsSubstring("dft needs taxels equally far apart"));
 }

@@ -58,8 +58,8 @@ TEST_CASE("an effect out of its range is refused with the rule in words", "[effe
   refused(TaxelNoise{.rms = {{strain, {1.0}}}}, "rms must hold one value per taxel");
   refused(TaxelNoise{.rms = {{strain, {1.0, -1.0}}}}, "rms must be >= 0");
   refused(Saturation{{{strain, {1.0, 1.0}}}}, "range must begin below its end");
-  refused(Converter{.bits = 0, .low = 0.0, .high = 1.0}, "bits must be from 1 to 32");
-  refused(Converter{.bits = 8, .low = 1.0, .high = 1.0}, "range must begin below its end");
+  refused(Quantization{0, {{strain, {0.0, 1.0}}}}, "bits must be from 1 to 32");
+  refused(Quantization{8, {{strain, {1.0, 1.0}}}}, "range must begin below its end");
   refused(StuckTaxels{{2}, {{strain, {1.0}}}}, "index must be less than their count (got 2)");
   refused(StuckTaxels{{1}, {{strain, {}}}}, "values must be as many as indices");
   refused(DeadTaxels{{2}}, "index must be less than their count");

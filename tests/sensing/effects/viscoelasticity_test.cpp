@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sensing/effects/creep.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net;

@@ -1,6 +1,6 @@
 /// @file
 /// A large skin's tractions under what contact allows (target tactile_net::spectral): the minimum
-/// of skin/cone.hpp without its matrix.
+/// of inverse/cone_tikhonov.hpp without its matrix.
 ///
 /// Accelerated projected gradients (Nesterov 1983; Beck and Teboulle 2009) that start anew where
 /// they would go uphill (O'Donoghue and Candes 2015), with a step that is shortened until it holds:
@@ -11,8 +11,8 @@
 #include <memory>
 #include <span>
 
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/constrained.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/large/system.hpp"
 
 namespace tactile_net {
@@ -31,11 +31,11 @@ class LargeSkinCone {
   /// at once. `too_large` if any weighted reading or traction would not be finite.
   ///
   /// @param iteration_limit  steps after which the best so far is returned, with its verdict
-  /// @param enough           `SkinConeSolution::residual` at which the iteration ends
+  /// @param enough           `ConeSolution::residual` at which the iteration ends
   /// @param explained        |W (K f - g)|_2 at which the iteration ends too, with the verdict `ok`
-  [[nodiscard]] SkinConeSolution solve(std::span<const double> readings,
-                                       std::size_t iteration_limit = 2000, double enough = 1e-6,
-                                       double explained = 0.0) const;
+  [[nodiscard]] ConeSolution solve(std::span<const double> readings,
+                                   std::size_t iteration_limit = 2000, double enough = 1e-6,
+                                   double explained = 0.0) const;
 
  private:
   struct Parts;

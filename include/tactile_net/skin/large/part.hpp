@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/skin/array.hpp"
-#include "tactile_net/skin/cone.hpp"
 #include "tactile_net/skin/large/system.hpp"
 #include "tactile_net/skin/problem.hpp"
 

@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
+#include "inverse/cone/cell_cones.hpp"
+#include "inverse/cone/rest_of_rows.hpp"
 #include "inverse/coordinates.hpp"
 #include "inverse/mirror_classes.hpp"
 #include "inverse/weighting.hpp"
 #include "numeric/cholesky.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/cell_cones.hpp"
-#include "skin/rest_of_rows.hpp"
-#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 
 namespace tactile_net {
 
@@ -40,7 +40,7 @@ struct ConeProblem {
     Eigen::MatrixXd square{};  // K'K
   };
 
-  /// @throw std::invalid_argument  as `SkinCone`
+  /// @throw std::invalid_argument  as `ConeTikhonov`
   ConeProblem(const LinearProblem& problem, const Constraints& limits);
 
   /// K'K c of coordinates.

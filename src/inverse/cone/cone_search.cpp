@@ -1,4 +1,4 @@
-#include "skin/cone_search.hpp"
+#include "inverse/cone/cone_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
-#include "skin/cone_system.hpp"
+#include "inverse/cone/cone_system.hpp"
 
 namespace tactile_net {
 namespace {
@@ -85,9 +85,9 @@ ConeSearch ConeSearch::without(std::span<const std::size_t> taxels) const {
   return rest;
 }
 
-SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t iteration_limit,
-                                   double enough, const EarlyStop& stop_early,
-                                   std::span<const double> nearby) const {
+ConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t iteration_limit,
+                               double enough, const EarlyStop& stop_early,
+                               std::span<const double> nearby) const {
   const ConeSystem& system = *system_;
   const ConeProblem& s = system.problem();
   if (std::ssize(readings) != s.weighting.size()) return {.status = FrameStatus::wrong_size};
@@ -103,7 +103,7 @@ SkinConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t
   const CellCones cones(s.cells, constraints_);
   Eigen::VectorXd z = Eigen::VectorXd::Zero(b.size());  // obeys the constraints
   Eigen::VectorXd u = z;                                // multipliers over rho
-  SkinConeSolution solution;
+  ConeSolution solution;
   const auto in_units = [&](Eigen::VectorXd tractions) {
     tractions *= scale / s.scales.kernel;
     if (s.components == 3) tractions.tail(2 * s.cells) /= s.scales.drag;

@@ -7,10 +7,10 @@
 #include <optional>
 #include <stdexcept>
 
+#include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/constrained.hpp"
-#include "tactile_net/skin/cone.hpp"
-#include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
 
@@ -92,8 +92,7 @@ inline void add_free_directions(ActiveFace& face, const Eigen::VectorXd& before,
 /// @throw std::invalid_argument  friction_limit is not > 0 and finite, or there is one component
 inline void check_cones(const LinearProblem& problem, const Constraints& constraints) {
   if (!constraints.friction_limit) return;
-  if (!(*constraints.friction_limit > 0.0) || !std::isfinite(*constraints.friction_limit))
-    throw std::invalid_argument("friction_limit must be > 0 and finite");
+  check_friction_limit(*constraints.friction_limit);
   if (problem.components != 3)
     throw std::invalid_argument("a friction limit needs the tangential tractions as unknowns");
 }

@@ -5,17 +5,17 @@
 #include <mutex>
 #include <utility>
 
+#include "inverse/cone/cone_search.hpp"
+#include "inverse/cone/rest_of_rows.hpp"
 #include "inverse/data/contact_fit.hpp"
 #include "numeric/eigen.hpp"
-#include "skin/cone_search.hpp"
-#include "skin/rest_of_rows.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 
 namespace tactile_net {
 namespace {
 
-constexpr std::size_t iteration_limit = 1000;
-constexpr double converged = 1e-5;
+constexpr std::size_t most_steps = 1000;
+constexpr double near_enough = 1e-5;
 /// Over the square of the largest singular value, in the order in which they are tried.
 constexpr std::array smoothings = {1e-4, 1e-6, 1e-8};
 
@@ -25,7 +25,7 @@ constexpr std::array smoothings = {1e-4, 1e-6, 1e-8};
 constexpr double far_share = 0.3;
 /// A search ends where twice the steps, or a hundredth of the smoothing, have gained less than this
 /// share of what is still missing: it would take ten times as many again.
-constexpr double least_gain = 0.1;
+constexpr double least_progress = 0.1;
 
 /// True if the best contact so far leaves so much that no contact is near.
 /// @param left, all  norms of what is left and of all readings
@@ -149,9 +149,9 @@ class ConeFit final : public ContactFit {
 
 std::optional<Unexplained> ConeFit::contact(const JudgedFrame& frame, Friction friction,
                                             double enough) const {
-  const double all = as_eigen(frame.seen).norm();
-  if (!contacts().are_read())
-    return Unexplained{.residual = frame.seen, .norm = all, .friction = friction};
+  const Unexplained nothing = nothing_explained(frame, friction);
+  if (!contacts().are_read()) return nothing;
+  const double all = nothing.norm;
   std::optional<Unexplained> best;
   for (std::size_t i = 0; i < smoothings.size(); ++i) {
     bool first = i == 0;
@@ -163,8 +163,8 @@ std::optional<Unexplained> ConeFit::contact(const JudgedFrame& frame, Friction f
       in_vain = is_far_from_contacts(left.norm, all, enough);
       return in_vain;
     };
-    const SkinConeSolution found =
-        cone(i, friction).solve(frame.readings, iteration_limit, converged, look);
+    const ConeSolution found =
+        cone(i, friction).solve(frame.readings, most_steps, near_enough, look);
     if (found.status != FrameStatus::ok) continue;
     if (first) (void)look(found.tractions);  // they came before a hundred steps
     if (in_vain) return left;
@@ -178,8 +178,7 @@ std::optional<Unexplained> ConeFit::contact(const JudgedFrame& frame, Friction f
 std::optional<Unexplained> ConeFit::all_left(const JudgedFrame& frame, std::size_t step,
                                              const Unexplained& found) const {
   if (!contacts().are_read()) return std::nullopt;
-  SkinConeSolution nearest =
-      cone(step, found.friction).solve(frame.readings, iteration_limit, converged);
+  ConeSolution nearest = cone(step, found.friction).solve(frame.readings, most_steps, near_enough);
   if (nearest.status != FrameStatus::ok) return std::nullopt;
   Unexplained left = left_by_contact(frame, found.friction, nearest.tractions);
   left.tractions = std::move(nearest.tractions);
@@ -190,10 +189,9 @@ std::optional<Unexplained> ConeFit::all_left(const JudgedFrame& frame, std::size
 std::optional<Unexplained> ConeFit::rest_left(const JudgedFrame& frame, std::size_t step,
                                               std::size_t taxel, const Unexplained& all) const {
   const std::span<const std::size_t> only(&taxel, 1);
-  const SkinConeSolution found =
-      cone(step, all.friction)
-          .without(only)
-          .solve(frame.readings, iteration_limit, converged, {}, all.tractions);
+  const ConeSolution found = cone(step, all.friction)
+                                 .without(only)
+                                 .solve(frame.readings, most_steps, near_enough, {}, all.tractions);
   if (found.status != FrameStatus::ok) return std::nullopt;
   Unexplained left = left_by_contact(frame, all.friction, found.tractions);
   const Eigen::VectorXd rest = rest_of(only)(as_eigen(left.residual));
@@ -218,17 +216,17 @@ double ConeFit::least_left(const JudgedFrame& frame, double enough,
     std::optional<double> before;
     const auto is_vain = [&](std::span<const double> tractions) {
       const double now = norm(tractions);
-      const bool vain = before ? now > enough && *before - now < least_gain * (now - enough)
+      const bool vain = before ? now > enough && *before - now < least_progress * (now - enough)
                                : i == 0 && is_far_from_contacts(now, all, enough);
       before = now;
       return vain;
     };
     const ConeSearch& whole = of.cone(i);
-    const SkinConeSolution found = (taxel ? whole.without(std::span(&*taxel, 1)) : whole)
-                                       .solve(frame.readings, iteration_limit, converged, is_vain);
+    const ConeSolution found = (taxel ? whole.without(std::span(&*taxel, 1)) : whole)
+                                   .solve(frame.readings, most_steps, near_enough, is_vain);
     if (found.status != FrameStatus::ok) continue;
     const double now = norm(found.tractions);
-    const bool stuck = best - now < least_gain * (now - enough);
+    const bool stuck = best - now < least_progress * (now - enough);
     best = std::min(best, now);
     if (best <= enough || stuck) break;
   }

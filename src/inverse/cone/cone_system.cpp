@@ -1,4 +1,4 @@
-#include "skin/cone_system.hpp"
+#include "inverse/cone/cone_system.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -13,7 +13,7 @@ using Eigen::Index;
 namespace {
 
 /// Over sqrt(lambda_max alpha): the fewest steps on skins of 16 x 16, for alpha 1e-3 to 1e-6.
-constexpr double penalty = 2.0;
+constexpr double penalty_share = 2.0;
 
 const LinearProblem& checked(const LinearProblem& problem, const Constraints& limits) {
   check_cones(problem, limits);
@@ -75,10 +75,8 @@ ConeProblem::ConeProblem(const LinearProblem& problem, const Constraints& limits
       kernel(scales.kernel_of(problem)),
       waves(problem, Eigen::VectorXd::Ones(kernel.cols())),
       spectrum(stabiliser_spectrum(problem, 1.0)) {
-  const Eigen::MatrixXd all = waves.sums(kernel.transpose());  // C' K'
   for (MirrorClass& part : mirror_classes(problem)) {
-    const Eigen::MatrixXd selected = all(part.waves, Eigen::indexing::all);
-    const Eigen::MatrixXd transposed = selected * part.readings.transpose();
+    const Eigen::MatrixXd transposed = waves.sums_of(part.waves, folded_kernel(kernel, part));
     if (transposed.size() == 0) continue;
     Block block{.waves = std::move(part.waves)};
     if (transposed.cols() >= transposed.rows())
@@ -105,7 +103,7 @@ ConeSystem::ConeSystem(std::shared_ptr<const ConeProblem> problem, double alpha)
     : problem_(std::move(problem)),
       smoothing_(problem_->scales.applied(alpha) * problem_->spectrum),
       largest_(largest_eigenvalue(*problem_, smoothing_)),
-      rho_(penalty * std::sqrt(largest_) *
+      rho_(penalty_share * std::sqrt(largest_) *
            std::sqrt(problem_->scales.applied(alpha) * problem_->area)) {
   for (const ConeProblem::Block& block : problem_->blocks) inverses_.push_back(inverse(block));
 }

@@ -1,5 +1,6 @@
 /// @file
-/// Tikhonov's method on a skin under what contact allows: nothing pulls, and friction has a limit.
+/// Tikhonov's method for tractions in three directions, a skin's, under what contact allows:
+/// nothing pulls, and friction has a limit.
 ///
 ///     p >= 0     and     |(q_y, q_z)| <= limit p
 ///
@@ -22,7 +23,7 @@
 namespace tactile_net {
 
 /// The answer to one frame. Unless the status is `ok`, no other member is set.
-struct SkinConeSolution {
+struct ConeSolution {
   FrameStatus status = FrameStatus::ok;
   /// [Pa], in the order of `TikhonovFamily::solve`; they obey the constraints exactly.
   std::vector<double> tractions{};
@@ -41,35 +42,34 @@ struct SkinConeSolution {
 /// rgcv and aicc; the alpha of other rules stays. Measured in docs/internals/skin.md.
 [[nodiscard]] double constrained_alpha(AlphaRule rule, double alpha) noexcept;
 
-class SkinCone {
+class ConeTikhonov {
  public:
   /// Factors the problem, at the cost of a `TikhonovFamily`.
   ///
   /// @throw std::invalid_argument  alpha is not > 0; friction_limit is not > 0, or there is one
   ///                               component only
-  SkinCone(const LinearProblem& problem, double alpha, const Constraints& constraints);
-  ~SkinCone();
-  SkinCone(SkinCone&&) noexcept;
-  SkinCone& operator=(SkinCone&&) noexcept;
+  ConeTikhonov(const LinearProblem& problem, double alpha, const Constraints& constraints);
+  ~ConeTikhonov();
+  ConeTikhonov(ConeTikhonov&&) noexcept;
+  ConeTikhonov& operator=(ConeTikhonov&&) noexcept;
 
   /// The same problem and constraints with another alpha. Shares what does not depend on alpha,
   /// which takes a fraction of the time; the tractions have the same bits as those of a new
-  /// `SkinCone`.
+  /// `ConeTikhonov`.
   /// @throw std::invalid_argument  alpha is not > 0 and finite
-  [[nodiscard]] SkinCone with_alpha(double alpha) const;
+  [[nodiscard]] ConeTikhonov with_alpha(double alpha) const;
 
   /// One frame, starting from 0: some 30 to 300 steps, each the price of two products with K by
   /// classes. Allocates. `too_large` if any weighted reading or traction would not be finite.
   ///
   /// @param iteration_limit  steps after which the best so far is returned
-  /// @param enough           `SkinConeSolution::residual` at which the iteration ends
-  [[nodiscard]] SkinConeSolution solve(std::span<const double> readings,
-                                       std::size_t iteration_limit = 2000,
-                                       double enough = 1e-6) const;
+  /// @param enough           `ConeSolution::residual` at which the iteration ends
+  [[nodiscard]] ConeSolution solve(std::span<const double> readings,
+                                   std::size_t iteration_limit = 2000, double enough = 1e-6) const;
 
  private:
   struct System;
-  explicit SkinCone(std::unique_ptr<const System> system);
+  explicit ConeTikhonov(std::unique_ptr<const System> system);
   std::unique_ptr<const System> system_;
 };
 

@@ -10,7 +10,7 @@
 
 #include "inverse/weighting.hpp"
 #include "numeric/eigen.hpp"
-#include "tactile_net/skin/array.hpp"
+#include "tactile_net/sensing/site.hpp"
 
 namespace tactile_net {
 

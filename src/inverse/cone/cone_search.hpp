@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-#include "tactile_net/skin/cone.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 
 namespace tactile_net {
 
@@ -17,7 +17,7 @@ class ConeSystem;
 /// Const, so threads may share one. A copy shares all that was factored.
 class ConeSearch {
  public:
-  /// @throw std::invalid_argument  as `SkinCone`
+  /// @throw std::invalid_argument  as `ConeTikhonov`
   ConeSearch(const LinearProblem& problem, double alpha, const Constraints& constraints);
 
   /// The search with another alpha, no taxel left out: shares what does not depend on alpha; the
@@ -37,14 +37,13 @@ class ConeSearch {
   /// more steps are in vain.
   using EarlyStop = std::function<bool(std::span<const double> tractions)>;
 
-  /// As `SkinCone::solve`.
+  /// As `ConeTikhonov::solve`.
   /// @param stop_early  absent: never; where it stops the verdict is `iteration_limit`
   /// @param nearby      tractions [Pa] that obey the constraints, from which fewer steps lead to
   ///                    the same solution; none: steps begin with nothing pressed
-  [[nodiscard]] SkinConeSolution solve(std::span<const double> readings,
-                                       std::size_t iteration_limit, double enough,
-                                       const EarlyStop& stop_early = {},
-                                       std::span<const double> nearby = {}) const;
+  [[nodiscard]] ConeSolution solve(std::span<const double> readings, std::size_t iteration_limit,
+                                   double enough, const EarlyStop& stop_early = {},
+                                   std::span<const double> nearby = {}) const;
 
  private:
   struct LeftOut;
