@@ -26,7 +26,7 @@ struct FitCovariance {
   /// The sum of l' C l over the rows l of common unknowns.
   [[nodiscard]] double leverage(const Eigen::MatrixXd& rows) const;
 
-  /// Where readings were eliminated: matrix = root root' + own own', own with one block a taxel.
+  /// matrix = root root' + own own', own with one block a taxel where these were eliminated.
   Eigen::MatrixXd root{};
   struct Block {
     std::vector<std::size_t> columns{};

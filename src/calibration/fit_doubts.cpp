@@ -23,41 +23,12 @@ constexpr double too_far_apart = 1e-3;          // p of what is stated of all pr
 constexpr double least_told = 0.1;              // of a stated variance, by the readings
 constexpr double far_understated = 2.0;  // rms in the stated sds: the fit follows wrong values
 
-const Stated& stated_of(const Press& press, PressQuantity quantity) {
-  const Stated* const values[] = {&press.force,    &press.position,   &press.half_width,
-                                  &press.friction, &press.position_z, &press.friction_z};
-  return *values[static_cast<std::size_t>(quantity)];
-}
-
 /// Whether another value would change a reading, and each stay finite.
 bool is_asked(const PressModel& model, PressQuantity quantity) {
   const bool along_z =
       quantity == PressQuantity::position_z || quantity == PressQuantity::friction_z;
   const bool drags = quantity == PressQuantity::friction || quantity == PressQuantity::friction_z;
   return (model.is_skin() || !along_z) && (!drags || model.holds_drags());
-}
-
-double value_of(const PressState& at, PressQuantity quantity) {
-  const double values[] = {
-      std::exp(at.log_force), at.center, std::exp(at.log_half_width), at.friction, at.center_z,
-      at.friction_z};
-  return values[static_cast<std::size_t>(quantity)];
-}
-
-constexpr PressQuantity press_values[] = {PressQuantity::force,      PressQuantity::position,
-                                          PressQuantity::half_width, PressQuantity::friction,
-                                          PressQuantity::position_z, PressQuantity::friction_z};
-
-/// How far a stated value moved, in its sds; 0 where it is exact, unknown or put aside.
-double deviation_of(const FitProblem& problem, const FitState& state, std::size_t p,
-                    PressQuantity quantity) {
-  const Stated& stated = stated_of(problem.log().presses[p], quantity);
-  if (!stated.value || stated.sd == 0.0 || problem.press_rows[p].put_aside == quantity) return 0.0;
-  const double value = value_of(state.presses[p], quantity);
-  // As the fit's priors have them: forces and widths by their logarithms.
-  const bool is_log = quantity == PressQuantity::force || quantity == PressQuantity::half_width;
-  return (is_log ? std::log(value / *stated.value) * *stated.value : value - *stated.value) /
-         stated.sd;
 }
 
 /// The press with one value at other places all over its range, and the force that fits each best
@@ -176,7 +147,7 @@ class Doubts {
     if (parameter == PadParameter::thickness || parameter == PadParameter::poisson_ratio ||
         parameter == PadParameter::crosstalk)
       return false;
-    const double value = tactile_net::value_of(state_.pad, parameter);
+    const double value = value_of(state_.pad, parameter);
     const FitProblem::Range& range = problem_.range(parameter);
     return value <= range.low || value >= range.high;
   }
@@ -233,11 +204,11 @@ class Doubts {
   /// readings', so its variance is the stated variance less the variance that the fit leaves.
   void stated_sds() {
     if (stated_.robust) return;  // what stands out counts little there
-    for (const PressQuantity quantity : press_values) {
+    for (const PressQuantity quantity : press_quantities) {
       UnderstatedSd all{.quantity = quantity};
       double squares = 0.0;
       for (std::size_t p = 0; p < state_.presses.size(); ++p) {
-        const double z = deviation_of(problem_, state_, p, quantity);
+        const double z = problem_.deviation(state_, p, quantity);
         if (z == 0.0 || std::abs(z) > outlying) continue;  // those are named one by one
         const double left =
             fit_.presses[p].at(quantity).sd / stated_of(problem_.log().presses[p], quantity).sd;
@@ -257,10 +228,8 @@ class Doubts {
 
   /// Of the fitted force over the stated one, where a stated sd lets it give way.
   [[nodiscard]] double log_of_force(std::size_t p) const {
-    const Stated& force = problem_.log().presses[p].force;
-    if (!force.value || force.sd == 0.0 || problem_.press_rows[p].put_aside == PressQuantity::force)
-      return 0.0;
-    return state_.presses[p].log_force - std::log(*force.value);
+    if (!problem_.holds(p, PressQuantity::force)) return 0.0;
+    return state_.presses[p].log_force - std::log(*problem_.log().presses[p].force.value);
   }
 
   [[nodiscard]] double rms_of(std::size_t number) const {
@@ -343,8 +312,8 @@ std::optional<ContradictedPress> contradiction(const FitProblem& problem, const 
   for (std::size_t j = 0; j < problem.model().sites().size(); ++j)
     if (problem.used(j) && std::abs(problem.residual(state, readings, press, j)) > outlying)
       ++found.readings;
-  for (const PressQuantity quantity : press_values)
-    if (const double z = deviation_of(problem, state, press, quantity);
+  for (const PressQuantity quantity : press_quantities)
+    if (const double z = problem.deviation(state, press, quantity);
         std::abs(z) > std::max(outlying, std::abs(found.deviation))) {
       found.quantity = quantity;
       found.deviation = z;
@@ -354,7 +323,7 @@ std::optional<ContradictedPress> contradiction(const FitProblem& problem, const 
     const OtherValues others(problem, state, readings, press);
     double least = (1.0 - explained_share) * others.as_it_is();
     bool any = false;
-    for (const PressQuantity quantity : press_values) {
+    for (const PressQuantity quantity : press_quantities) {
       const Stated& stated = stated_of(log, quantity);
       if (!stated.value || !is_asked(problem.model(), quantity)) continue;
       if (const double squares = others.least(quantity); squares < least) {

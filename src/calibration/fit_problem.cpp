@@ -24,6 +24,19 @@ double& member(PadState& pad, std::size_t parameter) {
   return *members[parameter];
 }
 
+double& unknown_of(PressState& press, PressQuantity quantity) {
+  double* const unknowns[] = {&press.log_force, &press.center,   &press.log_half_width,
+                              &press.friction,  &press.center_z, &press.friction_z};
+  return *unknowns[static_cast<std::size_t>(quantity)];
+}
+
+/// The value as the fit has it, and its sd: those of forces and widths by their logarithms.
+Stated as_fitted(const Stated& stated, PressQuantity quantity) {
+  if (quantity == PressQuantity::force || quantity == PressQuantity::half_width)
+    return {std::log(*stated.value), stated.sd / *stated.value};
+  return stated;
+}
+
 void check(const PressLog& log, std::size_t readings) {
   if (log.presses.empty()) throw std::invalid_argument("a log needs one press at least");
   if (log.unloaded.frames < 2 || log.unloaded.mean.size() != readings)
@@ -38,6 +51,12 @@ void check(const PressLog& log, std::size_t readings) {
 
 double value_of(PadState pad, PadParameter parameter) noexcept {
   return member(pad, static_cast<std::size_t>(parameter));
+}
+
+const Stated& stated_of(const Press& press, PressQuantity quantity) noexcept {
+  const Stated* const values[] = {&press.force,    &press.position,   &press.half_width,
+                                  &press.friction, &press.position_z, &press.friction_z};
+  return *values[static_cast<std::size_t>(quantity)];
 }
 
 FitProblem::FitProblem(const PressModel& model, const PressLog& log,
@@ -60,12 +79,19 @@ FitProblem::FitProblem(const PressModel& model, const PressLog& log,
   count_columns(unread);
   for (const Press& press : log.presses) {
     PressRows rows;
-    const bool is_free[] = {!press.force.is_exact(),      !press.position.is_exact(),
-                            !press.half_width.is_exact(), !press.friction.is_exact(),
-                            !press.position_z.is_exact(), !press.friction_z.is_exact()};
-    for (std::size_t i = 0; i < press_unknowns; ++i)
-      rows.column[i] = is_free[i] ? rows.columns++ : no_column;
+    for (const PressQuantity quantity : press_quantities)
+      rows.column[static_cast<std::size_t>(quantity)] =
+          stated_of(press, quantity).is_exact() ? no_column : rows.columns++;
     press_rows.push_back(rows);
+  }
+  number_presses();
+}
+
+void FitProblem::number_presses() noexcept {
+  std::size_t next = columns_;
+  for (PressRows& rows : press_rows) {
+    rows.first = next;
+    next += rows.columns;
   }
 }
 
@@ -144,6 +170,7 @@ void FitProblem::put_aside(std::size_t press, PressQuantity quantity) {
   rows.put_aside = quantity;
   std::size_t& column = rows.column[static_cast<std::size_t>(quantity)];
   if (column == no_column) column = rows.columns++;
+  number_presses();
 }
 
 std::size_t FitProblem::readings_used() const noexcept {
@@ -171,33 +198,31 @@ double FitProblem::residual(const FitState& state, const PressReadings& readings
   return (gain(state, j) * readings.value(p, j) - above) / noise_[j] + state.offset[j];
 }
 
+bool FitProblem::holds(std::size_t press, PressQuantity quantity) const noexcept {
+  const Stated& stated = stated_of(log_.presses[press], quantity);
+  return stated.value && stated.sd > 0.0 && press_rows[press].put_aside != quantity;
+}
+
+double FitProblem::deviation(const FitState& state, std::size_t p, PressQuantity quantity) const {
+  if (!holds(p, quantity)) return 0.0;
+  const Stated stated = as_fitted(stated_of(log_.presses[p], quantity), quantity);
+  PressState at = state.presses[p];
+  return (unknown_of(at, quantity) - *stated.value) / stated.sd;
+}
+
 std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::size_t p) const {
   const Press& press = log_.presses[p];
   const PressState& at = state.presses[p];
   const PressRows& rows = press_rows[p];
   std::vector<PressPrior> priors;
-  const auto add = [&](double difference, double sd, std::size_t unknown, double weight) {
-    PressPrior prior{.residual = std::sqrt(weight) * difference / sd};
-    prior.by_press[unknown] = std::sqrt(weight) / sd;
+  for (const PressQuantity quantity : press_quantities) {
+    if (!holds(p, quantity)) continue;
+    const auto i = static_cast<std::size_t>(quantity);
+    const double root = std::sqrt(rows.weight[i]);
+    PressPrior prior{.residual = root * deviation(state, p, quantity)};
+    prior.by_press[i] = root / as_fitted(stated_of(press, quantity), quantity).sd;
     priors.push_back(prior);
-  };
-  const auto stands = [&](const Stated& stated, PressQuantity quantity) {
-    return stated.value && stated.sd > 0.0 && rows.put_aside != quantity;
-  };
-  if (stands(press.force, PressQuantity::force))
-    add(at.log_force - std::log(*press.force.value), press.force.sd / *press.force.value, 0,
-        rows.force_weight);
-  if (stands(press.position, PressQuantity::position))
-    add(at.center - *press.position.value, press.position.sd, 1, rows.position_weight);
-  if (stands(press.half_width, PressQuantity::half_width))
-    add(at.log_half_width - std::log(*press.half_width.value),
-        press.half_width.sd / *press.half_width.value, 2, 1.0);
-  if (stands(press.position_z, PressQuantity::position_z))
-    add(at.center_z - *press.position_z.value, press.position_z.sd, 4, rows.position_z_weight);
-  if (stands(press.friction, PressQuantity::friction))
-    add(at.friction - *press.friction.value, press.friction.sd, 3, 1.0);
-  if (stands(press.friction_z, PressQuantity::friction_z))
-    add(at.friction_z - *press.friction_z.value, press.friction_z.sd, 5, 1.0);
+  }
   if (press.radius) {
     const ContactForce rod =
         model_.contact_force(material_at(state.pad), std::exp(at.log_half_width), *press.radius);
@@ -212,8 +237,10 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
     tie.by_pad[static_cast<std::size_t>(PadParameter::youngs_modulus)] = 1.0 / sd;
     priors.push_back(tie);
   } else if (!press.half_width.value || rows.put_aside == PressQuantity::half_width) {
-    add(at.log_half_width - std::log(weak_width_share * model_.depth()), weak_width_sd, 2, 1.0);
-    priors.back().is_weak = true;
+    const double difference = at.log_half_width - std::log(weak_width_share * model_.depth());
+    PressPrior weak{.residual = difference / weak_width_sd, .is_weak = true};
+    weak.by_press[2] = 1.0 / weak_width_sd;
+    priors.push_back(weak);
   }
   return priors;
 }
@@ -245,9 +272,7 @@ bool FitProblem::gains_are_local() const noexcept {
 }
 
 bool FitProblem::readings_first() const noexcept {
-  std::size_t unknowns = 0;
-  for (const PressRows& rows : press_rows) unknowns += rows.columns;
-  return readings_used() > many_readings && unknowns < gains_ + readings_used();
+  return readings_used() > many_readings && unknowns() - columns_ < gains_ + readings_used();
 }
 
 Eigen::MatrixXd FitProblem::common_priors(const FitState& state) const {
@@ -310,15 +335,9 @@ FitState FitProblem::moved(const FitState& state, const Eigen::VectorXd& common,
     next.log_gain[g] += common(static_cast<Eigen::Index>(first_gain_ + g));
   for (std::size_t j = 0; j < next.offset.size(); ++j)
     next.offset[j] += common(static_cast<Eigen::Index>(first_offset_ + j));
-  for (std::size_t p = 0; p < presses.size(); ++p) {
-    PressState& press = next.presses[p];
-    press.log_force += presses[p][0];
-    press.center += presses[p][1];
-    press.log_half_width += presses[p][2];
-    press.friction += presses[p][3];
-    press.center_z += presses[p][4];
-    press.friction_z += presses[p][5];
-  }
+  for (std::size_t p = 0; p < presses.size(); ++p)
+    for (const PressQuantity quantity : press_quantities)
+      unknown_of(next.presses[p], quantity) += presses[p][static_cast<std::size_t>(quantity)];
   hold_thickness(next.pad);
   follow_exact_ties(next);
   for (std::size_t p = 0; p < presses.size(); ++p) hold_press(next.presses[p], press_rows[p]);
@@ -335,16 +354,19 @@ void FitProblem::hold_press(PressState& state, const PressRows& rows) const {
                                       std::log(2.0 * reach_));
 }
 
+double FitProblem::log_room(const PadState& pad) const {
+  double deepest = 0.0;
+  for (const Site& site : model_.sites()) deepest = std::max(deepest, site.depth);
+  return std::log(model_.material().layer->thickness / deepest) + pad.log_thickness - pad.log_depth;
+}
+
 void FitProblem::hold_thickness(PadState& pad) const {
-  if (model_.material().layer && !options_.at_base) {
-    double deepest = 0.0;
-    for (const Site& site : model_.sites()) deepest = std::max(deepest, site.depth);
-    const double least = pad.log_depth + std::log(deepest / model_.material().layer->thickness);
-    if (pad_column(PadParameter::thickness) != no_column)
-      pad.log_thickness = std::max(pad.log_thickness, least);
-    else
-      pad.log_depth -= std::max(0.0, least - pad.log_thickness);
-  }
+  if (!model_.material().layer || options_.at_base) return;
+  const double missing = std::max(0.0, -log_room(pad));
+  if (pad_column(PadParameter::thickness) != no_column)
+    pad.log_thickness += missing;
+  else
+    pad.log_depth -= missing;
 }
 
 void FitProblem::follow_exact_ties(FitState& state) const {

@@ -21,6 +21,9 @@ namespace tactile_net {
 
 /// Log force, y, log half width, friction, z and friction along z, in PressQuantity's order.
 inline constexpr std::size_t press_unknowns = 6;
+inline constexpr PressQuantity press_quantities[] = {
+    PressQuantity::force,    PressQuantity::position,   PressQuantity::half_width,
+    PressQuantity::friction, PressQuantity::position_z, PressQuantity::friction_z};
 inline constexpr std::size_t no_column = std::numeric_limits<std::size_t>::max();
 
 /// Everything that is fitted, at one place.
@@ -33,6 +36,8 @@ struct FitState {
 
 [[nodiscard]] double value_of(PadState pad, PadParameter parameter) noexcept;
 
+[[nodiscard]] const Stated& stated_of(const Press& press, PressQuantity quantity) noexcept;
+
 /// One row of what is stated of a press.
 struct PressPrior {
   double residual = 0.0;
@@ -41,13 +46,17 @@ struct PressPrior {
   bool is_weak = false;  ///< kept for stability alone: not part of what is known
 };
 
+/// One a quantity, and that of a width.
+inline constexpr std::size_t most_press_priors = press_unknowns + 1;
+
 /// What a press' unknowns are and what weighs its rows.
 struct PressRows {
   std::array<std::size_t, press_unknowns> column{};  ///< no_column: exact
   std::size_t columns = 0;
+  std::size_t first = 0;  ///< of them among all unknowns, which begin with the common ones
   std::optional<PressQuantity> put_aside{};  ///< a stated value that is an unknown all the same
   /// Robust, of the stated values.
-  double force_weight = 1.0, position_weight = 1.0, position_z_weight = 1.0;
+  std::array<double, press_unknowns> weight{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 };
 
 class FitProblem {
@@ -69,6 +78,11 @@ class FitProblem {
   [[nodiscard]] double residual(const FitState& state, const PressReadings& readings, std::size_t p,
                                 std::size_t j) const noexcept;
   [[nodiscard]] std::vector<PressPrior> press_priors(const FitState& state, std::size_t p) const;
+  /// Whether a value is stated with an sd and holds its unknown: it was not put aside.
+  [[nodiscard]] bool holds(std::size_t press, PressQuantity quantity) const noexcept;
+  /// How far a value that `holds` moved, in its sds, forces and widths by their logarithms; else 0.
+  [[nodiscard]] double deviation(const FitState& state, std::size_t p,
+                                 PressQuantity quantity) const;
 
   /// Rows of the priors of the pad's parameters, and their residuals in the last column.
   [[nodiscard]] Eigen::MatrixXd pad_priors(const FitState& state) const;
@@ -80,6 +94,10 @@ class FitProblem {
 
   /// The common unknowns: pad parameters, gains, offsets.
   [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
+  /// The common unknowns and, behind them, those of every press.
+  [[nodiscard]] std::size_t unknowns() const noexcept {
+    return press_rows.back().first + press_rows.back().columns;
+  }
   [[nodiscard]] std::size_t pad_columns() const noexcept { return first_gain_; }
   /// Gains that share a mean, as indices into `FitState::log_gain`.
   [[nodiscard]] const std::vector<std::vector<std::size_t>>& gain_blocks() const noexcept {
@@ -128,6 +146,11 @@ class FitProblem {
   [[nodiscard]] FitState moved(const FitState& state, const Eigen::VectorXd& common,
                                std::span<const std::array<double, press_unknowns>> presses) const;
 
+  /// Log of the layer's thickness over the depth of the deepest taxel. @pre  there is a layer
+  [[nodiscard]] double log_room(const PadState& pad) const;
+  /// The pad at a state.
+  [[nodiscard]] Material material_at(const PadState& pad) const;
+
   [[nodiscard]] const PressModel& model() const noexcept { return model_; }
   [[nodiscard]] const PressLog& log() const noexcept { return log_; }
   [[nodiscard]] const CalibrationOptions& options() const noexcept { return options_; }
@@ -146,13 +169,13 @@ class FitProblem {
   void set_ranges();
   [[nodiscard]] bool frees_friction() const noexcept;
   void count_columns(std::span<const bool> unread);
+  void number_presses() noexcept;
   /// A layer is as thick as the deepest taxel is deep, or thicker.
   void hold_thickness(PadState& pad) const;
   /// Centres and half widths that ran away are put back where an indenter of this array can be.
   void hold_press(PressState& state, const PressRows& rows) const;
   /// Steps along a tie that is all but exact would be short: each is put back onto it.
   void follow_exact_ties(FitState& state) const;
-  [[nodiscard]] Material material_at(const PadState& pad) const;
 
   const PressModel& model_;
   const PressLog& log_;

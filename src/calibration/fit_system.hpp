@@ -1,5 +1,6 @@
 /// @file
-/// The linear system of one step: presses eliminated one by one, the rest a triangle. Private.
+/// The linear system of one step: what belongs to single presses, or where readings are many to
+/// single taxels, is eliminated group by group; the rest is a triangle. Private.
 #pragma once
 
 #include <array>
@@ -7,31 +8,54 @@
 #include <vector>
 
 #include "calibration/fit_problem.hpp"
-#include "calibration/fit_rows.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
 
-/// Lengths of the columns, and the slope of the objective.
+/// What enters beside the rows of the readings and of what is stated of presses.
+struct SystemParts {
+  double damping = 0.0;            ///< Levenberg's, of columns scaled to unit length
+  bool common_priors = true;       ///< else of the offsets alone: unloaded frames are measured
+  bool weak_priors = true;         ///< of widths that nobody stated
+  bool thickness_follows = false;  ///< at its bound: it moves with the depth
+  /// Pad parameters at the end of their range, or held for a profile.
+  std::array<bool, pad_parameter_count> frozen{};
+};
+
+/// Lengths of the columns of all unknowns, and the slope of the objective by the common ones.
 struct SystemColumns {
-  Eigen::VectorXd norm, gradient;
-  Eigen::VectorXd seen;  ///< lengths without priors
-  std::vector<std::array<double, press_unknowns>> press_norm{};
+  Eigen::VectorXd norm;  ///< with priors; 1 where it is 0
+  Eigen::VectorXd seen;  ///< without priors of the common unknowns
+  Eigen::VectorXd gradient;
 };
 [[nodiscard]] SystemColumns system_columns(const FitProblem& problem, const FitState& state,
                                            const PressReadings& readings);
 
-/// The factors: R x = rhs for the common unknowns, and of each press' own
-/// own x = rhs - share * common.
+/// Unknowns are numbered with the common ones first, then each press' (`PressRows::first`).
 struct FitSystem {
-  struct Own {
+  /// own x = rhs - share * kept.
+  struct Group {
+    std::size_t press = no_column;        ///< whose unknowns they are; no_column: a taxel's
+    std::vector<std::size_t> unknowns{};  ///< of a taxel: its gain, if it has one, and offsets
     Eigen::MatrixXd own, share;
     Eigen::VectorXd rhs;
   };
-  Eigen::MatrixXd triangle;
+  std::vector<Group> groups{};
+  std::vector<std::size_t> kept{};  ///< of each column of the triangle; no_column: a mean of gains
+  Eigen::MatrixXd triangle;         ///< triangle kept = rhs
   Eigen::VectorXd rhs;
-  std::vector<Own> presses{};
 };
+
+/// Presses are eliminated one by one: the triangle is that of the common unknowns.
+[[nodiscard]] FitSystem common_system(const FitProblem& problem, const FitState& state,
+                                      const PressReadings& readings, const SystemColumns& columns,
+                                      const SystemParts& parts);
+
+/// The same system in the cheaper order. Where readings are many (`FitProblem::readings_first`)
+/// each gain with the offsets of its readings goes first; then a gain's prior ties it to the others
+/// of its channel through their mean, which is an unknown here: gain ~ N(mean, gain_sd),
+/// mean ~ N(0, mean_gain_sd) is what `FitProblem::common_priors` says. Without
+/// `SystemParts::common_priors` gains have none, and no means.
 [[nodiscard]] FitSystem fit_system(const FitProblem& problem, const FitState& state,
                                    const PressReadings& readings, const SystemColumns& columns,
                                    const SystemParts& parts);
@@ -49,7 +73,7 @@ struct FitStep {
   Eigen::VectorXd common;
   std::vector<std::array<double, press_unknowns>> presses{};  ///< zeros where they are exact
 };
-/// Of Levenberg and Marquardt, through `FitSystem` or, where readings are many, `ReadingSystem`.
+/// Levenberg's and Marquardt's, by `fit_system`.
 [[nodiscard]] FitStep fit_step(const FitProblem& problem, const FitState& state,
                                const PressReadings& readings, const SystemColumns& columns,
                                const SystemParts& parts);

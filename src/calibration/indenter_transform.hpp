@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tactile_net/elasticity/contact.hpp"
+#include "tactile_net/elasticity/space/disc.hpp"
 
 namespace tactile_net {
 
@@ -13,5 +14,7 @@ struct IndenterTransform {
 
 /// @param z  k a, >= 0
 [[nodiscard]] IndenterTransform indenter_transform(Shape shape, double z);
+/// Of what presses on a circle: 2 pi times the integral of r p(r) J0(k r), over the force.
+[[nodiscard]] IndenterTransform indenter_transform(DiscProfile profile, double z);
 
 }  // namespace tactile_net

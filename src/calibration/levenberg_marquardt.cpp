@@ -64,11 +64,8 @@ SystemParts active_bounds(const FitProblem& problem, const FitState& state,
                       (value <= range.low && slope(parameter) > 0.0);
   }
   if (problem.pad_column(PadParameter::thickness) != no_column) {
-    double deepest = 0.0;
-    for (const Site& site : problem.model().sites()) deepest = std::max(deepest, site.depth);
-    const double over = std::log(problem.model().material().layer->thickness / deepest) +
-                        state.pad.log_thickness - state.pad.log_depth;
-    parts.thickness_follows = over < 1e-12 && slope(PadParameter::thickness) > 0.0;
+    parts.thickness_follows =
+        problem.log_room(state.pad) < 1e-12 && slope(PadParameter::thickness) > 0.0;
     if (parts.thickness_follows)
       parts.frozen[static_cast<std::size_t>(PadParameter::thickness)] = false;
   }

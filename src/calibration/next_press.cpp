@@ -74,14 +74,6 @@ std::vector<PressState> states_of(const std::vector<NextPress>& presses) {
   return states;
 }
 
-Material pad_of(const PressModel& model, const PressFit& fit) {
-  Material pad = model.material();
-  pad.poisson_ratio = fit.at(PadParameter::poisson_ratio).value;
-  pad.youngs_modulus = fit.at(PadParameter::youngs_modulus).value;
-  if (pad.layer) pad.layer->thickness = fit.at(PadParameter::thickness).value;
-  return pad;
-}
-
 /// The log's presses with the narrowest, the middle and the widest contact; one where all are
 /// alike.
 std::vector<std::size_t> typical(const PressFit& fit) {
@@ -106,19 +98,17 @@ double share_of(std::size_t i, std::size_t count) {
   return 2.0 * static_cast<double>(i) / static_cast<double>(count - 1) - 1.0;
 }
 
-std::vector<NextPress> presses_of_a_line(const PressModel& model, const PressFit& fit) {
-  const auto [first, last] =
-      std::minmax_element(model.sites().begin(), model.sites().end(),
-                          [](const Site& a, const Site& b) { return a.y < b.y; });
+std::vector<NextPress> presses_of_a_line(const FitProblem& problem, const PressFit& fit) {
   const double force = largest_force(fit);
-  const Material pad = pad_of(model, fit);
+  const Material pad = problem.material_at(fit.pad);
   std::vector<NextPress> presses;
   for (std::size_t i = 0; i < places; ++i)
     for (const std::size_t p : typical(fit)) {
-      NextPress one{.position = reach * share_of(i, places) * 0.5 * (last->y - first->y),
-                    .half_width = fit.presses[p].half_width.value,
-                    .force = force};
-      one.radius = model.indenter_radius(pad, one.half_width, force);
+      NextPress one{
+          .position = reach * share_of(i, places) * 0.5 * (problem.last().y - problem.first().y),
+          .half_width = fit.presses[p].half_width.value,
+          .force = force};
+      one.radius = problem.model().indenter_radius(pad, one.half_width, force);
       presses.push_back(one);
     }
   return presses;
@@ -135,15 +125,16 @@ NextPress repeated(const PressModel& model, const Material& pad, const Press& lo
   return one;
 }
 
-/// Each of `kinds` at each place of a grid over the skin's taxels.
-std::vector<NextPress> spread(const PressModel& model, const std::vector<NextPress>& kinds,
-                              std::size_t side) {
-  FitProblem::Place first{model.sites().front().y, model.sites().front().z};
-  FitProblem::Place last = first;
-  for (const Site& site : model.sites()) {
-    first = {std::min(first.y, site.y), std::min(first.z, site.z)};
-    last = {std::max(last.y, site.y), std::max(last.z, site.z)};
-  }
+/// The log's typical presses, with shares of the largest force, at each place of a grid over the
+/// skin's taxels.
+std::vector<NextPress> presses_of_a_skin(const FitProblem& problem, const PressFit& fit,
+                                         std::span<const double> shares, std::size_t side) {
+  const Material pad = problem.material_at(fit.pad);
+  std::vector<NextPress> kinds;
+  for (const std::size_t p : typical(fit))
+    for (const double share : shares)
+      kinds.push_back(repeated(problem.model(), pad, problem.log().presses[p], fit.presses[p],
+                               share * largest_force(fit)));
   std::vector<NextPress> presses;
   const auto at = [&](double low, double high, std::size_t i) {
     return 0.5 * (low + high) + reach * share_of(i, side) * 0.5 * (high - low);
@@ -151,43 +142,29 @@ std::vector<NextPress> spread(const PressModel& model, const std::vector<NextPre
   for (std::size_t i = 0; i < side; ++i)
     for (std::size_t k = 0; k < side; ++k)
       for (NextPress one : kinds) {
-        one.position = at(first.y, last.y, i);
-        one.position_z = at(first.z, last.z, k);
+        one.position = at(problem.first().y, problem.last().y, i);
+        one.position_z = at(problem.first().z, problem.last().z, k);
         presses.push_back(one);
       }
   return presses;
 }
 
-std::vector<NextPress> presses_of_a_skin(const PressModel& model, const PressLog& log,
-                                         const PressFit& fit, std::span<const double> shares,
-                                         std::size_t side) {
-  const Material pad = pad_of(model, fit);
-  std::vector<NextPress> kinds;
-  for (const std::size_t p : typical(fit))
-    for (const double share : shares)
-      kinds.push_back(
-          repeated(model, pad, log.presses[p], fit.presses[p], share * largest_force(fit)));
-  return spread(model, kinds, side);
-}
-
-std::vector<NextPress> candidates_of(const PressModel& model, const PressLog& log,
-                                     const PressFit& fit) {
+std::vector<NextPress> candidates_of(const FitProblem& problem, const PressFit& fit) {
   constexpr double shares[] = {1.0, smaller_force};
-  return model.is_skin() ? presses_of_a_skin(model, log, fit, shares, places_of_a_side)
-                         : presses_of_a_line(model, fit);
+  return problem.model().is_skin() ? presses_of_a_skin(problem, fit, shares, places_of_a_side)
+                                   : presses_of_a_line(problem, fit);
 }
 
-std::vector<NextPress> reference_loads(const PressModel& model, const PressLog& log,
-                                       const PressFit& fit) {
+std::vector<NextPress> reference_loads(const FitProblem& problem, const PressFit& fit) {
   std::vector<NextPress> chosen;
-  if (!model.is_skin()) {
-    const std::vector<NextPress> loads = presses_of_a_line(model, fit);
+  if (!problem.model().is_skin()) {
+    const std::vector<NextPress> loads = presses_of_a_line(problem, fit);
     for (std::size_t i = 0; i < reference_places; ++i)
       chosen.push_back(loads[i * (loads.size() - 1) / (reference_places - 1)]);
     return chosen;
   }
   constexpr double shares[] = {1.0};
-  const std::vector<NextPress> loads = presses_of_a_skin(model, log, fit, shares, reference_side);
+  const std::vector<NextPress> loads = presses_of_a_skin(problem, fit, shares, reference_side);
   const std::size_t kinds = loads.size() / (reference_side * reference_side);
   for (std::size_t i = 0; i < loads.size(); i += kinds)
     chosen.push_back(loads[i + i / kinds % kinds]);
@@ -249,7 +226,7 @@ NextPresses next_presses(const PressModel& model, const PressLog& log,
   }
   const PressReadings now = done.readings(state, true);
   const SystemColumns columns = system_columns(done, state, now);
-  const Eigen::MatrixXd root = fit_system(done, state, now, columns, {}).triangle;
+  const Eigen::MatrixXd root = common_system(done, state, now, columns, {}).triangle;
   for (Eigen::Index i = 0; i < root.cols(); ++i)
     if (root(i, i) == 0.0)
       throw std::invalid_argument("something is not known at all: state a standard deviation");
@@ -263,12 +240,12 @@ NextPresses next_presses(const PressModel& model, const PressLog& log,
     aims = Eigen::MatrixXd::Zero(1, root.cols());
     aims(0, static_cast<Eigen::Index>(column)) = 1.0;
   } else {
-    aims = reference_rows(done, state, reference_loads(model, log, fit));
+    aims = reference_rows(done, state, reference_loads(done, fit));
   }
 
   PressDesign design(root, aims);
   NextPresses result{.now = std::sqrt(design.value())};
-  const std::vector<NextPress> candidates = candidates_of(model, log, fit);
+  const std::vector<NextPress> candidates = candidates_of(done, fit);
   const PressLog log_of_candidates = imagined(log, candidates);
   const FitProblem next(model, log_of_candidates, held, left_out);
   FitState imagined_state = state_of(next, fit);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "calibration/fit_system.hpp"
-#include "calibration/reading_system.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
@@ -99,87 +99,59 @@ NullDirection direction_of(const FitProblem& problem, const Eigen::VectorXd& cha
   return direction;
 }
 
-std::vector<NullDirection> presses_first(const FitProblem& problem, const FitSystem& system,
-                                         const Eigen::VectorXd& norm) {
-  // A column that is nothing but the rounding of what is zero is zero. Behind the gains stand
-  // offsets: that of a reading that no press uses would mix with directions that mean something.
-  const double largest = norm.maxCoeff();
-  const Eigen::Index offsets =
-      norm.size() - static_cast<Eigen::Index>(problem.model().sites().size());
+/// The null space of the triangle that is left is that of the whole: what was eliminated follows.
+/// Directions of presses alone are not asked for; a gain whose readings no press reaches is a
+/// direction of its own.
+std::vector<NullDirection> directions_of(const FitProblem& problem, const FitSystem& system,
+                                         const Eigen::VectorXd& seen) {
+  const std::size_t t = problem.columns();
+  const std::size_t offsets = t - problem.model().sites().size();
+  // A column that is nothing but the rounding of what is zero is zero.
+  const double zero = nothing * seen.head(eigen_index(t)).maxCoeff();
   Eigen::MatrixXd scaled = system.triangle;
+  Eigen::VectorXd norm = Eigen::VectorXd::Ones(scaled.cols());
   for (Eigen::Index c = 0; c < scaled.cols(); ++c) {
-    if (norm(c) > nothing * largest) {
-      scaled.col(c) /= norm(c);
+    const std::size_t unknown = system.kept[static_cast<std::size_t>(c)];
+    if (unknown == no_column) continue;
+    if (const double length = seen(eigen_index(unknown)); length > zero) {
+      norm(c) = length;
+      scaled.col(c) /= length;
     } else {
       scaled.col(c).setZero();
-      if (c >= offsets) scaled(c, c) = 1.0;
-    }
-  }
-  const Svd svd = singular_value_decomposition(scaled);
-  std::vector<NullDirection> directions;
-  for (Eigen::Index k = 0; k < svd.values.size(); ++k)
-    if (!(svd.values(k) > null_limit * svd.values(0)))
-      directions.push_back(direction_of(problem, svd.v.col(k)));
-  return directions;
-}
-
-/// The null space of the triangle that is left is that of the whole: what belongs to a reading
-/// follows. A gain whose reading no press reaches is a direction of its own.
-std::vector<NullDirection> readings_first(const FitProblem& problem, const ReadingSystem& system,
-                                          const SystemColumns& columns) {
-  const Eigen::Index t = columns.seen.size();
-  const double largest = columns.seen.maxCoeff();
-  Eigen::VectorXd norm = Eigen::VectorXd::Ones(system.triangle.cols());
-  for (std::size_t p = 0; p < problem.press_rows.size(); ++p)
-    for (std::size_t i = 0; i < press_unknowns; ++i)
-      if (const std::size_t column = problem.press_rows[p].column[i]; column != no_column)
-        norm(static_cast<Eigen::Index>(system.first_of_press[p] + column)) =
-            columns.press_norm[p][i];
-  for (std::size_t i = 0; i < system.common.size(); ++i)
-    norm(static_cast<Eigen::Index>(system.first_common + i)) =
-        columns.seen(static_cast<Eigen::Index>(system.common[i]));
-  Eigen::MatrixXd scaled = system.triangle;
-  for (Eigen::Index c = 0; c < scaled.cols(); ++c) {
-    if (norm(c) > nothing * largest) {
-      scaled.col(c) /= norm(c);
-    } else {
-      scaled.col(c).setZero();
-      norm(c) = 1.0;
+      // The offset of a reading that no press uses would mix with directions that mean something.
+      if (unknown >= offsets && unknown < t) scaled(c, c) = 1.0;
     }
   }
   std::vector<NullDirection> directions;
+  const auto add_direction = [&](const Eigen::VectorXd& change) {
+    NullDirection direction = direction_of(problem, change);
+    if (dot(direction, direction) < named_share * named_share) return;
+    normalise(direction);
+    directions.push_back(std::move(direction));
+  };
   const Svd svd = singular_value_decomposition(scaled);
   for (Eigen::Index k = 0; k < svd.values.size(); ++k) {
     if (svd.values(k) > null_limit * std::max(1.0, svd.values(0))) continue;
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(eigen_index(problem.unknowns()));
+    for (std::size_t c = 0; c < system.kept.size(); ++c)
+      if (system.kept[c] != no_column)
+        change(eigen_index(system.kept[c])) = svd.v(eigen_index(c), k);
     const Eigen::VectorXd kept = svd.v.col(k).cwiseQuotient(norm);
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(t);
-    for (std::size_t i = 0; i < system.common.size(); ++i) {
-      const auto from = static_cast<Eigen::Index>(system.first_common + i);
-      change(static_cast<Eigen::Index>(system.common[i])) = norm(from) * kept(from);
-    }
-    for (const ReadingSystem::Group& group : system.groups) {
-      if (columns.seen(static_cast<Eigen::Index>(group.columns.front())) <= nothing * largest)
-        continue;
+    for (const FitSystem::Group& group : system.groups) {
+      if (group.press != no_column || seen(eigen_index(group.unknowns.front())) <= zero) continue;
       const Eigen::VectorXd own = solve_upper(group.own, Eigen::VectorXd(-group.share * kept));
-      for (std::size_t i = 0; i < group.columns.size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(group.columns[i]);
-        change(column) = columns.seen(column) * own(static_cast<Eigen::Index>(i));
+      for (std::size_t i = 0; i < group.unknowns.size(); ++i) {
+        const Eigen::Index unknown = eigen_index(group.unknowns[i]);
+        change(unknown) = seen(unknown) * own(eigen_index(i));
       }
     }
-    NullDirection direction = direction_of(problem, change);
-    // One of presses alone is not asked for.
-    if (dot(direction, direction) < named_share * named_share) continue;
-    normalise(direction);
-    directions.push_back(std::move(direction));
+    add_direction(change);
   }
-  for (const ReadingSystem::Group& group : system.groups) {
-    const auto column = static_cast<Eigen::Index>(group.columns.front());
-    if (group.columns.size() < 2 || columns.seen(column) > nothing * largest) continue;
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(t);
-    change(column) = 1.0;
-    directions.push_back(direction_of(problem, change));
-    normalise(directions.back());
-  }
+  for (const FitSystem::Group& group : system.groups)
+    if (group.press == no_column && group.unknowns.size() > 1 &&
+        seen(eigen_index(group.unknowns.front())) <= zero)
+      add_direction(Eigen::VectorXd::Unit(eigen_index(problem.unknowns()),
+                                          eigen_index(group.unknowns.front())));
   return directions;
 }
 
@@ -190,11 +162,7 @@ std::vector<NullDirection> null_directions(const FitProblem& problem, const FitS
   const SystemColumns columns = system_columns(problem, state, readings);
   const SystemParts parts{.damping = 0.0, .common_priors = false, .weak_priors = false};
   std::vector<NullDirection> directions =
-      problem.readings_first()
-          ? readings_first(problem, reading_system(problem, state, readings, columns, parts),
-                           columns)
-          : presses_first(problem, fit_system(problem, state, readings, columns, parts),
-                          columns.seen);
+      directions_of(problem, fit_system(problem, state, readings, columns, parts), columns.seen);
   separate(directions);
   for (NullDirection& direction : directions) tidy(direction);
   return directions;

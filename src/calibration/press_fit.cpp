@@ -31,7 +31,7 @@ constexpr Named<FitVerdict> fit_verdicts[] = {{FitVerdict::ok, "ok"},
                                               {FitVerdict::poor_fit, "poor_fit"},
                                               {FitVerdict::iteration_limit, "iteration_limit"}};
 
-constexpr Named<PressQuantity> press_quantities[] = {
+constexpr Named<PressQuantity> quantity_names[] = {
     {PressQuantity::force, "force"},           {PressQuantity::position, "position"},
     {PressQuantity::half_width, "half_width"}, {PressQuantity::friction, "friction"},
     {PressQuantity::position_z, "position_z"}, {PressQuantity::friction_z, "friction_z"}};
@@ -97,18 +97,11 @@ double reweigh(FitProblem& problem, const FitState& state) {
   for (std::size_t p = 0; p < state.presses.size(); ++p) {
     for (std::size_t j = 0; j < n; ++j)
       if (problem.used(j)) set(problem.weights[p * n + j], problem.residual(state, readings, p, j));
-    const Press& press = problem.log().presses[p];
-    const PressState& at = state.presses[p];
-    PressRows& rows = problem.press_rows[p];
-    if (press.force.value && press.force.sd > 0.0 && rows.put_aside != PressQuantity::force)
-      set(rows.force_weight,
-          (at.log_force - std::log(*press.force.value)) * *press.force.value / press.force.sd);
-    if (press.position.value && press.position.sd > 0.0 &&
-        rows.put_aside != PressQuantity::position)
-      set(rows.position_weight, (at.center - *press.position.value) / press.position.sd);
-    if (press.position_z.value && press.position_z.sd > 0.0 &&
-        rows.put_aside != PressQuantity::position_z)
-      set(rows.position_z_weight, (at.center_z - *press.position_z.value) / press.position_z.sd);
+    for (const PressQuantity quantity :
+         {PressQuantity::force, PressQuantity::position, PressQuantity::position_z})
+      if (problem.holds(p, quantity))
+        set(problem.press_rows[p].weight[static_cast<std::size_t>(quantity)],
+            problem.deviation(state, p, quantity));
   }
   return change;
 }
@@ -202,9 +195,7 @@ std::vector<ProfilePoint> profile_of(const FitProblem& problem, const Descent& b
 
 std::string_view name(ValueVerdict verdict) noexcept { return name_in<value_verdicts>(verdict); }
 std::string_view name(FitVerdict verdict) noexcept { return name_in<fit_verdicts>(verdict); }
-std::string_view name(PressQuantity quantity) noexcept {
-  return name_in<press_quantities>(quantity);
-}
+std::string_view name(PressQuantity quantity) noexcept { return name_in<quantity_names>(quantity); }
 std::string_view name(TrendOf trend) noexcept { return name_in<trends>(trend); }
 
 const ValueWithSd& FittedPress::at(PressQuantity quantity) const noexcept {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "calibration/disc_transform.hpp"
+#include "calibration/indenter_transform.hpp"
 #include "calibration/pad_readings.hpp"
 #include "calibration/skin_waves.hpp"
 #include "calibration/wave_nodes.hpp"
@@ -121,7 +121,7 @@ class DepthReadings {
       const double a = std::exp(press.log_half_width);
       for (Eigen::Index i = 0; i < count; ++i) {
         const double z = nodes.k[static_cast<std::size_t>(i)] * a;
-        const IndenterTransform phi = disc_transform(press.disc, z);
+        const IndenterTransform phi = indenter_transform(press.disc, z);
         const double scale =
             0.5 * std::exp(press.log_force) * nodes.weight[static_cast<std::size_t>(i)];
         load_(p, i) = scale * phi.value;

@@ -36,6 +36,14 @@ struct ComplexSvd {
 [[nodiscard]] double largest_tridiagonal_eigenvalue(const Eigen::VectorXd& diagonal,
                                                     const Eigen::VectorXd& beside);
 
+/// Gauss' rule of such a matrix: its eigenvalues, ascending, and the squares of the first entries
+/// of their unit eigenvectors (Golub and Welsch 1969).
+struct GaussNodes {
+  Eigen::VectorXd values, weights;
+};
+[[nodiscard]] GaussNodes tridiagonal_nodes(const Eigen::VectorXd& diagonal,
+                                           const Eigen::VectorXd& beside);
+
 [[nodiscard]] Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a);
 
 struct Eigenpairs {

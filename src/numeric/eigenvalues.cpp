@@ -15,6 +15,12 @@ double largest_tridiagonal_eigenvalue(const Eigen::VectorXd& diagonal,
   return solver.eigenvalues()(diagonal.size() - 1);
 }
 
+GaussNodes tridiagonal_nodes(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside) {
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, beside);
+  return {solver.eigenvalues(), solver.eigenvectors().row(0).transpose().cwiseAbs2()};
+}
+
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& a) {
   return Eigen::EigenSolver<Eigen::MatrixXd>(a, false).eigenvalues();
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <random>
 #include <span>
 #include <utility>
@@ -51,13 +52,30 @@ class PressTrial {
     log_.presses.clear();
   }
 
-  [[nodiscard]] virtual std::vector<NextPress> presses_of(PressChoice choice,
-                                                          std::mt19937_64& random) const = 0;
+  using Uniform = std::function<double(double low, double high)>;
+  [[nodiscard]] virtual NextPress evenly(std::size_t i) const = 0;
+  [[nodiscard]] virtual NextPress anywhere(bool any_force, const Uniform& uniform) const = 0;
   virtual void press(const NextPress& done, std::mt19937_64& random) = 0;
   /// Under which readings are predicted.
   [[nodiscard]] virtual std::vector<PressState> reference_loads() const = 0;
   [[nodiscard]] virtual PressModel truth() const = 0;
   [[nodiscard]] virtual double true_depth() const = 0;
+
+  [[nodiscard]] std::vector<NextPress> presses_of(PressChoice choice,
+                                                  std::mt19937_64& random) const {
+    if (choice == PressChoice::none) return {};
+    if (choice == PressChoice::chosen)
+      return next_presses(model_, log_, {}, fit_presses(model_, log_), more).presses;
+    const auto uniform = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    std::vector<NextPress> presses;
+    for (std::size_t i = 0; i < more; ++i)
+      presses.push_back(choice == PressChoice::even
+                            ? evenly(i)
+                            : anywhere(choice == PressChoice::random, uniform));
+    return presses;
+  }
 
   /// Through gains, offsets and noise into the log.
   void add(Press press, std::span<const double> clean, std::mt19937_64& random,
@@ -112,32 +130,15 @@ class NextPressTrial final : public PressTrial<SimulatedLog> {
   static constexpr double narrow = 0.6e-3, wide = 2e-3, reach = 8.5e-3;
   static constexpr double largest = 400.0;
 
-  [[nodiscard]] std::vector<NextPress> presses_of(PressChoice choice,
-                                                  std::mt19937_64& random) const override {
-    const auto uniform = [&](double low, double high) {
-      return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    std::vector<NextPress> presses;
-    switch (choice) {
-      case PressChoice::none:
-        break;
-      case PressChoice::chosen:
-        return next_presses(model_, log_, {}, fit_presses(model_, log_), more).presses;
-      case PressChoice::even:
-        for (std::size_t i = 0; i < more; ++i)
-          presses.push_back({.position = reach * (0.5 * static_cast<double>(i) - 1.0),
-                             .half_width = i % 2 == 0 ? narrow : wide,
-                             .force = largest});
-        break;
-      case PressChoice::random_full_force:
-      case PressChoice::random:
-        for (std::size_t i = 0; i < more; ++i) {
-          NextPress one{.position = uniform(-reach, reach), .half_width = uniform(narrow, wide)};
-          one.force = choice == PressChoice::random ? uniform(50.0, largest) : largest;
-          presses.push_back(one);
-        }
-    }
-    return presses;
+  [[nodiscard]] NextPress evenly(std::size_t i) const override {
+    return {.position = reach * (0.5 * static_cast<double>(i) - 1.0),
+            .half_width = i % 2 == 0 ? narrow : wide,
+            .force = largest};
+  }
+  [[nodiscard]] NextPress anywhere(bool any_force, const Uniform& uniform) const override {
+    NextPress one{.position = uniform(-reach, reach), .half_width = uniform(narrow, wide)};
+    one.force = any_force ? uniform(50.0, largest) : largest;
+    return one;
   }
 
   void press(const NextPress& done, std::mt19937_64& random) override {

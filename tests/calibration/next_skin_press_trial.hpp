@@ -48,35 +48,17 @@ class NextSkinPressTrial final : public PressTrial<SimulatedSkinLog> {
   static constexpr double small = 3e-3, large = 8e-3, reach = 3.4e-3;
   static constexpr double largest = 1.0;
 
-  [[nodiscard]] std::vector<NextPress> presses_of(PressChoice choice,
-                                                  std::mt19937_64& random) const override {
-    const auto uniform = [&](double low, double high) {
-      return std::uniform_real_distribution<double>(low, high)(random);
-    };
-    std::vector<NextPress> presses;
-    switch (choice) {
-      case PressChoice::none:
-        break;
-      case PressChoice::chosen:
-        return next_presses(model_, log_, {}, fit_presses(model_, log_), more).presses;
-      case PressChoice::even:
-        for (std::size_t i = 0; i < more; ++i) {  // the corners and the middle
-          NextPress one{.radius = i % 2 == 0 ? small : large, .force = largest};
-          one.position = i == 4 ? 0.0 : reach * (i % 2 == 0 ? 1.0 : -1.0);
-          one.position_z = i == 4 ? 0.0 : reach * (i < 2 ? 1.0 : -1.0);
-          presses.push_back(one);
-        }
-        break;
-      case PressChoice::random_full_force:
-      case PressChoice::random:
-        for (std::size_t i = 0; i < more; ++i) {
-          NextPress one{.position = uniform(-reach, reach), .radius = uniform(small, large)};
-          one.position_z = uniform(-reach, reach);
-          one.force = choice == PressChoice::random ? uniform(0.1, largest) : largest;
-          presses.push_back(one);
-        }
-    }
-    return presses;
+  [[nodiscard]] NextPress evenly(std::size_t i) const override {  // the corners and the middle
+    NextPress one{.radius = i % 2 == 0 ? small : large, .force = largest};
+    one.position = i == 4 ? 0.0 : reach * (i % 2 == 0 ? 1.0 : -1.0);
+    one.position_z = i == 4 ? 0.0 : reach * (i < 2 ? 1.0 : -1.0);
+    return one;
+  }
+  [[nodiscard]] NextPress anywhere(bool any_force, const Uniform& uniform) const override {
+    NextPress one{.position = uniform(-reach, reach), .radius = uniform(small, large)};
+    one.position_z = uniform(-reach, reach);
+    one.force = any_force ? uniform(0.1, largest) : largest;
+    return one;
   }
 
   void press(const NextPress& done, std::mt19937_64& random) override {

@@ -96,55 +96,12 @@ TEST_CASE("derivatives are those of central differences") {
   pad.crosstalk = 0.04;
   pad.shift = 2e-4;
   pad.log_pitch = 0.01;
-  const PressReadings at = model.readings(pad, line_presses, true);
-  // Fourth order: (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12 h.
-  const auto compare = [&](const auto& value_at, const Matrix& column, double step,
-                           const char* what) {
-    const Matrix near = value_at(step), back = value_at(-step);
-    const Matrix far = value_at(2.0 * step), behind = value_at(-2.0 * step);
-    for (std::size_t p = 0; p < line_presses.size(); ++p) {
-      const double scale = peak(column, p);
-      for (std::size_t j = 0; j < column.columns; ++j) {
-        const double difference =
-            (8.0 * (near(p, j) - back(p, j)) - (far(p, j) - behind(p, j))) / (12.0 * step);
-        CAPTURE(kind, what, p, j);
-        CHECK(std::abs(column(p, j) - difference) <=
-              1e-7 * scale + 1e-10 * peak(at.value, p) / step * 1e-3);
-      }
-    }
-  };
-  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
-    const double step = static_cast<PadParameter>(i) == PadParameter::shift ? 2e-6 : 2e-3;
-    compare([&](double by) { return model.readings(moved(pad, i, by), line_presses, false).value; },
-            at.by_pad[i], step, name(static_cast<PadParameter>(i)).data());
-  }
-  const auto with = [&](auto member, double by) {
-    std::vector<PressState> other = line_presses;
-    for (PressState& press : other) press.*member += by;
-    return model.readings(pad, other, false).value;
-  };
-  compare([&](double by) { return with(&PressState::log_force, by); }, at.by_log_force, 2e-3, "P");
-  compare([&](double by) { return with(&PressState::center, by); }, at.by_center, 2e-6, "c");
-  compare([&](double by) { return with(&PressState::log_half_width, by); }, at.by_log_half_width,
-          2e-3, "a");
-  compare([&](double by) { return with(&PressState::friction, by); }, at.by_friction, 2e-3, "mu");
+  CAPTURE(kind);
+  check_derivatives(model, pad, line_presses, 1, true);
 }
 
 TEST_CASE("at the base one derivative moves depth and thickness together") {
-  Material pad = pad_of(1);
-  const PressModel model(array_of({Quantity::stress_x, Quantity::shear_xy}, 3e-3), pad);
-  PadState state = model.nominal();
-  const PressReadings at = model.readings(state, line_presses, true, true);
-  const auto value = [&](double by) {
-    PadState other = state;
-    other.log_depth += by;
-    return model.readings(other, line_presses, false, true).value;
-  };
-  const Matrix up = value(1e-4), down = value(-1e-4);
-  for (std::size_t p = 0; p < line_presses.size(); ++p)
-    for (std::size_t j = 0; j < up.columns; ++j)
-      CHECK(std::abs(at.by_pad[0](p, j) - (up(p, j) - down(p, j)) / 2e-4) <=
-            1e-7 * peak(at.by_pad[0], p));
+  check_tied({array_of({Quantity::stress_x, Quantity::shear_xy}, 3e-3), pad_of(1)}, line_presses);
 }
 
 }  // namespace tactile_net

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "calibration/fit_covariance.hpp"
+#include "calibration/fit_system.hpp"
 #include "calibration/levenberg_marquardt.hpp"
-#include "calibration/reading_system.hpp"
 #include "numeric/decompositions.hpp"
 #include "tactile_net/calibration/press_fit.hpp"
 #include "tests/calibration/simulated_skin_log.hpp"
@@ -312,14 +312,16 @@ TEST_CASE(
   CAPTURE(name(sharing));
 
   parts.damping = 1e-4;
-  const FitSystem dense = fit_system(problem, state, readings, columns, parts);
+  const FitSystem dense = common_system(problem, state, readings, columns, parts);
   const Eigen::VectorXd common = solve_upper(dense.triangle, dense.rhs);
   const FitStep step = fit_step(problem, state, readings, columns, parts);
-  const double longest = common.cwiseProduct(columns.norm).norm();
-  CHECK((common - step.common).cwiseProduct(columns.norm).norm() < 1e-9 * longest);
+  const Eigen::VectorXd norm = columns.norm.head(common.size());
+  const double longest = common.cwiseProduct(norm).norm();
+  CHECK((common - step.common).cwiseProduct(norm).norm() < 1e-9 * longest);
   for (std::size_t p = 0; p < state.presses.size(); ++p) {
-    const auto& [own, share, rhs] = dense.presses[p];
-    const Eigen::VectorXd x = solve_upper(own, rhs - share * common);
+    const FitSystem::Group& group = dense.groups[p];
+    REQUIRE(group.press == p);
+    const Eigen::VectorXd x = solve_upper(group.own, group.rhs - group.share * common);
     for (std::size_t i = 0; i < press_unknowns; ++i)
       if (const std::size_t column = problem.press_rows[p].column[i]; column != no_column) {
         const double expected = x(static_cast<Eigen::Index>(column));
@@ -328,7 +330,7 @@ TEST_CASE(
   }
 
   parts.damping = 0.0;
-  const Eigen::MatrixXd root = fit_system(problem, state, readings, columns, parts).triangle;
+  const Eigen::MatrixXd root = common_system(problem, state, readings, columns, parts).triangle;
   const Eigen::MatrixXd inverse =
       solve_upper(root, Eigen::MatrixXd::Identity(root.cols(), root.cols()));
   const Eigen::MatrixXd expected = inverse * inverse.transpose();

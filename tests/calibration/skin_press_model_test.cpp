@@ -120,52 +120,8 @@ TEST_CASE("derivatives of a skin's readings are those of central differences") {
   pad.shift = 2e-4;
   pad.log_pitch = 0.01;
   pad.shift_z = -3e-4;
-  const PressReadings at = model.readings(pad, done, true, false, drags);
-  const std::size_t channels = model.channels().size();
-  const std::size_t taxels = model.sites().size() / channels;
-  // Fourth order: (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12 h. Quantities of other units stand
-  // beside each other: each is compared with its own largest.
-  const auto compare = [&](const auto& value_at, const Matrix& column, double step,
-                           const char* what) {
-    const Matrix near = value_at(step), back = value_at(-step);
-    const Matrix far = value_at(2.0 * step), behind = value_at(-2.0 * step);
-    for (std::size_t p = 0; p < disc_presses.size(); ++p)
-      for (std::size_t c = 0; c < channels; ++c) {
-        double slope = 0.0, value = 0.0;
-        for (std::size_t j = c * taxels; j < (c + 1) * taxels; ++j) {
-          slope = std::max(slope, std::abs(column(p, j)));
-          value = std::max(value, std::abs(at.value(p, j)));
-        }
-        for (std::size_t j = c * taxels; j < (c + 1) * taxels; ++j) {
-          const double difference =
-              (8.0 * (near(p, j) - back(p, j)) - (far(p, j) - behind(p, j))) / (12.0 * step);
-          CAPTURE(kind, drags, what, p, model.channels()[c].name, j);
-          CHECK(std::abs(column(p, j) - difference) <= 1e-7 * slope + 1e-13 * value / step);
-        }
-      }
-  };
-  for (std::size_t i = 0; i < pad_parameter_count; ++i) {
-    const auto parameter = static_cast<PadParameter>(i);
-    const double step =
-        parameter == PadParameter::shift || parameter == PadParameter::shift_z ? 2e-6 : 2e-3;
-    compare([&](double by) { return model.readings(moved(pad, i, by), done, false).value; },
-            at.by_pad[i], step, name(parameter).data());
-  }
-  const auto with = [&](auto member, double by) {
-    std::vector<PressState> other = done;
-    for (PressState& one : other) one.*member += by;
-    return model.readings(pad, other, false).value;
-  };
-  compare([&](double by) { return with(&PressState::log_force, by); }, at.by_log_force, 2e-3, "F");
-  compare([&](double by) { return with(&PressState::center, by); }, at.by_center, 2e-6, "y");
-  compare([&](double by) { return with(&PressState::center_z, by); }, at.by_center_z, 2e-6, "z");
-  compare([&](double by) { return with(&PressState::log_half_width, by); }, at.by_log_half_width,
-          2e-3, "a");
-  if (!drags) return;
-  compare([&](double by) { return with(&PressState::friction, by); }, at.by_friction, 2e-3,
-          "friction");
-  compare([&](double by) { return with(&PressState::friction_z, by); }, at.by_friction_z, 2e-3,
-          "friction_z");
+  CAPTURE(kind, drags);
+  check_derivatives(model, pad, done, model.channels().size(), drags);
 }
 
 TEST_CASE("a press that turns over a skin's diagonal turns its readings with it") {
@@ -200,19 +156,7 @@ TEST_CASE("a drag of what would be infinite under it is refused") {
 }
 
 TEST_CASE("at a skin's base one derivative moves depth and thickness together") {
-  const PressModel model(skin_of({Quantity::stress_x, Quantity::shear_xy}, 3e-3), pad_of(1));
-  const PadState state = model.nominal();
-  const PressReadings at = model.readings(state, disc_presses, true, true);
-  const auto value = [&](double by) {
-    PadState other = state;
-    other.log_depth += by;
-    return model.readings(other, disc_presses, false, true).value;
-  };
-  const Matrix up = value(1e-4), down = value(-1e-4);
-  for (std::size_t p = 0; p < disc_presses.size(); ++p)
-    for (std::size_t j = 0; j < up.columns; ++j)
-      CHECK(std::abs(at.by_pad[0](p, j) - (up(p, j) - down(p, j)) / 2e-4) <=
-            1e-7 * peak(at.by_pad[0], p));
+  check_tied({skin_of({Quantity::stress_x, Quantity::shear_xy}, 3e-3), pad_of(1)}, disc_presses);
 }
 
 }  // namespace tactile_net

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tests/catch.hpp"
-#include "tests/elasticity/not_finite.hpp"
+#include "tests/not_finite.hpp"
 
 using namespace tactile_net;
 using std::numbers::pi;
@@ -69,7 +69,7 @@ TEST_CASE("the force between points is additive and ends with the contact", "[co
   CHECK_THAT(force(-1.0, 0.3) + force(0.3, 2.0), WithinRel(force(-1.0, 2.0), 1e-14));
   CHECK(force(from, to) == resultant(contact, Traction::normal));
   CHECK(force(-100.0, from) == 0.0);
-  CHECK(force(to, infinity) == 0.0);
+  CHECK(force(to, infinite) == 0.0);
   CHECK(force(0.7, 0.7) == 0.0);
   CHECK_THAT(force(from, contact.center), WithinRel(force(contact.center, to), 1e-14));
 }
@@ -98,7 +98,7 @@ TEST_CASE("profiles are symmetric about the centre and zero outside", "[contact]
   for (const double t : {0.25, 1.0, 1.75})
     CHECK(traction(contact, Traction::normal, 0.5 - t) ==
           traction(contact, Traction::normal, 0.5 + t));
-  for (const double y : {-infinity, -1.50001, 2.50001, 40.0, infinity, not_a_number})
+  for (const double y : {-infinite, -1.50001, 2.50001, 40.0, infinite, not_a_number})
     CHECK(traction(contact, Traction::normal, y) == 0.0);
 }
 
@@ -124,8 +124,8 @@ TEST_CASE("the traction is infinite at the singular points and nowhere else", "[
         const RigidContact contact{
             .shape = shape, .center = center, .half_width = half_width, .friction = -0.5};
         for (const double y : singular_points(contact)) {
-          CHECK(traction(contact, Traction::normal, y) == infinity);
-          CHECK(traction(contact, Traction::tangential_y, y) == -infinity);
+          CHECK(traction(contact, Traction::normal, y) == infinite);
+          CHECK(traction(contact, Traction::tangential_y, y) == -infinite);
         }
       }
 }
@@ -147,7 +147,7 @@ TEST_CASE("sampled tractions pass through their values", "[contact]") {
   CHECK(traction(ramp, Traction::normal, -1.25) == 1.0);  // half way to nothing
   CHECK(traction(ramp, Traction::normal, -0.125) == 3.75);
   CHECK(traction(ramp, Traction::normal, 0.25) == 2.5);
-  for (const double y : {-infinity, -1.5, 0.5, 9.0, infinity, not_a_number})
+  for (const double y : {-infinite, -1.5, 0.5, 9.0, infinite, not_a_number})
     CHECK(traction(ramp, Traction::normal, y) == 0.0);
 }
 
@@ -212,15 +212,15 @@ TEST_CASE("a refusal names field, rule and value of a contact", "[contact]") {
   CHECK(refusal(RigidContact{.center = not_a_number}) == "center must be finite (got nan)");
   CHECK(refusal(RigidContact{.half_width = -1.0}) == "half_width must be > 0 (got -1)");
   CHECK(refusal(RigidContact{.half_width = 0.0}) == "half_width must be > 0 (got 0)");
-  CHECK(refusal(RigidContact{.half_width = infinity}) == "half_width must be finite (got inf)");
-  CHECK(refusal(RigidContact{.force = infinity}) == "force must be finite (got inf)");
+  CHECK(refusal(RigidContact{.half_width = infinite}) == "half_width must be finite (got inf)");
+  CHECK(refusal(RigidContact{.force = infinite}) == "force must be finite (got inf)");
   CHECK(refusal(RigidContact{.edge = -0.5}) == "edge must be >= 0 (got -0.5)");
   CHECK(refusal(RigidContact{.edge = not_a_number}) == "edge must be finite (got nan)");
   CHECK(refusal(RigidContact{.friction = not_a_number}) == "friction must be finite (got nan)");
 
   CHECK(refusal(ramp).empty());
   SampledTractions bad = ramp;
-  bad.first = infinity;
+  bad.first = infinite;
   CHECK(refusal(bad) == "first must be finite (got inf)");
   bad = ramp;
   bad.pitch = 0.0;
@@ -232,7 +232,7 @@ TEST_CASE("a refusal names field, rule and value of a contact", "[contact]") {
   bad.normal[1] = not_a_number;
   CHECK(refusal(bad) == "normal[1] must be finite (got nan)");
   bad = ramp;
-  bad.tangential[2] = -infinity;
+  bad.tangential[2] = -infinite;
   CHECK(refusal(bad) == "tangential[2] must be finite (got -inf)");
   CHECK(refusal(SampledTractions{.normal = {}, .tangential = {}}) ==
         "normal must hold at least one value");

@@ -10,7 +10,7 @@
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tests/catch.hpp"
 #include "tests/elasticity/layer.hpp"
-#include "tests/elasticity/not_finite.hpp"
+#include "tests/not_finite.hpp"
 
 using namespace tactile_net;
 using Complex = std::complex<double>;
@@ -142,7 +142,7 @@ TEST_CASE("a deep layer is a half plane, at any k h", "[layer]") {
 TEST_CASE("nothing in a layer overflows or is lost", "[layer]") {
   const auto base = GENERATE(Base::bonded, Base::frictionless);
   const Material pad = layer(0.5, 2.0, base);
-  for (const double k : {0.0, 1e-300, 1e-9, 1e3, 1e9, 1e300, infinity})
+  for (const double k : {0.0, 1e-300, 1e-9, 1e3, 1e9, 1e300, infinite})
     for (const double depth : {1e-9, 1.0, 2.0})
       for (const Traction load : {Traction::normal, Traction::tangential_y})
         for (const Quantity q : line_quantities) {

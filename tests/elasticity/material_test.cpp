@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tests/catch.hpp"
-#include "tests/elasticity/not_finite.hpp"
+#include "tests/not_finite.hpp"
 
 using namespace tactile_net;
 
@@ -30,7 +30,7 @@ TEST_CASE("both ends of Poisson's range are materials", "[material]") {
 TEST_CASE("a refusal names field, rule and value", "[material]") {
   CHECK(refusal_of_material({.youngs_modulus = 0.0}) == "youngs_modulus must be > 0 (got 0)");
   CHECK(refusal_of_material({.youngs_modulus = -2.5}) == "youngs_modulus must be > 0 (got -2.5)");
-  CHECK(refusal_of_material({.youngs_modulus = infinity}) ==
+  CHECK(refusal_of_material({.youngs_modulus = infinite}) ==
         "youngs_modulus must be finite (got inf)");
   CHECK(refusal_of_material({.youngs_modulus = not_a_number}) ==
         "youngs_modulus must be finite (got nan)");

@@ -68,11 +68,6 @@ TEST_CASE("strains are the quantities without a unit", "[quantity]") {
     CHECK(is_strain(quantity) == (traits(quantity).unit == "1"));
 }
 
-TEST_CASE("a tangential load is as odd where a normal one is even", "[quantity]") {
-  for (const Quantity quantity : line_quantities)
-    CHECK(is_odd(quantity, Traction::normal) != is_odd(quantity, Traction::tangential_y));
-}
-
 TEST_CASE("with y and z exchanged a quantity has the other axis' parity", "[quantity]") {
   constexpr auto exchanged_load = [](Traction component) {
     return component == Traction::normal         ? component

@@ -90,30 +90,6 @@ TEST_CASE("any hand is in equilibrium, by the torques of its forces", "[grasp][p
       }
 }
 
-TEST_CASE("no other forces in equilibrium take less torque", "[grasp][property]") {
-  // Two fingers that push against each other along their line leave the object in equilibrium:
-  // torques of least norm are orthogonal to those of every such pair.
-  Random random(3);
-  for (const std::size_t fingers : {2U, 3U, 4U}) {
-    const Hand hand = random_hand(random, fingers, 3);
-    const HeldGrasp grasp = held(hand);
-    const double size = largest(torques_of(grasp));
-    for (std::size_t a = 0; a < fingers; ++a)
-      for (std::size_t b = 0; b < a; ++b) {
-        CAPTURE(fingers, a, b);
-        const Complex way = complex_of(grasp.fingers[a].point - grasp.fingers[b].point);
-        double product = 0.0;
-        for (const std::size_t i : {a, b}) {
-          const Placed finger = placed(hand.fingers[i], hand.contacts[i].centre);
-          for (std::size_t j = 0; j < 3; ++j)
-            product += grasp.fingers[i].torques[j].value *
-                       moment(finger.contact - finger.joints[j], i == a ? way : -way);
-        }
-        CHECK(std::abs(product) < 1e-12 * grasp.condition * size * std::norm(way));
-      }
-  }
-}
-
 TEST_CASE("holding does not depend on the frame or the units, and mirrors with the hand",
           "[grasp][property]") {
   Random random(4);

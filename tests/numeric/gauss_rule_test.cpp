@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "numeric/decompositions.hpp"
 #include "tests/catch.hpp"
 
 namespace {
@@ -38,6 +39,23 @@ TEST_CASE("a rule of n points integrates powers up to 2 n - 1", "[gauss_rule]") 
   check_rule(gauss_rule<12>(), 12);
   check_rule(gauss_rule<16>(), 16);
   check_rule(gauss_rule<20>(), 20);
+}
+
+TEST_CASE("the nodes of a Jacobi matrix are those of its polynomials' rule", "[gauss_rule]") {
+  // Golub and Welsch: Legendre's recurrence has i / sqrt(4 i^2 - 1) beside a diagonal of zeros.
+  Eigen::VectorXd beside(19);
+  for (Eigen::Index i = 0; i < beside.size(); ++i) {
+    const auto order = static_cast<double>(i + 1);
+    beside(i) = order / std::sqrt(4.0 * order * order - 1.0);
+  }
+  const GaussNodes nodes = tridiagonal_nodes(Eigen::VectorXd::Zero(20), beside);
+  const GaussRule rule = gauss_rule<20>();
+  for (Eigen::Index i = 0; i < 10; ++i) {
+    const auto from_middle = static_cast<std::size_t>(i);
+    CHECK_THAT(nodes.values(10 + i), WithinAbs(rule.abscissa[from_middle], 1e-14));
+    CHECK_THAT(nodes.values(9 - i), WithinAbs(-rule.abscissa[from_middle], 1e-14));
+    CHECK_THAT(2.0 * nodes.weights(10 + i), WithinAbs(rule.weights[from_middle], 1e-14));
+  }
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 #include "tactile_net/numeric/comparison.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
+#include "tests/not_finite.hpp"
 #include "tests/realtime/answer.hpp"
 #include "tests/realtime/batches.hpp"
-#include "tests/realtime/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 
 using namespace tactile_net;

@@ -5,7 +5,7 @@
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tests/catch.hpp"
-#include "tests/realtime/not_finite.hpp"
+#include "tests/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 
 using namespace tactile_net;

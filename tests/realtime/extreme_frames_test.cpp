@@ -1,8 +1,8 @@
 #include <limits>
 
 #include "tests/inverse/problems.hpp"
+#include "tests/not_finite.hpp"
 #include "tests/realtime/answer.hpp"
-#include "tests/realtime/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 
 using namespace tactile_net;

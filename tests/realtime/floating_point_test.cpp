@@ -6,7 +6,7 @@
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/problems.hpp"
-#include "tests/realtime/not_finite.hpp"
+#include "tests/not_finite.hpp"
 #include "tests/realtime/plans.hpp"
 #include "tests/realtime/skin_plans.hpp"
 

@@ -37,6 +37,64 @@ inline GridBlocks grid_blocks(std::size_t rows, std::size_t columns, std::size_t
   return grid;
 }
 
+/// What plans made by hand have in common; the label and the shape are there before.
+inline void set_units(EstimatorPlan& plan) {
+  plan.alpha = 1e-3;
+  plan.accuracy = 1e-7;
+  plan.friction_coefficient = 0.5;
+  plan.ranges.assign(plan.channels, {-1e9, 1e9});
+}
+
+/// Random factors.
+///
+/// @param set_grids  (product): the grids of a structure with reflections
+inline void make_reconstruction(EstimatorPlan& plan, Structure structure, Precision precision,
+                                const auto& random, const auto& set_grids) {
+  ProductPlan& product = plan.reconstruction;
+  product.structure = structure;
+  product.precision = precision;
+  product.rows = plan.tractions();
+  product.columns = plan.readings();
+  product.scale = 0.5;
+  std::vector<std::size_t> heights{product.rows};
+  std::vector<std::size_t> widths{product.columns};
+  if (has_reflections(structure)) {
+    set_grids(product);
+    heights = class_sizes(product.row_grid);
+    widths = class_sizes(product.column_grid);
+  }
+  const auto add = [&](std::size_t height, std::size_t width) {
+    Factor factor{height, width, {}};
+    for (std::size_t i = 0; i < height * width; ++i) {
+      const double value = random();
+      factor.values.push_back(precision == Precision::float32 ? static_cast<float>(value) : value);
+    }
+    product.factors.push_back(std::move(factor));
+  };
+  for (std::size_t c = 0; c < heights.size(); ++c) {
+    const std::size_t least = std::min(heights[c], widths[c]);
+    const std::size_t rank = least == 0 ? 0 : 1 + least / 2;  // 0: a class without places
+    if (is_low_rank(structure)) add(rank, widths[c]);
+    add(heights[c], is_low_rank(structure) ? rank : widths[c]);
+  }
+  plan.weights.assign(plan.readings(), 1.0);
+}
+
+/// A prediction that smooths, with eigenvalues in (0, 0.8).
+inline void add_smoothing(EstimatorPlan& plan) {
+  const std::size_t n = plan.readings();
+  plan.prediction.emplace();
+  plan.prediction->rows = plan.prediction->columns = n;
+  Factor smoothing{n, n, {}};
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double distance = std::abs(static_cast<double>(i) - static_cast<double>(j));
+      smoothing.values.push_back(0.2 * std::exp2(-distance));  // sums of 3 at most
+      if (i == j) plan.leverages.push_back(smoothing.values.back());
+    }
+  plan.prediction->factors = {std::move(smoothing)};
+}
+
 /// Random factors between -1 and 1; with diagnostics a prediction that smooths.
 inline EstimatorPlan made_skin_plan(const SkinPlanShape& shape, unsigned seed = 1) {
   std::mt19937 generator(seed);
@@ -55,43 +113,12 @@ inline EstimatorPlan made_skin_plan(const SkinPlanShape& shape, unsigned seed = 
            .centre_z = -1.0};
   plan.values = cells.rows * cells.columns;
   plan.spacing = std::sqrt(cells.area());
-  plan.alpha = 1e-3;
-  plan.accuracy = 1e-7;
-  plan.friction_coefficient = 0.5;
-  plan.ranges.assign(plan.channels, {-1e9, 1e9});
+  set_units(plan);
   plan.unjudged = {0};
-
-  ProductPlan& product = plan.reconstruction;
-  product.structure = shape.structure;
-  product.precision = shape.precision;
-  product.rows = plan.tractions();
-  product.columns = plan.readings();
-  product.scale = 0.5;
-  std::vector<std::size_t> heights{product.rows};
-  std::vector<std::size_t> widths{product.columns};
-  if (has_reflections(shape.structure)) {
+  make_reconstruction(plan, shape.structure, shape.precision, random, [&](ProductPlan& product) {
     product.row_grid = grid_blocks(cells.rows, cells.columns, plan.unknowns, shape.exchanged);
     product.column_grid = grid_blocks(shape.rows, shape.columns, plan.channels, shape.exchanged);
-    heights = class_sizes(product.row_grid);
-    widths = class_sizes(product.column_grid);
-  }
-  const auto add = [&](std::size_t height, std::size_t width) {
-    Factor factor{height, width, {}};
-    for (std::size_t i = 0; i < height * width; ++i) {
-      const double value = random();
-      factor.values.push_back(shape.precision == Precision::float32 ? static_cast<float>(value)
-                                                                    : value);
-    }
-    product.factors.push_back(std::move(factor));
-  };
-  for (std::size_t c = 0; c < heights.size(); ++c) {
-    const std::size_t least = std::min(heights[c], widths[c]);
-    const std::size_t rank = least == 0 ? 0 : 1 + least / 2;  // 0: a class without places
-    if (is_low_rank(shape.structure)) add(rank, widths[c]);
-    add(heights[c], is_low_rank(shape.structure) ? rank : widths[c]);
-  }
-
-  plan.weights.assign(plan.readings(), 1.0);
+  });
   const std::size_t n = plan.readings();
   if (shape.dead > 0) {
     Factor& fill = plan.fill.emplace();
@@ -104,17 +131,7 @@ inline EstimatorPlan made_skin_plan(const SkinPlanShape& shape, unsigned seed = 
     for (std::size_t i = 0; i < fill.rows * n; ++i)
       fill.values.push_back(plan.weights[i % n] > 0.0 ? 0.1 * random() : 0.0);
   }
-  if (!shape.diagnostics) return plan;
-  plan.prediction.emplace();
-  plan.prediction->rows = plan.prediction->columns = n;
-  Factor smoothing{n, n, {}};
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const double distance = std::abs(static_cast<double>(i) - static_cast<double>(j));
-      smoothing.values.push_back(0.2 * std::exp2(-distance));
-      if (i == j) plan.leverages.push_back(smoothing.values.back());
-    }
-  plan.prediction->factors = {std::move(smoothing)};
+  if (shape.diagnostics) add_smoothing(plan);
   return plan;
 }
 

@@ -2,9 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include "src/skin/large/low_waves.hpp"
 #include "src/skin/large/preconditioner.hpp"
-#include "src/skin/large/uniform_readings.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/large_skins.hpp"

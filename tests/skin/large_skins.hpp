@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "src/skin/large/preconditioner.hpp"
 #include "src/skin/large/system.hpp"
-#include "src/skin/large/uniform_readings.hpp"
 #include "tactile_net/inverse/stabiliser.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/large/tikhonov.hpp"

@@ -21,32 +21,6 @@ constexpr std::array edges = {
 constexpr std::size_t panels = edges.size() - 1;
 constexpr double largest_table_decay = 52.0;  // k (2 - depth) up to which the integral runs
 
-/// The integrands' amplitudes F, with the signs of i^j.
-LayerFunctionValues amplitudes(const PlaneWave& wave, double nu) {
-  const auto across = [&](const SagittalAmplitudes& f) {
-    return nu * (f.stress_x + f.stress_along);
-  };
-  const SagittalAmplitudes& p = wave.normal;
-  const SagittalAmplitudes& q = wave.tangential;
-  const AntiPlaneAmplitudes& s = wave.across;
-  const double deviator = 0.5 * (q.stress_along - across(q));
-  return {p.stress_x,
-          p.shear,
-          0.5 * (p.stress_along + across(p)),
-          -0.5 * (p.stress_along - across(p)),
-          p.displacement_x,
-          p.displacement_along,
-          q.stress_x,
-          0.5 * (q.shear + s.shear),
-          -0.5 * (q.shear - s.shear),
-          0.5 * (q.stress_along + across(q)),
-          0.5 * (deviator + s.shear_along),
-          -0.5 * (deviator - s.shear_along),
-          q.displacement_x,
-          0.5 * (q.displacement_along + s.displacement),
-          -0.5 * (q.displacement_along - s.displacement)};
-}
-
 /// One node of the integral over k.
 struct Node {
   double k;
@@ -110,9 +84,9 @@ std::vector<LayerFunctionValues> integrand(const Material& layer, double depth, 
   half_space.layer.reset();
   std::vector<LayerFunctionValues> all;
   for (const auto& [k, weight] : nodes(largest_table_decay / (2.0 - depth), width)) {
-    LayerFunctionValues values = amplitudes(plane_wave(layer, depth, k), layer.poisson_ratio);
+    LayerFunctionValues values = round_amplitudes(plane_wave(layer, depth, k), layer.poisson_ratio);
     const LayerFunctionValues half =
-        amplitudes(plane_wave(half_space, depth, k), layer.poisson_ratio);
+        round_amplitudes(plane_wave(half_space, depth, k), layer.poisson_ratio);
     for (std::size_t t = 0; t < tables; ++t) {
       double factor = weight * k / (2.0 * pi);
       for (int j = 0; j < layer_table_orders[t]; ++j) factor *= k;

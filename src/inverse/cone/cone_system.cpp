@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "numeric/power_iteration.hpp"
 
 namespace tactile_net {
 
@@ -30,18 +31,10 @@ double largest_eigenvalue(const ConeProblem& problem, const Eigen::VectorXd& smo
   const double most = start.cwiseAbs().maxCoeff();
   for (Index i = 0; i < start.size(); ++i)
     start(i) += 1e-3 * most * std::cos(static_cast<double>(i));
-  Eigen::VectorXd x = problem.waves.sums(start);
-  double largest = 0.0;
-  for (int step = 0; step < 100; ++step) {
-    x.normalize();
-    Eigen::VectorXd image = problem.product(x) + smoothing.cwiseProduct(x);
-    const double now = image.norm();
-    const bool settled = std::abs(now - largest) <= 1e-4 * now;
-    largest = now;
-    if (settled) break;
-    x = std::move(image);
-  }
-  return largest;
+  return power_iteration(problem.waves.sums(start), 100, 1e-4,
+                         [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+                           return problem.product(x) + smoothing.cwiseProduct(x);
+                         });
 }
 
 }  // namespace

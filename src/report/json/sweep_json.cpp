@@ -28,7 +28,7 @@ Json values_json(const std::vector<sweep::Part>& parts) {
   return list;
 }
 
-Json method_json(const sweep::Table& table, const std::string& method) {
+Json json_of_method(const sweep::Table& table, const std::string& method) {
   const std::vector<const sweep::Row*> rows = sweep::of_method(table, method);
   Json axes = Json::array();
   for (std::size_t axis = 0; axis < table.axes.size(); ++axis)
@@ -50,8 +50,8 @@ std::string sweep_json(const sweep::Table& table, std::optional<std::size_t> res
   for (const Kept kept : table.keep) keep.push_back(name(kept));
   Json methods = Json::array();
   for (const std::string& method : sweep::methods(table))
-    methods.push_back(method_json(table, method));
-  if (!sweep::of_method(table, "").empty()) methods.push_back(method_json(table, ""));
+    methods.push_back(json_of_method(table, method));
+  if (!sweep::of_method(table, "").empty()) methods.push_back(json_of_method(table, ""));
   Json failures = Json::array();
   for (const auto& [why, rows] : sweep::failures(table))
     failures.push_back({{"why", why}, {"rows", rows}});

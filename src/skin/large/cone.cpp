@@ -8,6 +8,7 @@
 #include "inverse/checks.hpp"
 #include "inverse/cone/cell_cones.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/power_iteration.hpp"
 #include "skin/large/system.hpp"
 
 namespace tactile_net {
@@ -55,14 +56,12 @@ struct LargeSkinCone::Parts {
     Eigen::VectorXd x(scaled.size());
     for (Index i = 0; i < x.size(); ++i) x(i) = 1.0 + 1e-3 * std::cos(static_cast<double>(i));
     Eigen::VectorXd image(static_cast<Index>(system->rows()));
-    double size = 0.0;
-    for (int step = 0; step < 10; ++step) {
-      x.normalize();
-      apply(x, image);
-      apply_transposed(image, x);
-      size = x.norm();
-    }
-    return size;
+    return power_iteration(std::move(x), 10, -1.0, [&](const Eigen::VectorXd& at) {
+      Eigen::VectorXd next(at.size());
+      apply(at, image);
+      apply_transposed(image, next);
+      return next;
+    });
   }
 
   std::shared_ptr<LargeSkinSystem> system;

@@ -124,14 +124,10 @@ double LargeSkinCovariance::deviation(std::span<const double> weights) const {
 }
 
 double LargeSkinCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
-  const auto [of_a, largest_a] = bands_.parts_->image(a, alpha_);
-  const auto [of_b, largest_b] = bands_.parts_->image(b, alpha_);
-  const LinearProblem& problem = bands_.parts_->solver.problem();
-  const auto read = static_cast<Eigen::Index>(problem.weights.size());
-  const double known = of_a.head(read).dot(of_b.head(read));
-  const Eigen::Index rest = of_a.size() - read;
-  const double smoothed = of_a.tail(rest).dot(of_b.tail(rest));
-  return largest_a * (largest_b * (known + alpha_ / prior_alpha_ * smoothed));
+  LargeSkinBands::Parts& parts = *bands_.parts_;
+  const auto read = static_cast<Eigen::Index>(parts.solver.problem().weights.size());
+  const auto of_a = parts.image(a, alpha_);
+  return image_product(of_a, parts.image(b, alpha_), read, alpha_ / prior_alpha_);
 }
 
 }  // namespace tactile_net

@@ -8,8 +8,8 @@
 #include "inverse/face_coordinates.hpp"
 #include "numeric/conjugate_gradients.hpp"
 #include "numeric/eigen.hpp"
+#include "skin/large/coordinate_products.hpp"
 #include "skin/large/solved_sums.hpp"
-#include "skin/large/system.hpp"
 #include "skin/scaled_deviation.hpp"
 
 namespace tactile_net {
@@ -25,20 +25,6 @@ constexpr std::size_t most_steps = 3000;
 /// In coordinates of the face in which the stabiliser is simple, f = T c, P is A'A + alpha with
 /// A = W K T.
 struct LargeSkinFaceCovariance::Parts {
-  /// A c.
-  [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& c) const {
-    const Eigen::VectorXd tractions = coordinates.tractions(c);
-    Eigen::VectorXd read(static_cast<Index>(system->readings()));
-    system->weighted_readings(as_span(tractions), as_span(read));
-    return read;
-  }
-  /// A' u.
-  [[nodiscard]] Eigen::VectorXd sums(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd of_tractions(static_cast<Index>(system->tractions()));
-    system->weighted_sums(as_span(u), as_span(of_tractions));
-    return coordinates.sums(of_tractions);
-  }
-
   /// [A; 1] (A'A + alpha)^-1 T' weights, by conjugate gradients; without a value where they do not
   /// come to their end.
   [[nodiscard]] Eigen::VectorXd solved(const Eigen::VectorXd& weights) {
@@ -49,17 +35,18 @@ struct LargeSkinFaceCovariance::Parts {
     Eigen::VectorXd preconditioned(right.size());
     Eigen::VectorXd direction(right.size());
     Eigen::VectorXd read;
+    const CoordinateProducts a{*system, coordinates};
     const double goal = enough * right.norm();
     double left = right.norm();
     conjugate_gradients(
         {as_span(x), as_span(gradient), as_span(preconditioned), as_span(direction)}, most_steps,
         [&] {
-          read = readings(direction);
+          read = a.readings(direction);
           return read.squaredNorm() + alpha * direction.squaredNorm();
         },
         [&](double step) {
           image += step * read;
-          gradient -= step * (sums(read) + alpha * direction);
+          gradient -= step * (a.sums(read) + alpha * direction);
         },
         not_preconditioned,
         [&](std::span<const double>, std::span<const double>) { return gradient.squaredNorm(); },
@@ -124,14 +111,11 @@ double LargeSkinFaceCovariance::deviation(std::span<const double> weights) const
 double LargeSkinFaceCovariance::covariance(std::span<const double> a,
                                            std::span<const double> b) const {
   Parts& p = *parts_;
-  const auto [of_a, largest_a] = p.image(a);
-  const auto [of_b, largest_b] = p.image(b);
-  if (of_a.size() == 0 || of_b.size() == 0) return p.free.covariance(a, b);
-  const auto read = static_cast<Index>(p.system->readings());
-  const Index rest = of_a.size() - read;
-  const double known = of_a.head(read).dot(of_b.head(read));
-  const double smoothed = of_a.tail(rest).dot(of_b.tail(rest));
-  return largest_a * (largest_b * (known + p.alpha * (p.alpha / p.prior_alpha) * smoothed));
+  const auto of_a = p.image(a);
+  const auto of_b = p.image(b);
+  if (of_a.first.size() == 0 || of_b.first.size() == 0) return p.free.covariance(a, b);
+  return image_product(of_a, of_b, static_cast<Index>(p.system->readings()),
+                       p.alpha * (p.alpha / p.prior_alpha));
 }
 
 std::vector<double> LargeSkinFaceCovariance::deviations_of(

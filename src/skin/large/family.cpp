@@ -11,7 +11,7 @@
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/split_mix.hpp"
-#include "skin/large/system.hpp"
+#include "skin/large/coordinate_products.hpp"
 
 namespace tactile_net {
 namespace {
@@ -23,47 +23,46 @@ constexpr Index look_every = 20;  // steps, at whether the nodes will do
 
 /// The spectrum of A A' as a vector of length 1 sees it.
 struct Nodes {
-  Eigen::VectorXd gamma;
+  Eigen::VectorXd gamma;    // descending
   Eigen::VectorXd weights;  // their sum is 1
 };
 
-/// Of the lower bidiagonal matrix of a run.
-Nodes nodes_of(std::span<const double> diagonal, std::span<const double> below) {
-  const auto n = std::ssize(diagonal);
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
-  for (Index i = 0; i < n; ++i) {
-    matrix(i, i) = diagonal[static_cast<std::size_t>(i)];
-    if (i > 0) matrix(i, i - 1) = below[static_cast<std::size_t>(i) - 1];
+/// The tridiagonal matrix that a run makes of A A', over the square of its first length. Alphas of
+/// 1e-8 of the largest eigenvalue do not mind that it is squared.
+struct Tridiagonal {
+  Tridiagonal(std::span<const double> lengths, std::span<const double> below)
+      : first(lengths.front()), own(std::ssize(lengths)), beside(std::ssize(below)) {
+    for (Index i = 0; i < own.size(); ++i) {
+      const double size = lengths[static_cast<std::size_t>(i)] / first;
+      const double step = i > 0 ? below[static_cast<std::size_t>(i) - 1] / first : 0.0;
+      own(i) = size * size + step * step;
+      if (i > 0) beside(i - 1) = step * (lengths[static_cast<std::size_t>(i) - 1] / first);
+    }
   }
-  const Svd svd = singular_value_decomposition(matrix);
-  return {svd.values, svd.u.row(0).transpose().cwiseAbs2()};
-}
 
-/// u'(1 + A A'/alpha)^-1 u for alphas from the largest gamma's square down, of a run: by the
-/// tridiagonal matrix T of its A A', whose squares alphas of 1e-8 of the largest do not mind, and
-/// without its eigenvectors. Lengths are over the first of the diagonal.
-Eigen::VectorXd fits(std::span<const double> diagonal, std::span<const double> below) {
-  const auto n = std::ssize(diagonal);
-  Eigen::VectorXd own(n);
-  Eigen::VectorXd beside(n - 1);
-  for (Index i = 0; i < n; ++i) {
-    const double size = diagonal[static_cast<std::size_t>(i)] / diagonal.front();
-    const double step = i > 0 ? below[static_cast<std::size_t>(i) - 1] / diagonal.front() : 0.0;
-    own(i) = size * size + step * step;
-    if (i > 0)
-      beside(i - 1) = step * (diagonal[static_cast<std::size_t>(i) - 1] / diagonal.front());
+  [[nodiscard]] Nodes nodes() const {
+    const GaussNodes found = tridiagonal_nodes(own, beside);
+    return {first * found.values.reverse().cwiseMax(0.0).cwiseSqrt(), found.weights.reverse()};
   }
-  const double largest = largest_tridiagonal_eigenvalue(own, beside);
-  constexpr Index decades = 8;
-  Eigen::VectorXd all(decades);
-  for (Index k = 0; k < decades; ++k) {
-    const double alpha = largest * std::pow(10.0, -static_cast<double>(k));
-    double pivot = own(n - 1) + alpha;  // of T + alpha from its last row up
-    for (Index i = n - 2; i >= 0; --i) pivot = own(i) + alpha - beside(i) * (beside(i) / pivot);
-    all(k) = alpha / pivot;
+
+  /// u'(1 + A A'/alpha)^-1 u for alphas from the largest eigenvalue down, without eigenvectors.
+  [[nodiscard]] Eigen::VectorXd fits() const {
+    const double largest = largest_tridiagonal_eigenvalue(own, beside);
+    constexpr Index decades = 8;
+    Eigen::VectorXd all(decades);
+    for (Index k = 0; k < decades; ++k) {
+      const double alpha = largest * std::pow(10.0, -static_cast<double>(k));
+      double pivot = own(own.size() - 1) + alpha;  // of T + alpha from its last row up
+      for (Index i = own.size() - 2; i >= 0; --i)
+        pivot = own(i) + alpha - beside(i) * (beside(i) / pivot);
+      all(k) = alpha / pivot;
+    }
+    return all;
   }
-  return all;
-}
+
+  double first;
+  Eigen::VectorXd own, beside;
+};
 
 /// Random signs at the rows that count.
 Eigen::VectorXd signs(std::span<const double> weights, std::uint64_t probe) {
@@ -83,29 +82,16 @@ struct LargeSkinFamily::Parts {
   Parts(std::shared_ptr<LargeSkinSystem> made, std::unique_ptr<const TractionCoordinates> in)
       : system(std::move(made)),
         coordinates(std::move(in)),
+        a{*system, *coordinates},
         rows(static_cast<double>(Weighting(system->problem).rows())) {
     const Eigen::VectorXd spectrum = stabiliser_spectrum(system->problem);
     stabiliser_condition = std::sqrt(spectrum.maxCoeff() / spectrum.minCoeff());
   }
 
-  /// A' u.
-  [[nodiscard]] Eigen::VectorXd sums(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd of_tractions(static_cast<Index>(system->tractions()));
-    system->weighted_sums(as_span(u), as_span(of_tractions));
-    return coordinates->sums(of_tractions);
-  }
-  /// A v.
-  [[nodiscard]] Eigen::VectorXd readings(const Eigen::VectorXd& v) const {
-    const Eigen::VectorXd tractions = coordinates->tractions(v);
-    Eigen::VectorXd read(static_cast<Index>(system->readings()));
-    system->weighted_readings(as_span(tractions), as_span(read));
-    return read;
-  }
-
   /// @param u  not 0
   [[nodiscard]] Nodes run(Eigen::VectorXd u) const {
     u.normalize();
-    Eigen::VectorXd v = sums(u);
+    Eigen::VectorXd v = a.sums(u);
     std::vector<double> diagonal{v.norm()};
     std::vector<double> below;
     if (!(diagonal.front() > 0.0)) return {Eigen::VectorXd::Zero(1), Eigen::VectorXd::Ones(1)};
@@ -113,22 +99,22 @@ struct LargeSkinFamily::Parts {
     Eigen::VectorXd before;
     const double nothing = 1e-13 * diagonal.front();
     for (Index step = 1; step < most_lanczos_steps; ++step) {
-      u = readings(v) - diagonal.back() * u;
+      u = a.readings(v) - diagonal.back() * u;
       const double next = u.norm();
       if (!(next > nothing)) break;
       u /= next;
-      v = sums(u) - next * v;
+      v = a.sums(u) - next * v;
       const double own = v.norm();
       if (!(own > nothing)) break;
       v /= own;
       below.push_back(next);
       diagonal.push_back(own);
       if (step % look_every != 0) continue;
-      const Eigen::VectorXd now = fits(diagonal, below);
+      const Eigen::VectorXd now = Tridiagonal(diagonal, below).fits();
       if (before.size() > 0 && ((now - before).array().abs() <= 1e-3 * now.array()).all()) break;
       before = now;
     }
-    return nodes_of(diagonal, below);
+    return Tridiagonal(diagonal, below).nodes();
   }
 
   void run_probes(std::size_t count) {
@@ -143,6 +129,7 @@ struct LargeSkinFamily::Parts {
 
   std::shared_ptr<LargeSkinSystem> system;  // its buffers are used, not its meaning changed
   std::unique_ptr<const TractionCoordinates> coordinates;  // in which the stabiliser is simple
+  CoordinateProducts a;
   double rows;
   double stabiliser_condition = 1.0;
   std::vector<Nodes> probes{};

@@ -6,6 +6,7 @@
 
 #include "inverse/coordinates.hpp"
 #include "inverse/window_sums.hpp"
+#include "skin/large/system.hpp"
 #include "tactile_net/inverse/covariance.hpp"
 
 namespace tactile_net {
@@ -55,13 +56,6 @@ std::size_t nearest_taxel(const SurfaceGrid& grid, const SkinArray& skin, std::s
   return nearest(cell / grid.columns, grid.margin_rows, grid.stride_rows, skin.rows) *
              skin.columns +
          nearest(cell % grid.columns, grid.margin_columns, grid.stride_columns, skin.columns);
-}
-
-std::vector<bool> dead_taxels(const LinearProblem& whole) {
-  std::vector<bool> dead(whole.taxels);
-  for (std::size_t i = 0; i < whole.sites.size(); ++i)
-    if (whole.weights[i] == 0.0) dead[whole.sites[i].taxel] = true;
-  return dead;
 }
 
 /// Taxels that are dead with all around them: what is above them nothing tells.

@@ -11,12 +11,20 @@
 
 #include "numeric/eigen.hpp"
 #include "skin/large/coarse_space.hpp"
-#include "skin/large/low_waves.hpp"
 #include "skin/large/system.hpp"
 #include "skin/large/tiles.hpp"
-#include "skin/large/uniform_readings.hpp"
 
 namespace tactile_net {
+
+/// Weighted readings of tractions that are the same everywhere: of 1 Pa in every cell.
+struct UniformReadings {
+  double pressure = 0.0;  ///< the largest reading
+  /// The 2-norm of what the living taxel that sees a uniform drag least reads of it; the lesser of
+  /// the drags along y and z. Shear is read everywhere, stresses in the plane near the ends alone.
+  double drag = 0.0;
+};
+
+[[nodiscard]] UniformReadings uniform_readings(LargeSkinSystem& system);
 
 /// z = T r + Q (r - P T r), T the tiles' and Q the coarse space's answer: deflation in the form
 /// that rounding does not spoil (A-DEF2; Tang, Nabben, Vuik and Erlangga 2009). Symmetric and

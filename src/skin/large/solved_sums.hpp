@@ -133,4 +133,15 @@ class SolvedSums {
       solved_{};  // the one asked for last is the first
 };
 
+/// The product of two images over their sizes, as `SolvedSums` gives them, times these sizes: rows
+/// of readings count as they are, those of the stabiliser times `share`.
+[[nodiscard]] inline double image_product(const std::pair<Eigen::VectorXd, double>& a,
+                                          const std::pair<Eigen::VectorXd, double>& b,
+                                          Eigen::Index readings, double share) {
+  const Eigen::Index rest = a.first.size() - readings;
+  const double known = a.first.head(readings).dot(b.first.head(readings));
+  const double smoothed = a.first.tail(rest).dot(b.first.tail(rest));
+  return a.second * (b.second * (known + share * smoothed));
+}
+
 }  // namespace tactile_net

@@ -117,6 +117,20 @@ std::vector<double> weighted_product(LargeSkinSystem& system, std::span<const do
   return readings;
 }
 
+std::vector<bool> dead_taxels(const LinearProblem& problem) {
+  std::vector<bool> dead(problem.taxels);
+  for (std::size_t i = 0; i < problem.sites.size(); ++i)
+    if (problem.weights[i] == 0.0) dead[problem.sites[i].taxel] = true;
+  return dead;
+}
+
+void require_definite(bool is_positive_definite) {
+  if (!is_positive_definite)
+    throw std::invalid_argument(
+        "alpha is so small that double precision cannot tell the tractions apart: choose a larger "
+        "one");
+}
+
 double large_skin_bytes(const LargeSkinSize& size) noexcept {
   constexpr double program = 30e6;    // with what is written of an answer
   constexpr double of_pairs = 3.4e6;  // kinds of tiles, and the smaller skin of the bands

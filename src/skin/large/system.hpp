@@ -49,4 +49,10 @@ struct LargeSkinSystem {
   std::vector<double> scratch_;  // W y
 };
 
+/// Of each taxel.
+[[nodiscard]] std::vector<bool> dead_taxels(const LinearProblem& problem);
+
+/// @throw std::invalid_argument  a block of P is not positive definite: alpha is too small
+void require_definite(bool is_positive_definite);
+
 }  // namespace tactile_net

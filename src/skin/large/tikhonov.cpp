@@ -11,7 +11,6 @@
 #include "numeric/finite.hpp"
 #include "skin/large/preconditioner.hpp"
 #include "skin/large/system.hpp"
-#include "skin/large/uniform_readings.hpp"
 
 namespace tactile_net {
 

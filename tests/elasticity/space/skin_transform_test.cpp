@@ -9,8 +9,8 @@
 #include "tactile_net/elasticity/pad_kernel.hpp"
 #include "tests/catch.hpp"
 #include "tests/elasticity/layer.hpp"
-#include "tests/elasticity/not_finite.hpp"
 #include "tests/elasticity/space/reference.hpp"
+#include "tests/not_finite.hpp"
 
 using namespace tactile_net;
 using tactile_net::test::Real;
@@ -231,7 +231,7 @@ TEST_CASE("nothing in a skin overflows or is lost", "[skin_transform]") {
   const Material material =
       GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.5}, layer(0.5, 2.0, Base::bonded),
                layer(0.0, 2.0, Base::frictionless));
-  for (const double k : {1e-150, 1e-9, 1e3, 1e9, 1e300, infinity})
+  for (const double k : {1e-150, 1e-9, 1e3, 1e9, 1e300, infinite})
     for (const double depth : {1e-9, 1.0, 2.0})
       for (const Traction load : skin_tractions)
         for (const Quantity q : skin_quantities) {

@@ -43,6 +43,25 @@ Eigen::Matrix<double, 6, 1> random_wrench(Random& random, const SpaceFinger& fin
   return wrench;
 }
 
+/// @param limit, of_deviations  over the largest torque, and over its largest deviation
+void check_same_torques(const HeldGrasp& flat, const HeldSpaceGrasp& grasp, double limit,
+                        double of_deviations) {
+  double size = 0.0;
+  double deviation = 0.0;
+  for (const FingerAction& action : flat.fingers)
+    for (const Uncertain& torque : action.torques) {
+      size = std::fmax(size, std::abs(torque.value));
+      deviation = std::fmax(deviation, torque.deviation);
+    }
+  for (std::size_t f = 0; f < flat.fingers.size(); ++f)
+    for (std::size_t j = 0; j < flat.fingers[f].torques.size(); ++j) {
+      const Uncertain& expected = flat.fingers[f].torques[j];
+      const Uncertain& torque = grasp.fingers[f].torques[j];
+      CHECK_THAT(torque.value, WithinAbs(expected.value, limit * size));
+      CHECK_THAT(torque.deviation, WithinAbs(expected.deviation, of_deviations * deviation));
+    }
+}
+
 const HoldOptions least_forces{.friction = {0.5, 0.5}, .least = Least::forces};
 
 }  // namespace
@@ -203,20 +222,7 @@ TEST_CASE("a hand in the plane holds the same in space", "[grasp][property]") {
     CAPTURE(i);
     const HeldSpaceGrasp grasp = held(embedded(plane, false), {.squeeze = flat_options.squeeze,
                                                                .friction = flat_options.friction});
-    double size = 0.0;
-    double deviation = 0.0;
-    for (const FingerAction& action : flat.fingers)
-      for (const Uncertain& torque : action.torques) {
-        size = std::fmax(size, std::abs(torque.value));
-        deviation = std::fmax(deviation, torque.deviation);
-      }
-    for (std::size_t f = 0; f < fingers; ++f)
-      for (std::size_t j = 0; j < 2; ++j) {
-        const Uncertain& expected = flat.fingers[f].torques[j];
-        CHECK_THAT(grasp.fingers[f].torques[j].value, WithinAbs(expected.value, 1e-9 * size));
-        CHECK_THAT(grasp.fingers[f].torques[j].deviation,
-                   WithinAbs(expected.deviation, 1e-7 * deviation));
-      }
+    check_same_torques(flat, grasp, 1e-9, 1e-7);
     ++compared;
   }
   CHECK(compared >= 8);
@@ -243,22 +249,8 @@ TEST_CASE("a hand in the plane is the same hand wherever the plane lies", "[gras
         held(moved(embedded(plane, true), turn, {2.0, -1.0, 3.0}), options);
     const double limit = 1e-9 + 1e-13 * flat.condition;
     CHECK_THAT(grasp.condition.value(), WithinRel(flat.condition, limit));
-    double size = 0.0;
-    double deviation = 0.0;
-    for (const FingerAction& action : flat.fingers)
-      for (const Uncertain& torque : action.torques) {
-        size = std::fmax(size, std::abs(torque.value));
-        deviation = std::fmax(deviation, torque.deviation);
-      }
-    for (std::size_t f = 0; f < fingers; ++f) {
-      CHECK(grasp.fingers[f].tangential_z == 0.0);
-      for (std::size_t j = 0; j < 2; ++j) {
-        const Uncertain& expected = flat.fingers[f].torques[j];
-        CHECK_THAT(grasp.fingers[f].torques[j].value, WithinAbs(expected.value, limit * size));
-        CHECK_THAT(grasp.fingers[f].torques[j].deviation,
-                   WithinAbs(expected.deviation, 100.0 * limit * deviation));
-      }
-    }
+    for (const SpaceAction& finger : grasp.fingers) CHECK(finger.tangential_z == 0.0);
+    check_same_torques(flat, grasp, limit, 100.0 * limit);
     ++compared;
   }
   CHECK(compared >= 20);

@@ -1,5 +1,5 @@
 /// @file
-/// Numbers that no material and no contact may be described with.
+/// Numbers that no reading, no material and no field of a plan may be.
 #pragma once
 
 #include <limits>
@@ -7,6 +7,6 @@
 namespace tactile_net {
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace tactile_net
