@@ -37,7 +37,7 @@ Array tractions_of(Answers answers, std::size_t width) {
 }
 
 Array deviations_of(Answers answers, std::size_t width) {
-  return rows_of(answers, width, [&](const lab::SkinAnswer& one) {
+  return rows_of(answers, width, [&](const lab::FrameAnswer& one) {
     return one.deviations.empty() ? std::vector<double>(width, unknown) : one.deviations;
   });
 }
@@ -63,7 +63,7 @@ Array covariances_of(Answers answers) {
 
 /// Radius, second radius and angle of the strongest contact, each with its deviation.
 Array ellipses_of(Answers answers) {
-  return rows_of(answers, 6, [](const lab::SkinAnswer& one) {
+  return rows_of(answers, 6, [](const lab::FrameAnswer& one) {
     if (!one.ellipse) return std::vector<double>(6, unknown);
     const ContactEllipse& found = *one.ellipse;
     return std::vector{found.radius.value,        found.radius.deviation,
@@ -84,7 +84,7 @@ nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinScene
   std::vector<std::size_t> contacts;
   for (const auto& answer : answers) {
     verdicts.emplace_back(answer ? lab::name(answer->verdict) : "missing");
-    data.emplace_back(answer ? report::data_word(answer->data, scene) : "missing");
+    data.emplace_back(answer ? report::data_word(*answer->data, scene) : "missing");
     sources.emplace_back(answer ? lab::source(answer->alpha) : "");
     alphas.push_back(answer ? answer->alpha.value : unknown);
     contacts.push_back(answer ? answer->contacts : 0);
@@ -107,7 +107,7 @@ nb::typed<nb::tuple, nb::typed<nb::list, nb::any>, nb::any> uncertainty_of(Answe
                                                                            const SkinScene& scene) {
   std::vector<std::string> names = report::uncertainty_columns(scene);
   names.pop_back();
-  const Array values = rows_of(answers, names.size(), [&](const lab::SkinAnswer& one) {
+  const Array values = rows_of(answers, names.size(), [&](const lab::FrameAnswer& one) {
     return report::uncertainty_values(one, scene);
   });
   return nb::make_tuple(nb::cast(names), values);

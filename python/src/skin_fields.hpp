@@ -8,14 +8,14 @@
 #include <optional>
 #include <span>
 
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 
 namespace tactile_net::python {
 
 namespace nb = nanobind;
 
 /// One a frame; absent: readings are missing.
-using Answers = std::span<const std::optional<lab::SkinAnswer>>;
+using Answers = std::span<const std::optional<lab::FrameAnswer>>;
 
 /// Fields by name, a row a frame. @param width  components x cells
 [[nodiscard]] nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers,

@@ -68,8 +68,8 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
   doubts_.insert(doubts_.begin(), first_found_.begin(), first_found_.end());
 }
 
-lab::SkinAnswer answer_of(const lab::SkinSceneProblem& problem, std::span<const double> readings,
-                          std::size_t frame) {
+lab::FrameAnswer answer_of(const lab::SkinSceneProblem& problem, std::span<const double> readings,
+                           std::size_t frame) {
   check_finite(readings, frame, false);
   try {
     return lab::solve(problem, readings);

@@ -19,8 +19,8 @@ namespace tactile_net::python {
 
 /// One frame. @param frame  its number, for messages
 /// @throw BadFrame  a reading is not finite, or the tractions overflow
-[[nodiscard]] lab::SkinAnswer answer_of(const lab::SkinSceneProblem& problem,
-                                        std::span<const double> readings, std::size_t frame);
+[[nodiscard]] lab::FrameAnswer answer_of(const lab::SkinSceneProblem& problem,
+                                         std::span<const double> readings, std::size_t frame);
 
 class SolvedSkin {
  public:
@@ -32,7 +32,7 @@ class SolvedSkin {
              std::vector<double> times, const Rows& readings, Watcher& watcher);
 
   /// One a frame: absent without an answer.
-  [[nodiscard]] const std::vector<std::optional<lab::SkinAnswer>>& answers() const noexcept {
+  [[nodiscard]] const std::vector<std::optional<lab::FrameAnswer>>& answers() const noexcept {
     return answers_;
   }
   [[nodiscard]] const SkinScene& scene() const noexcept;
@@ -65,7 +65,7 @@ class SolvedSkin {
   lab::Findings first_found_{};    // before any frame is solved
   lab::SkinSceneProblem problem_;  // without taxels that the recording shows to be broken
   lab::SkinRecordingSolver solver_;
-  std::vector<std::optional<lab::SkinAnswer>> answers_{};
+  std::vector<std::optional<lab::FrameAnswer>> answers_{};
   lab::Findings doubts_{};
 };
 

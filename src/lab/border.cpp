@@ -109,14 +109,6 @@ std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,
   return cells;
 }
 
-bool is_cut_off(const SceneProblem& problem, std::span<const double> readings,
-                std::span<const double> tractions) {
-  constexpr double explained = 0.5;  // of the readings' size, at least: else noise may press there
-  return presses_at_border(tractions.first(problem.surface().count), problem.border()) &&
-         problem.residual(readings, tractions) <
-             (1.0 - explained) * problem.residual(readings, std::vector<double>(tractions.size()));
-}
-
 bool presses_at_border(std::span<const double> pressure, std::span<const std::size_t> border) {
   return tactile_net::presses_at_border(pressure, border);
 }

@@ -23,10 +23,6 @@ namespace tactile_net::lab {
 [[nodiscard]] std::vector<std::size_t> border_cells(const SkinSceneProblem& problem,
                                                     const std::vector<bool>& unseen);
 
-/// Whether a line's answer is a lower bound: its readings are explained, and its ends are pressed.
-[[nodiscard]] bool is_cut_off(const SceneProblem& problem, std::span<const double> readings,
-                              std::span<const double> tractions);
-
 /// Whether the border is pressed nearly as hard as any place. What presses beside it is then not
 /// known, and the force that is found is a lower bound: under contacts that end at the outermost
 /// taxels the border has at most half of the highest pressure, under those whose middle lies there

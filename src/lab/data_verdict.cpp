@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "lab/line_answer.hpp"
 #include "lab/lines_and_skins.hpp"
 
 namespace tactile_net::lab {
@@ -37,15 +38,8 @@ DataJudge data_judge(const SceneProblem& problem) {
 std::optional<DataVerdict> data_verdict(const SceneProblem& problem,
                                         std::span<const double> readings,
                                         std::span<const double> tractions, DataMemory* memory) {
-  if (problem.is_large()) return std::nullopt;
-  DataVerdict data = problem.data_judge().judge(readings, tractions, memory);
-  if (problem.constraints() && data.has(DataDoubt::misfit)) {
-    const SceneFrame frame(problem, readings);
-    const std::vector<double> free =
-        frame.problem().family().solve(frame.analysed(), frame.prior().alpha);
-    find_pulls(data, frame.residual(free), frame.analysed().rows);
-  }
-  return data;
+  return judged_data(LineFrameMethod({.problem = problem, .readings = readings, .memory = memory}),
+                     tractions, 0.0);
 }
 
 remark::DataDoubted data_doubted(const DataVerdict& data, const Scene& scene) {

@@ -151,7 +151,8 @@ void FingertipMaker::press(Fingertip& tip, const HandFinger& finger, const Finge
   if (!std::all_of(covariance.begin(), covariance.end(),
                    [](double value) { return std::isfinite(value); }))
     fail_fingertip(tip, "the frame's tractions overflow a double");
-  if (const auto off = model_error(bands)) tip.remarks.emplace_back(*off);
+  if (const auto off = model_error(bands.noise, bands.holds_model_error))
+    tip.remarks.emplace_back(*off);
   lab::press(tip, bands.resultant, bands.nearest_to_slipping, finger.breadth);
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::lab {

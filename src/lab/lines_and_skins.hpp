@@ -7,11 +7,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/lab/remark.hpp"
+#include "tactile_net/scene/clipped_taxels.hpp"
 #include "tactile_net/sensing/effects/signal_layout.hpp"
 
 namespace tactile_net::lab {
@@ -80,6 +82,17 @@ inline void find_pulls(DataVerdict& data, double left, std::size_t rows) {
   std::vector<std::string> names;
   for (const std::size_t taxel : taxels) names.push_back(taxel_name(array, taxel));
   return names;
+}
+
+/// The frame's taxels at the end of their range. Whether an answer does without them is the
+/// caller's to say.
+[[nodiscard]] remark::Clipped clipped_in(const auto& scene, std::span<const Site> sites,
+                                         std::span<const double> readings) {
+  ClippedTaxels found = clipped_taxels(scene, sites, readings);
+  std::vector<std::string> names = taxel_names(scene.sensor, found.taxels);
+  return {.taxels = std::move(found.taxels),
+          .names = std::move(names),
+          .range_known = found.range_known};
 }
 
 }  // namespace tactile_net::lab

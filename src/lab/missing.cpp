@@ -65,8 +65,7 @@ const SceneProblem& IncompleteFrames::problem() const noexcept {
 std::size_t IncompleteFrames::kept() const noexcept { return patterns_->kept(); }
 std::size_t IncompleteFrames::most_kept() const noexcept { return patterns_->most_kept(); }
 
-std::optional<FrameResult> IncompleteFrames::solve(std::span<double> readings,
-                                                   std::span<double> tractions) {
+std::optional<IncompleteFrames::Rest> IncompleteFrames::rest(std::span<double> readings) {
   const std::vector<Site>& sites = problem_.problem().sites;
   const std::vector<std::size_t> dead =
       dead_with_missing(problem_.scene().dead_taxels, sites, readings);
@@ -78,7 +77,14 @@ std::optional<FrameResult> IncompleteFrames::solve(std::span<double> readings,
   Pattern& of_frame = (*patterns_)(
       dead, [&] { return std::make_unique<Pattern>(problem_.without(dead), method_); });
   last_ = &of_frame;
-  return of_frame.solver->solve(readings, tractions);
+  return Rest{of_frame.problem, *of_frame.solver};
+}
+
+std::optional<FrameResult> IncompleteFrames::solve(std::span<double> readings,
+                                                   std::span<double> tractions) {
+  const std::optional<Rest> left = rest(readings);
+  if (!left) return std::nullopt;
+  return left->solver.solve(readings, tractions);
 }
 
 }  // namespace tactile_net::lab

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "tactile_net/lab/answer.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -187,8 +189,9 @@ RecordingOverview Recording::overview(Observer& observer) const {
   for (std::size_t i = 0; i < groups_.size() && !observer.stop(); ++i) {
     FrameGroup& group = overview.groups[i];
     const auto& [problem, result] = sources_[i];
-    group.bands = uncertainty(SceneFrame(problem, group.readings), group.tractions, result);
-    const Verdict told = overall(group.verdict, group.data, group.bands->resultant.normal);
+    FrameAnswer answer = with_bands(SceneFrame(problem, group.readings), group.tractions, result);
+    group.bands = std::move(answer.bands);
+    const Verdict told = answer.verdict;
     if (told == group.verdict) continue;
     if (is_faultless(group.verdict) && !is_faultless(told) && group.distrusted++ == 0)
       group.distrust = told;

@@ -6,12 +6,31 @@
 #include <limits>
 #include <utility>
 
-#include "lab/border.hpp"
+#include "lab/line_answer.hpp"
 #include "lab/lines_and_skins.hpp"
-#include "tactile_net/lab/data_verdict.hpp"
-#include "tactile_net/scene/clipped_taxels.hpp"
+#include "lab/methods/frame_check.hpp"
 
 namespace tactile_net::lab {
+namespace {
+
+/// A frame's answer, without bands. Where it has none the status says why.
+FrameResult answered_without_bands(const LineFrame& frame, std::span<double> tractions) {
+  const SceneProblem& problem = frame.problem;
+  if (const auto status =
+          check_frame(frame.readings, problem.readings(), tractions, frame.solver->tractions());
+      status != FrameStatus::ok)
+    return {.status = status};
+  try {
+    LineFrameMethod method(frame);
+    const FrameAnswer found = answer(method, Bands::later);
+    std::copy(found.tractions.begin(), found.tractions.end(), tractions.begin());
+    return method.result(found);
+  } catch (const FrameOverflow&) {
+    return {.status = FrameStatus::too_large};
+  }
+}
+
+}  // namespace
 
 RecordingSolver::RecordingSolver(SceneProblem problem, Method method,
                                  RecordingSolverOptions options)
@@ -38,52 +57,41 @@ std::optional<FrameResult> RecordingSolver::solve(std::span<double> readings,
   const bool misses =
       missing_ != Missing::fail &&
       std::any_of(readings.begin(), readings.end(), [](double g) { return std::isnan(g); });
-  const ClippedTaxels clipped = clipped_taxels(problem_.scene(), sites_, readings);
-  bool left_out = incomplete_ && clipped.range_known && !clipped.taxels.empty();
-  std::optional<FrameResult> result;
-  if (misses && missing_ == Missing::skip) {
+  remark::Clipped clipped = clipped_in(problem_.scene(), sites_, readings);
+  clipped.left_out = incomplete_ && clipped.range_known && !clipped.taxels.empty();
+  const bool is_partial = clipped.left_out || (misses && missing_ == Missing::estimate);
+  const std::optional<IncompleteFrames::Rest> rest =
+      is_partial ? without(readings, clipped) : std::nullopt;
+  if (misses && !rest) {
     solved_.skip();
-    return result;
+    return std::nullopt;
   }
-  if (misses || left_out) {
-    std::vector<double> rest(readings.begin(), readings.end());
-    if (left_out)
-      for (std::size_t i = 0; i < rest.size(); ++i)
-        if (std::binary_search(clipped.taxels.begin(), clipped.taxels.end(), sites_[i].taxel))
-          rest[i] = std::numeric_limits<double>::quiet_NaN();
-    result = incomplete_->solve(rest, tractions);
-    if (result || misses) std::copy(rest.begin(), rest.end(), readings.begin());
-    left_out = left_out && result;
-  }
-  if (!result && !misses) result = solver_->solve(readings, tractions);
-  if (!result) {
-    solved_.skip();
-    return result;
-  }
-  if (result->status != FrameStatus::ok) return result;
-
-  if (traits(method_).has_bands && result->verdict == Verdict::ok &&
-      is_cut_off(this->problem(), readings, tractions)) {
-    result->verdict = Verdict::cut_off;
-    result->remarks.emplace_back(remark::LowerBound{});
-  }
-  if (!clipped.taxels.empty()) {
-    result->verdict = Verdict::clipped;
-    result->remarks.emplace_back(
-        remark::Clipped{.taxels = clipped.taxels,
-                        .names = taxel_names(this->problem().scene().sensor, clipped.taxels),
-                        .range_known = clipped.range_known,
-                        .left_out = left_out});
-  }
-  const bool incomplete = misses || left_out;
-  was_incomplete_ = incomplete;
-  result->data =
-      data_verdict(this->problem(), readings, tractions, incomplete ? nullptr : &memory_);
-  if (result->data) doubt(*result->data, repeating_.first());
-  result->verdict = overall(result->verdict, result->data);
-  solved_.add(*result, misses);
-  if (result->alpha) doubts_.add(this->problem(), readings, tractions, result->alpha->value);
+  clipped.left_out = clipped.left_out && rest;
+  FrameResult result = answered_without_bands({.problem = rest ? rest->problem : problem_,
+                                               .readings = readings,
+                                               .solver = rest ? &rest->solver : solver_.get(),
+                                               .has_bands = traits(method_).has_bands,
+                                               .memory = rest ? nullptr : &memory_,
+                                               .repeats = repeating_.first()},
+                                              tractions);
+  if (result.status != FrameStatus::ok) return result;
+  note_clipped(result.verdict, result.remarks, std::move(clipped));
+  was_incomplete_ = rest.has_value();
+  solved_.add(result, misses);
+  if (result.alpha) doubts_.add(problem(), readings, tractions, result.alpha->value);
   return result;
+}
+
+std::optional<IncompleteFrames::Rest> RecordingSolver::without(std::span<double> readings,
+                                                               const remark::Clipped& clipped) {
+  std::vector<double> rest(readings.begin(), readings.end());
+  if (clipped.left_out)
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      if (std::binary_search(clipped.taxels.begin(), clipped.taxels.end(), sites_[i].taxel))
+        rest[i] = std::numeric_limits<double>::quiet_NaN();
+  const auto left = incomplete_->rest(rest);
+  if (left) std::copy(rest.begin(), rest.end(), readings.begin());
+  return left;
 }
 
 Findings RecordingSolver::doubts() const {

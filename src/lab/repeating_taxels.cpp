@@ -1,15 +1,23 @@
 #include "tactile_net/lab/repeating_taxels.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tactile_net::lab {
 
 RepeatingTaxels::RepeatingTaxels(const SensorArray& array, std::span<const std::size_t> dead)
-    : sites_(sites(array)), living_(array.count, true), repeats_(sites_.size()) {
+    : RepeatingTaxels(sites(array), array.count, dead) {}
+RepeatingTaxels::RepeatingTaxels(const SkinArray& skin, std::span<const std::size_t> dead)
+    : RepeatingTaxels(sites(skin), taxel_count(skin), dead) {}
+
+RepeatingTaxels::RepeatingTaxels(std::vector<Site> sites, std::size_t taxels,
+                                 std::span<const std::size_t> dead)
+    : sites_(std::move(sites)), living_(taxels, true), repeats_(sites_.size()) {
   for (const std::size_t taxel : dead) living_[taxel] = false;
 }
 
 void RepeatingTaxels::add(std::span<const double> readings) {
+  if (readings.size() != sites_.size()) return;  // whoever solves it says so
   if (!last_.empty()) {
     std::size_t living = 0;
     std::size_t same = 0;

@@ -6,13 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lab/border.hpp"
+#include "lab/line_answer.hpp"
 #include "lab/lines_and_skins.hpp"
-#include "tactile_net/inverse/error_bound.hpp"
-#include "tactile_net/lab/data_verdict.hpp"
-#include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/comparison.hpp"
-#include "tactile_net/scene/clipped_taxels.hpp"
 #include "tactile_net/sensing/resampled.hpp"
 
 namespace tactile_net::lab {
@@ -43,9 +39,10 @@ struct Run {
 };
 
 /// Median time of a frame over about 20 ms.
-double frame_seconds(FrameSolver& solver, const Run& run, std::span<double> f) {
+double frame_seconds(FrameSolver& solver, const Run& run) {
   const Stopwatch whole(run.options.clock);
   if (!whole.runs()) return not_timed;
+  std::vector<double> f(solver.tractions());
   std::vector<double> times;
   while (times.size() < 5 || (whole.elapsed() < 0.02 && times.size() < 1000)) {
     const Stopwatch frame(run.options.clock);
@@ -74,65 +71,38 @@ void measure(MethodResult& result, std::span<const double> f, const Surface& sur
         component(f.subspan(n), truth.tangential.empty() ? no_tangential : truth.tangential);
 }
 
-/// |W (K f - g)| / |W g|; 0 without readings.
-double unexplained(const SceneFrame& frame, std::span<const double> f) {
-  const double all = frame.residual(std::vector<double>(f.size()));
-  return all > 0.0 ? frame.residual(f) / all : 0.0;
-}
-
-/// A verdict that stands, unless the answer has a worse one already.
-void degrade(MethodResult& result, Verdict verdict) {
-  if (result.verdict == Verdict::ok) result.verdict = verdict;
-}
-
-/// What can be said about the errors of an answer of P f = b.
-void judge_errors(MethodResult& result, std::span<const double> f, const FrameResult& answer,
-                  const Run& run) {
-  const Workload& work = run.experiment.work;
-  if (!work.does(Computation::bands)) {
-    result.remarks.emplace_back(remark::NoBands{});
-    return;
-  }
-  const FrameUncertainty bands = uncertainty(run.frame, f, answer);
-  result.noise = bands.noise;
-  result.resultant = bands.resultant;
+/// What an answer with bands says beside its tractions.
+void take_answer(MethodResult& result, FrameAnswer&& found, const Run& run) {
+  result.verdict = found.verdict;
+  result.condition = found.condition;
+  result.error_bound = found.error_bound;
+  result.constrained = std::move(found.constrained);
+  result.data = std::move(found.data);
+  result.offsets = std::move(found.offsets);
+  result.remarks = std::move(found.remarks);
+  if (!found.bands) return;
+  result.noise = found.noise;
+  result.resultant = found.bands->resultant;
   const auto middle =
-      bands.deviation.begin() + static_cast<std::ptrdiff_t>(run.problem.surface().count);
-  result.normal.deviation.assign(bands.deviation.begin(), middle);
-  result.tangential.deviation.assign(middle, bands.deviation.end());
-  if (answer.condition)  // else the solver has said it
-    result.error_bound = forward_bound(run.problem.problem(), answer.alpha->value,
-                                       run.frame.readings(), f, answer.condition->value);
-  // Under a friction limit f = E z, and E has the condition number max(limit, 1 / limit).
-  if (const auto limit = run.problem.scene().reconstruct.friction_limit;
-      answer.constrained && limit)
-    *result.error_bound *= std::max(*limit, 1.0 / *limit);
-  if (const double left = unexplained(run.frame, f); left > 0.5) {
-    degrade(result, Verdict::oversmoothed);
-    result.remarks.emplace_back(remark::Unexplained{left});
-  } else if (*result.error_bound > 1e-3) {
-    degrade(result, Verdict::ill_conditioned);
-    result.remarks.emplace_back(remark::Rounding{*result.error_bound});
-  }
-  // A verdict that is ok says by now that the readings are explained, and not noise.
-  if (result.verdict == Verdict::ok &&
-      presses_at_border(f.first(run.problem.surface().count), run.problem.border())) {
-    result.verdict = Verdict::cut_off;
-    result.remarks.emplace_back(remark::LowerBound{});
-  }
-  if (const auto weight = run.frame.estimated_weight())
-    result.remarks.emplace_back(remark::EstimatedWeight{*weight});
-  if (run.problem.options().unknown_offsets) {
-    result.offsets = offsets(run.problem.problem(), run.frame.readings(), f);
-    result.remarks.emplace_back(offsets_found(result.offsets, run.problem.scene()));
-  }
-  if (const auto off = model_error(bands)) result.remarks.emplace_back(*off);
-  result.data = data_verdict(run.problem, run.frame.readings(), f);
-  if (result.data && !result.data->consistent())
-    result.remarks.emplace_back(data_doubted(*result.data, run.problem.scene()));
-  result.verdict = overall(result.verdict, result.data, bands.resultant.normal);
-  if (work.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
+      found.deviations.begin() + static_cast<std::ptrdiff_t>(run.problem.surface().count);
+  result.normal.deviation.assign(found.deviations.begin(), middle);
+  result.tangential.deviation.assign(middle, found.deviations.end());
+  if (run.experiment.work.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
     result.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
+}
+
+/// Of a method without bands, with the alpha that it was made for.
+std::vector<double> solve_alone(MethodResult& result, FrameSolver& solver, const Run& run) {
+  std::vector<double> f(solver.tractions());
+  const FrameResult answer = solver.solve(run.frame.readings(), f);
+  if (answer.status == FrameStatus::too_large) throw FrameOverflow();
+  if (answer.status != FrameStatus::ok) throw std::domain_error("the readings are not finite");
+  result.alpha = answer.alpha;
+  result.verdict = answer.verdict;
+  result.condition = answer.condition;
+  result.error_bound = solver.error_bound(run.frame.readings(), f);
+  result.remarks = answer.remarks;
+  return f;
 }
 
 /// Of a method that does not know the scene's constraints: it has answered another question, which
@@ -156,22 +126,21 @@ MethodResult reconstruct(Method method, const Run& run) {
     const std::unique_ptr<FrameSolver> solver =
         make_solver(run.problem, method, alpha ? std::optional(alpha->value) : std::nullopt);
     result.setup_seconds = setup.elapsed();
-    std::vector<double> f(solver->tractions());
-    FrameResult answer = solver->solve(run.frame.readings(), f);
-    if (answer.status == FrameStatus::too_large)
-      throw std::domain_error("the frame's tractions overflow a double; scale the readings");
-    if (answer.status != FrameStatus::ok) throw std::domain_error("the readings are not finite");
-    result.frame_seconds = frame_seconds(*solver, run, f);
-
-    result.alpha = alpha ? alpha : answer.alpha;
-    result.verdict =
-        alpha && alpha->verdict != AlphaVerdict::ok ? verdict_of(alpha->verdict) : answer.verdict;
-    result.condition = answer.condition;
-    result.error_bound = solver->error_bound(run.frame.readings(), f);
-    result.remarks = answer.remarks;
-    result.constrained = answer.constrained;
-    measure(result, f, run.problem.surface(), run.experiment.frame.truth);
-    if (traits(method).has_bands) judge_errors(result, f, answer, run);
+    if (traits(method).has_bands) {
+      LineFrameMethod frame({.problem = run.problem,
+                             .readings = run.frame.readings(),
+                             .analysed = &run.frame,
+                             .solver = solver.get(),
+                             .alpha = alpha});
+      FrameAnswer found = answer(frame);
+      measure(result, found.tractions, run.problem.surface(), run.experiment.frame.truth);
+      result.alpha = found.alpha;
+      take_answer(result, std::move(found), run);
+    } else {
+      measure(result, solve_alone(result, *solver, run), run.problem.surface(),
+              run.experiment.frame.truth);
+    }
+    result.frame_seconds = frame_seconds(*solver, run);
     if (!traits(method).takes_constraints) note_constraints(result, run);
   } catch (const std::domain_error& error) {
     result.refusal = error.what();
@@ -216,16 +185,14 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
 }
 
 /// The frame's taxels at the end of their range, and whether an answer can do without them.
-remark::Clipped clipped_in(const SceneProblem& problem, std::span<const double> readings) {
+remark::Clipped clipped_for_methods(const SceneProblem& problem, std::span<const double> readings) {
   const Scene& scene = problem.scene();
-  const ClippedTaxels found = clipped_taxels(scene, sites(scene.sensor), readings);
+  remark::Clipped clipped = clipped_in(scene, sites(scene.sensor), readings);
   LineProblemOptions rest = problem.options();
-  rest.dead_taxels.insert(rest.dead_taxels.end(), found.taxels.begin(), found.taxels.end());
-  return {.taxels = found.taxels,
-          .names = taxel_names(scene.sensor, found.taxels),
-          .range_known = found.range_known,
-          .left_out = found.range_known && !found.taxels.empty() && !problem.is_large() &&
-                      is_measured(scene.sensor, rest)};
+  rest.dead_taxels.insert(rest.dead_taxels.end(), clipped.taxels.begin(), clipped.taxels.end());
+  clipped.left_out = clipped.range_known && !clipped.taxels.empty() && !problem.is_large() &&
+                     is_measured(scene.sensor, rest);
+  return clipped;
 }
 
 SceneFrame without(const SceneFrame& frame, std::span<const std::size_t> taxels) {
@@ -235,12 +202,11 @@ SceneFrame without(const SceneFrame& frame, std::span<const std::size_t> taxels)
   return {frame.problem().without(dead), frame.readings()};
 }
 
-/// Of any method: what clipped taxels do not tell weighs more than how well it has answered.
-void note_clipped(MethodResult& result, remark::Clipped clipped) {
-  if (clipped.taxels.empty() || !result.has_answer()) return;
+/// Methods without bands take dead taxels for living ones.
+void note_clipped_by_method(MethodResult& result, remark::Clipped clipped) {
+  if (!result.has_answer()) return;
   clipped.left_out = clipped.left_out && traits(result.method).has_bands;
-  result.verdict = Verdict::clipped;
-  result.remarks.emplace_back(std::move(clipped));
+  note_clipped(result.verdict, result.remarks, std::move(clipped));
 }
 
 /// The method whose answer is followed over the scene's time, if there is one.
@@ -281,7 +247,7 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
       sampled_force(experiment.frame.truth.normal, problem.surface().spacing);
   const SceneFrame frame(problem, experiment.frame.readings);
   const Run run{options, frame.problem(), frame, experiment};
-  const remark::Clipped clipped = clipped_in(problem, experiment.frame.readings);
+  const remark::Clipped clipped = clipped_for_methods(problem, experiment.frame.readings);
   // What a frame has computed stays with it: a copy is made where taxels are left out alone.
   std::optional<Run> of_rest;
   if (clipped.left_out) {
@@ -298,7 +264,7 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
         traits(method).has_bands       ? reconstruct(method, of_rest ? *of_rest : run)
         : traits(method).solves_frames ? reconstruct(method, run)
                                        : by_network(simulator, run, observer));
-    note_clipped(experiment.results.back(), clipped);
+    note_clipped_by_method(experiment.results.back(), clipped);
   }
   if (experiment.work.does(Computation::time_course))
     if (const auto method = followed(experiment.results))

@@ -1,21 +1,20 @@
-#include "tactile_net/lab/skin_answer.hpp"
-
+// What is a skin's own on the way of a frame.
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <stdexcept>
+#include <memory>
 #include <utility>
 
 #include "lab/border.hpp"
+#include "lab/frame_method.hpp"
 #include "lab/large_skin.hpp"
 #include "lab/lines_and_skins.hpp"
 #include "lab/skin_bands.hpp"
 #include "lab/skin_data_verdict.hpp"
 #include "lab/skin_method.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
-#include "tactile_net/scene/clipped_taxels.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -53,35 +52,9 @@ double rounding_bound(const FilterFrame& frame, double alpha, double condition,
   return wedin_bound(condition, largest, right, residual, solution, rounding);
 }
 
-void judge(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
-           const FilterFrame& frame, std::span<const double> readings) {
-  const double left = method.residual(readings, answer.tractions);
-  answer.noise =
-      estimate_noise(left, frame.rows, answer.degrees_of_freedom, problem.stated_noise());
-  double all = 0.0;  // without tractions
-  for (const double reading : weighted(problem.layout(), readings)) all = std::hypot(all, reading);
-  if (all > 0.0 && left > 0.5 * all) {
-    if (answer.verdict == Verdict::ok) answer.verdict = Verdict::oversmoothed;
-    answer.remarks.emplace_back(remark::Unexplained{left / all});
-  }
-  const double rounding = rounding_bound(frame, answer.alpha.value,
-                                         method.condition(answer.alpha.value), problem.tractions());
-  if (!(rounding <= 1e-3)) {
-    if (answer.verdict == Verdict::ok) answer.verdict = Verdict::ill_conditioned;
-    answer.remarks.emplace_back(remark::Rounding{rounding});
-  }
-  if (!problem.is_large())  // of which they are known
-    answer.offsets = offsets(problem.problem(), readings, answer.tractions);
-  if (!answer.offsets.empty())
-    answer.remarks.emplace_back(offsets_found(answer.offsets, problem.scene()));
-  if (answer.noise.model_rms > 0.0)
-    answer.remarks.emplace_back(remark::ModelError{
-        .times = answer.noise.model_rms / *answer.noise.stated_rms, .held = true});
-}
-
 /// What a contact that reaches over the skin's edge amounts to, from an answer on a grid that
 /// reaches further. The map stays as it is.
-void take_from_beyond(SkinAnswer& answer, SkinAnswer beyond) {
+void take_from_beyond(FrameAnswer& answer, FrameAnswer beyond) {
   if (beyond.cells.empty()) return;
   answer.wrench = beyond.wrench;
   answer.unseen = beyond.unseen;
@@ -121,68 +94,133 @@ constexpr double most_assumed = 0.7;
 /// Taxels, in depths: no deviation holds what is between. Under constraints that is `far_apart`.
 constexpr double too_far_apart = 2.001;
 
-/// That force's verdict which says most of it.
-void judge_force(SkinAnswer& answer, const SkinSceneProblem& problem,
-                 std::span<const double> readings) {
-  const bool solved =
-      answer.verdict != Verdict::iteration_limit && answer.verdict != Verdict::ill_conditioned;
-  const std::span<const double> pressure =
-      std::span(answer.tractions).first(problem.grid().count());
-  // A verdict that is ok says that the readings are explained, and not noise.
-  const bool bounded =
-      answer.verdict == Verdict::ok && presses_at_border(pressure, problem.border());
-  if (bounded) answer.remarks.emplace_back(remark::LowerBound{});
-  const bool guessed = bounded || answer.unseen > most_guessed ||
-                       (answer.cells.empty() && answer.verdict != Verdict::ok &&
-                        strongest_at_edge(problem, readings, answer.noise.rms()));
-  if (guessed && solved)
-    answer.verdict = Verdict::cut_off;
-  else if (answer.verdict == Verdict::ok && answer.assumed > most_assumed &&
-           !answer.data.noise_alone)
-    answer.verdict = Verdict::undetermined;
-  else if (answer.verdict == Verdict::ok &&
-           answer.wrench.normal.deviation >
-               largest_force(problem, without_offsets(problem, readings, answer.tractions)))
-    answer.verdict = Verdict::undetermined;
-  else if (answer.verdict == Verdict::ok &&
-           pitch_in_depths(problem.scene().sensor) > (answer.cone ? far_apart : too_far_apart))
-    answer.verdict = Verdict::coarse;
+/// Whether the readings, not what presses, decide where the force lies: it is then a guess.
+bool is_guessed(const FrameAnswer& answer, const SkinSceneProblem& problem,
+                std::span<const double> readings) {
+  return answer.unseen > most_guessed || (answer.cells.empty() && answer.verdict != Verdict::ok &&
+                                          strongest_at_edge(problem, readings, answer.noise.rms()));
 }
 
-/// Every reading is taken for what it says.
-SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double> readings,
-                         const SkinAlphaChooser& choose) {
-  if (problem.estimates_weight()) {
-    const double weight = problem.likeliest_weight(readings);
-    SkinAnswer answer = solve_as_read(problem.weighed(weight), readings, choose);
-    answer.alpha.tangential_weight = weight;
-    answer.remarks.emplace_back(remark::EstimatedWeight{weight});
-    return answer;
+class SkinFrameMethod final : public FrameMethod {
+ public:
+  SkinFrameMethod(const SkinSceneProblem& given, std::span<const double> readings,
+                  SkinAlphaChooser choose, std::optional<std::size_t> repeats)
+      : weight_(given.estimates_weight() ? std::optional(given.likeliest_weight(readings))
+                                         : std::nullopt),
+        problem_(weight_ ? given.weighed(*weight_) : given),
+        method_(method_of(problem_)),
+        readings_(readings),
+        frame_(method_->analyse(readings)),
+        choose_(std::move(choose)),
+        repeats_(repeats) {}
+
+  ChosenAlpha alpha() override {
+    ChosenAlpha alpha = alpha_of(problem_, frame_, choose_);
+    alpha.tangential_weight = weight_;
+    return alpha;
   }
-  const std::unique_ptr<const SkinMethod> method = method_of(problem);
-  const FilterFrame frame = method->analyse(readings);
-  SkinAnswer answer{.alpha = alpha_of(problem, frame, choose)};
-  answer.verdict = verdict_of(answer.alpha.verdict);
-  answer.condition = method->stacked_condition(answer.alpha.value);
-  require_full_rank(method->condition(answer.alpha.value), readings.size() + problem.tractions());
-  std::optional<TikhonovFamily> face;
-  if (problem.constraints()) {
-    answer.cone = method->solve_in_cones(readings, answer.alpha.value);
+
+  void solve(FrameAnswer& answer) override {
+    const double alpha = answer.alpha.value;
+    answer.condition = Condition{method_->stacked_condition(alpha), Condition::Kind::bound};
+    require_full_rank(method_->condition(alpha), readings_.size() + problem_.tractions());
+    if (problem_.constraints())
+      solve_in_cones(answer);
+    else
+      solve_freely(answer);
+    if (!std::all_of(answer.tractions.begin(), answer.tractions.end(),
+                     [](double f) { return std::isfinite(f); }))
+      throw FrameOverflow();
+    if (problem_.is_large() && !answer.iteration) answer.iteration = FrameAnswer::Iteration{};
+  }
+
+  double residual(std::span<const double> tractions) const override {
+    return method_->residual(readings_, tractions);
+  }
+  double size_of_readings() const override {
+    double all = 0.0;
+    for (const double reading : weighted(problem_.layout(), readings_))
+      all = std::hypot(all, reading);
+    return all;
+  }
+  std::size_t rows() const override { return frame_.rows; }
+  std::optional<double> rounding(const FrameAnswer& answer) const override {
+    const double alpha = answer.alpha.value;
+    return rounding_bound(frame_, alpha, method_->condition(alpha), problem_.tractions());
+  }
+  bool ends_at_border(std::span<const double> tractions) const override {
+    return presses_at_border(tractions.first(problem_.grid().count()), problem_.border());
+  }
+  std::optional<DataVerdict> judge_data(std::span<const double> tractions) const override {
+    return method_->judge(readings_, tractions);
+  }
+  std::optional<std::vector<double>> unconstrained(double alpha) const override {
+    if (!problem_.constraints()) return std::nullopt;
+    return method_->solve(frame_, readings_, alpha);
+  }
+
+  std::optional<std::size_t> repeating() const override { return repeats_; }
+
+  bool has_bands() const override { return true; }
+  Uncertain add_bands(FrameAnswer& answer) override {
+    answer.noise = estimate_noise(*answer.residual, frame_.rows, answer.degrees_of_freedom,
+                                  problem_.stated_noise());
+    if (!problem_.is_large())  // of which they are known
+      answer.offsets = offsets(problem_.problem(), readings_, answer.tractions);
+    lab::add_bands(answer, problem_, *method_, frame_, face_, readings_);
+    if (answer.unseen > most_unseen && !problem_.scene().reconstruct.grid.margin) {
+      SkinFrameMethod beyond(problem_.reaching_beyond(), readings_, {}, {});
+      take_from_beyond(answer, lab::answer(beyond));
+    }
+    return answer.wrench.normal;
+  }
+  bool holds_model_error(const FrameAnswer&) const override { return true; }
+
+  /// That verdict which says most of the force.
+  void judge_force(FrameAnswer& answer) const override {
+    const bool solved =
+        answer.verdict != Verdict::iteration_limit && answer.verdict != Verdict::ill_conditioned;
+    if (solved && is_guessed(answer, problem_, readings_)) answer.verdict = Verdict::cut_off;
+    if (answer.verdict != Verdict::ok) return;
+    const bool of_prior = answer.assumed > most_assumed && !answer.data->noise_alone;
+    const double largest =
+        largest_force(problem_, without_offsets(problem_, readings_, answer.tractions));
+    if (of_prior || answer.wrench.normal.deviation > largest)
+      answer.verdict = Verdict::undetermined;
+    else if (pitch_in_depths(problem_.scene().sensor) > (answer.cone ? far_apart : too_far_apart))
+      answer.verdict = Verdict::coarse;
+  }
+
+  remark::OffsetsFound named(std::span<const double> offsets) const override {
+    return offsets_found(offsets, problem_.scene());
+  }
+  remark::DataDoubted named(const DataVerdict& data) const override {
+    return with_names(data, problem_.scene());
+  }
+
+ private:
+  void solve_in_cones(FrameAnswer& answer) {
+    const double alpha = answer.alpha.value;
+    answer.cone = method_->solve_in_cones(readings_, alpha);
     if (answer.cone->status != FrameStatus::ok) throw FrameOverflow();
     answer.tractions = answer.cone->tractions;
     if (answer.cone->verdict == ConstrainedVerdict::iteration_limit) {
       answer.verdict = Verdict::iteration_limit;
       answer.remarks.emplace_back(remark::IterationLimit{answer.cone->iterations});
     }
-    if (!problem.is_large() && !answer.cone->face.free.empty())
-      face.emplace(problem.problem(), answer.cone->face);
-    answer.degrees_of_freedom = face                 ? face->degrees_of_freedom(answer.alpha.value)
-                                : problem.is_large() ? problem.large().degrees_of_freedom(
-                                                           answer.cone->face, answer.alpha.value)
-                                                     : 0.0;
-  } else {
-    answer.tractions = method->solve(frame, readings, answer.alpha.value);
-    if (const auto reached = method->convergence()) {
+    const ActiveFace& face = answer.cone->face;
+    if (problem_.is_large()) {
+      answer.degrees_of_freedom = problem_.large().degrees_of_freedom(face, alpha);
+    } else if (!face.free.empty()) {
+      face_.emplace(problem_.problem(), face);
+      answer.degrees_of_freedom = face_->degrees_of_freedom(alpha);
+    }
+  }
+
+  void solve_freely(FrameAnswer& answer) {
+    const double alpha = answer.alpha.value;
+    answer.tractions = method_->solve(frame_, readings_, alpha);
+    if (const auto reached = method_->convergence()) {
       const double off = std::min(reached->bound, reached->estimate);
       answer.iteration = {.steps = reached->steps, .estimate = off};
       if (!reached->converged) {
@@ -190,26 +228,24 @@ SkinAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double
         answer.remarks.emplace_back(remark::NotConverged{reached->steps, off});
       }
     }
-    answer.degrees_of_freedom = method->degrees_of_freedom(answer.alpha.value);
+    answer.degrees_of_freedom = method_->degrees_of_freedom(alpha);
   }
-  if (!std::all_of(answer.tractions.begin(), answer.tractions.end(),
-                   [](double f) { return std::isfinite(f); }))
-    throw FrameOverflow();
-  if (problem.is_large() && !answer.iteration) answer.iteration = SkinAnswer::Iteration{};
-  judge(answer, problem, *method, frame, readings);
-  answer.data = data_verdict(problem, readings, answer.tractions);
-  if (answer.cone && answer.data.has(DataDoubt::misfit))
-    find_pulls(answer.data,
-               method->residual(readings, method->solve(frame, readings, answer.alpha.value)),
-               frame.rows);
-  if (!answer.data.consistent())
-    answer.remarks.emplace_back(with_names(answer.data, problem.scene()));
-  add_bands(answer, problem, *method, frame, face, readings);
-  if (answer.unseen > most_unseen && !problem.scene().reconstruct.grid.margin)
-    take_from_beyond(answer, solve_as_read(problem.reaching_beyond(), readings, {}));
-  judge_force(answer, problem, readings);
-  answer.verdict = overall(answer.verdict, answer.data, answer.wrench.normal);
-  return answer;
+
+  std::optional<double> weight_;  // that the readings make likeliest; absent: the scene gives it
+  SkinSceneProblem problem_;      // with it
+  std::unique_ptr<const SkinMethod> method_;
+  std::span<const double> readings_;
+  FilterFrame frame_;
+  SkinAlphaChooser choose_;
+  std::optional<std::size_t> repeats_;
+  std::optional<TikhonovFamily> face_{};  // what constraints leave free
+};
+
+/// Every reading is taken for what it says.
+FrameAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double> readings,
+                          const SkinAlphaChooser& choose, std::optional<std::size_t> repeats) {
+  SkinFrameMethod frame(problem, readings, choose, repeats);
+  return answer(frame);
 }
 
 }  // namespace
@@ -220,26 +256,23 @@ std::span<const double> component(std::span<const double> values, const SurfaceG
   return first < values.size() ? values.subspan(first, grid.count()) : std::span<const double>{};
 }
 
-SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
-                 const SkinAlphaChooser& choose) {
+FrameAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
+                  const SkinAlphaChooser& choose, std::optional<std::size_t> repeats) {
   const SkinScene& scene = problem.scene();
   if (readings.size() != problem.layout().sites.size())
-    return solve_as_read(problem, readings, choose);  // which refuses them
-  const ClippedTaxels clipped = clipped_taxels(scene, problem.layout().sites, readings);
-  if (clipped.taxels.empty()) return solve_as_read(problem, readings, choose);
+    return solve_as_read(problem, readings, choose, repeats);  // which refuses them
+  remark::Clipped clipped = clipped_in(scene, problem.layout().sites, readings);
+  if (clipped.taxels.empty()) return solve_as_read(problem, readings, choose, repeats);
   std::vector<std::size_t> dead = scene.dead_taxels;
   dead.insert(dead.end(), clipped.taxels.begin(), clipped.taxels.end());
   std::sort(dead.begin(), dead.end());
-  const bool left_out =
+  clipped.left_out =
       clipped.range_known && is_measured(scene.sensor, dead, scene.reconstruct.offset);
-  SkinAnswer answer = left_out ? solve_as_read(*problem.left_with(dead), readings, {})
-                               : solve_as_read(problem, readings, choose);
-  answer.verdict = Verdict::clipped;
-  answer.remarks.emplace_back(remark::Clipped{.taxels = clipped.taxels,
-                                              .names = taxel_names(scene.sensor, clipped.taxels),
-                                              .range_known = clipped.range_known,
-                                              .left_out = left_out});
-  return answer;
+  FrameAnswer found = clipped.left_out
+                          ? solve_as_read(*problem.left_with(dead), readings, {}, repeats)
+                          : solve_as_read(problem, readings, choose, repeats);
+  note_clipped(found.verdict, found.remarks, std::move(clipped));
+  return found;
 }
 
 }  // namespace tactile_net::lab

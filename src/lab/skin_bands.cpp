@@ -166,7 +166,7 @@ ActiveFace with_cells_beside(ActiveFace face, const SurfaceGrid& grid) {
   return face;
 }
 
-void doubt_force(SkinAnswer& answer, double doubt) {
+void doubt_force(FrameAnswer& answer, double doubt) {
   Uncertain& force = answer.wrench.normal;
   force.deviation = std::hypot(force.deviation, doubt);
   answer.wrench.covariance[0] += doubt * doubt;
@@ -295,7 +295,7 @@ double pitch_in_depths(const SkinArray& skin) {
   return std::max(y, z) / least_depth(skin);
 }
 
-void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
+void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
                const FilterFrame& frame, const std::optional<TikhonovFamily>& face,
                std::span<const double> readings) {
   const SurfaceGrid& grid = problem.grid();

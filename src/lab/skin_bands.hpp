@@ -6,7 +6,7 @@
 #include <span>
 
 #include "lab/skin_method.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 
 namespace tactile_net::lab {
 
@@ -15,7 +15,7 @@ namespace tactile_net::lab {
 /// hold what the constraints have moved.
 ///
 /// @param face  what constraints leave free; absent: there are none, or they leave nothing
-void add_bands(SkinAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
+void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinMethod& method,
                const FilterFrame& frame, const std::optional<TikhonovFamily>& face,
                std::span<const double> readings);
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lab/lines_and_skins.hpp"
-#include "lab/skin_method.hpp"
 
 namespace tactile_net::lab {
 
@@ -47,11 +46,6 @@ DataJudge data_judge(const SkinSceneProblem& problem) {
           problem.shared_problem(), [scene, finer] { return SkinSceneProblem(scene).on(finer); },
           data_limits(problem));
   return DataJudge(problem.shared_problem(), {}, data_limits(problem));
-}
-
-DataVerdict data_verdict(const SkinSceneProblem& problem, std::span<const double> readings,
-                         std::span<const double> tractions) {
-  return method_of(problem)->judge(readings, tractions);
 }
 
 }  // namespace tactile_net::lab

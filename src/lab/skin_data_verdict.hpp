@@ -1,8 +1,7 @@
 /// @file
-/// Private. Whether a skin's frame can be true: one rule for every command, as
-/// lab/data_verdict.hpp.
+/// Whether a skin's frame can be true, as lab/data_verdict.hpp has it for lines. Private.
 ///
-///     answer.data = lab::data_verdict(problem, readings, answer.tractions);
+///     answer.data = problem.data_judge().judge(readings, answer.tractions);
 #pragma once
 
 #include <span>
@@ -35,12 +34,5 @@ namespace tactile_net::lab {
 /// outermost taxels; where that would have very many cells, or the noise is not known, on the
 /// tractions' own.
 [[nodiscard]] DataJudge data_judge(const SkinSceneProblem& problem);
-
-/// By the problem's own judge.
-///
-/// @param tractions  that a method found [Pa]
-[[nodiscard]] DataVerdict data_verdict(const SkinSceneProblem& problem,
-                                       std::span<const double> readings,
-                                       std::span<const double> tractions);
 
 }  // namespace tactile_net::lab

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
 
-void show(SkinRecordingAnswer& recording, const SkinAnswer& found) {
+void show(SkinRecordingAnswer& recording, const FrameAnswer& found) {
   const auto& frames = recording.frames;
   auto& shown = recording.shown;
   std::size_t& per_shown = recording.per_shown;
@@ -38,7 +38,7 @@ void show(SkinRecordingAnswer& recording, const SkinAnswer& found) {
 }  // namespace
 
 void SkinRecordingAnswer::add(std::optional<double> time, std::span<const double> frame_readings,
-                              const SkinAnswer& found, bool estimated) {
+                              const FrameAnswer& found, bool estimated) {
   frames.push_back(
       {.time = time.value_or(unknown_value),
        .estimated = estimated,
@@ -46,7 +46,7 @@ void SkinRecordingAnswer::add(std::optional<double> time, std::span<const double
        .alpha = found.alpha,
        .wrench = found.wrench,
        .friction = found.friction ? std::optional(found.friction->ratio) : std::nullopt,
-       .data = found.data});
+       .data = *found.data});
   show(*this, found);
   if (answer && found.wrench.normal.value <= answer->wrench.normal.value) return;
   hardest = frames.size() - 1;

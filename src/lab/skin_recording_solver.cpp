@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "lab/frame_sharing.hpp"
 #include "lab/in_order.hpp"
 #include "lab/pattern_cache.hpp"
 #include "numeric/threads.hpp"
-#include "tactile_net/inverse/shared_alpha.hpp"
+#include "tactile_net/lab/repeating_taxels.hpp"
 
 namespace tactile_net::lab {
 struct SkinRecordingSolver::Parts {
@@ -17,26 +17,15 @@ struct SkinRecordingSolver::Parts {
       : problem(std::move(given)),
         options(asked),
         patterns(problem.bytes()),
+        repeating(problem.scene().sensor, problem.scene().dead_taxels),
         checker(problem.scene()) {
-    if (options.share_alpha && problem.scene().reconstruct.alpha)
-      throw std::invalid_argument(
-          "frames share an alpha that a rule chooses, and this scene gives one");
-    if (options.share_alpha && problem.estimates_weight())
-      throw std::invalid_argument(
-          "frames share an alpha of one functional, and here each has a tangential_weight of its "
-          "own: state it");
-    if (options.share_alpha == std::size_t{0})
-      throw std::invalid_argument("an alpha is shared by at least one frame");
+    if (options.share_alpha) sharing.emplace(problem, *options.share_alpha);
   }
 
-  SkinAnswer solve_whole(std::span<const double> readings) {
-    if (!options.share_alpha) return lab::solve(problem, readings);
-    return lab::solve(problem, readings, [&](const FilterFrame& frame) {
-      if (!shared)
-        shared.emplace(AlphaTables(frame.gamma, frame.rows, frame.shares),
-                       problem.alpha_rule(frame), *options.share_alpha, problem.stated_noise());
-      return shared->push(frame);
-    });
+  FrameAnswer solve_whole(std::span<const double> readings) {
+    if (!sharing) return lab::solve(problem, readings, {}, repeating.first());
+    const auto choose = [&](const FilterFrame& frame) { return sharing->push(problem, frame); };
+    return lab::solve(problem, readings, choose, repeating.first());
   }
 
   /// The problem without the taxels that miss readings, which are 0 afterwards. Absent: no taxel is
@@ -58,7 +47,7 @@ struct SkinRecordingSolver::Parts {
   }
 
   /// In the order of frames.
-  void count(const std::optional<SkinAnswer>& answer, bool incomplete) {
+  void count(const std::optional<FrameAnswer>& answer, bool incomplete) {
     if (answer)
       solved.add({.alpha = answer->alpha, .verdict = answer->verdict, .data = answer->data},
                  incomplete);
@@ -68,14 +57,15 @@ struct SkinRecordingSolver::Parts {
 
   /// Frames that share an alpha depend on one another, and large skins keep what the last frame
   /// needed.
-  [[nodiscard]] bool one_by_one() const { return options.share_alpha || problem.is_large(); }
+  [[nodiscard]] bool one_by_one() const { return sharing || problem.is_large(); }
 
   SkinSceneProblem problem;
   RecordingSolverOptions options;
   PatternCache<SkinSceneProblem> patterns;
-  std::optional<SharedAlpha> shared{};
+  std::optional<FrameSharing> sharing{};
   std::optional<SkinSceneProblem> last{};  // absent: the recording's
   SolvedFrames solved{};
+  RepeatingTaxels repeating;
   ReadingsChecker checker;
 };
 
@@ -85,19 +75,20 @@ SkinRecordingSolver::~SkinRecordingSolver() = default;
 SkinRecordingSolver::SkinRecordingSolver(SkinRecordingSolver&&) noexcept = default;
 SkinRecordingSolver& SkinRecordingSolver::operator=(SkinRecordingSolver&&) noexcept = default;
 
-std::optional<SkinAnswer> SkinRecordingSolver::solve(std::span<double> readings,
-                                                     std::optional<double> time) {
+std::optional<FrameAnswer> SkinRecordingSolver::solve(std::span<double> readings,
+                                                      std::optional<double> time) {
   Parts& p = *parts_;
+  p.repeating.add(readings);
   p.checker.add(time, readings);
   const bool incomplete = p.is_incomplete(readings);
-  std::optional<SkinAnswer> answer;
+  std::optional<FrameAnswer> answer;
   if (!incomplete) {
     p.last.reset();
     answer = p.solve_whole(readings);
   } else if (p.options.missing == Missing::estimate) {
     if (std::optional<SkinSceneProblem> rest = p.rest(readings)) {
       p.last = std::move(rest);
-      answer = lab::solve(*p.last, readings);
+      answer = lab::solve(*p.last, readings, {}, p.repeating.first());
     }
   }
   p.count(answer, incomplete);
@@ -108,9 +99,10 @@ void SkinRecordingSolver::solve_all(const NextFrame& next, const UseAnswer& use,
                                     std::size_t threads) {
   struct Frame {
     std::vector<double> readings{};
+    std::optional<std::size_t> repeats{};  // the taxel that does, so far
     bool incomplete = false;
     std::optional<SkinSceneProblem> solved_with{};  // absent: the frame has no answer
-    std::optional<SkinAnswer> answer{};
+    std::optional<FrameAnswer> answer{};
   };
   Parts& p = *parts_;
   if (p.one_by_one()) {
@@ -124,6 +116,8 @@ void SkinRecordingSolver::solve_all(const NextFrame& next, const UseAnswer& use,
       [&](Frame& frame) {
         std::optional<double> time;
         if (!next(frame.readings, time)) return false;
+        p.repeating.add(frame.readings);
+        frame.repeats = p.repeating.first();
         p.checker.add(time, frame.readings);
         frame.incomplete = p.is_incomplete(frame.readings);
         if (!frame.incomplete)
@@ -133,7 +127,8 @@ void SkinRecordingSolver::solve_all(const NextFrame& next, const UseAnswer& use,
         return true;
       },
       [](Frame& frame) {
-        if (frame.solved_with) frame.answer = lab::solve(*frame.solved_with, frame.readings);
+        if (frame.solved_with)
+          frame.answer = lab::solve(*frame.solved_with, frame.readings, {}, frame.repeats);
       },
       [&](Frame& frame) {
         if (frame.answer) p.last = frame.incomplete ? std::move(frame.solved_with) : std::nullopt;

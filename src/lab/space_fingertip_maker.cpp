@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lab/referred_file.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -22,7 +22,7 @@ SkinScene read_skin(const std::filesystem::path& path) {
 }
 
 /// Torsion that the field bears without drag, over mu times the force.
-double radius_of(const SpaceFingertip& tip, const SkinAnswer& answer) {
+double radius_of(const SpaceFingertip& tip, const FrameAnswer& answer) {
   if (!answer.friction || !(answer.friction->lever_of_all > 0.0))
     fail_fingertip(tip,
                    "its skin does not tell how much torsion it can carry: give torsion_radius");
@@ -70,7 +70,7 @@ std::vector<double> SpaceFingertipMaker::readings_of(SpaceFingertip& tip,
 void SpaceFingertipMaker::press(SpaceFingertip& tip, const SpaceHandFinger& finger,
                                 const FingertipScene& source) {
   const SkinSceneProblem& problem = ready(source.scene);
-  SkinAnswer answer;
+  FrameAnswer answer;
   const std::vector<double> readings = readings_of(tip, source, problem.scene());
   try {
     answer = solve(problem, readings);

@@ -135,11 +135,9 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
   return bands;
 }
 
-std::optional<remark::ModelError> model_error(const FrameUncertainty& bands) noexcept {
-  const NoiseEstimate& noise = bands.noise;
+std::optional<remark::ModelError> model_error(const NoiseEstimate& noise, bool held) noexcept {
   if (noise.model_rms == 0.0) return std::nullopt;
-  return remark::ModelError{.times = noise.model_rms / *noise.stated_rms,
-                            .held = bands.holds_model_error};
+  return remark::ModelError{.times = noise.model_rms / *noise.stated_rms, .held = held};
 }
 
 }  // namespace tactile_net::lab

@@ -218,7 +218,7 @@ std::string pad_section_figure(const lab::SkinExperiment& experiment) {
 
 std::string judgement(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
-  const lab::SkinAnswer& answer = *experiment.answer;
+  const lab::FrameAnswer& answer = *experiment.answer;
   std::string html =
       element("h2", experiment.has_truth() ? "Found beside true" : "What was found") +
       drawing::html_table(report::found_cells(experiment));
@@ -226,7 +226,7 @@ std::string judgement(const lab::SkinExperiment& experiment) {
           drawing::escaped(drawing::typeset(
               "alpha " + brief(answer.alpha.value) + " (" + std::string(source(answer.alpha)) +
               "), " + report::grid_in_words(scene, experiment.grid) +
-              ". Data: " + report::data_word(answer.data, scene) + ".")) +
+              ". Data: " + report::data_word(*answer.data, scene) + ".")) +
           "</p>\n";
   if (answer.cone)
     html += element("p", "Under the constraints " + std::to_string(answer.cone->slip) +

@@ -87,7 +87,7 @@ Row row_of(const Point& point, const lab::SkinExperiment& experiment) {
   row.readings = raw_numbers(experiment.scene, experiment.frame.readings);
   row.truth = experiment.frame.truth;
   if (!experiment.answer) return row;
-  const lab::SkinAnswer& answer = *experiment.answer;
+  const lab::FrameAnswer& answer = *experiment.answer;
   row.verdict = lab::name(answer.verdict);
   row.alpha = answer.alpha.value;
   row.error = experiment.relative[0];
@@ -100,7 +100,7 @@ Row row_of(const Point& point, const lab::SkinExperiment& experiment) {
   if (wrench.centre_y) row.centre_y = wrench.centre_y->value;
   if (wrench.centre_z) row.centre_z = wrench.centre_z->value;
   row.tractions = answer.tractions;
-  row.condition = answer.condition;
+  row.condition = answer.condition->value;
   return row;
 }
 

@@ -13,6 +13,7 @@
 #include "tactile_net/control/batch.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
+#include "tactile_net/lab/repeating_taxels.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tests/catch.hpp"
@@ -33,6 +34,45 @@ TEMPLATE_TEST_CASE("readings a thousandth as large under such noise are the same
   CHECK_THAT(other.alpha.value / 1e-6, WithinRel(one.alpha.value / 1e-6, 1e-6));
   CHECK(other.verdict == one.verdict);
   CHECK(other.alpha.verdict == one.alpha.verdict);
+}
+
+TEMPLATE_TEST_CASE("a recording's frame is answered as run answers it", "[lab][laws]", Lines,
+                   Skins) {
+  const std::string weighed = "[reconstruct]\ntangential_weight = 1.0\n";
+  const std::string more =
+      GENERATE_COPY(weighed, weighed + "alpha = 1e6\n", weighed + "nonnegative = true\n",
+                    weighed + "offset = true\n");
+  CAPTURE(more);
+  const TestType sensor(scene<TestType>(more));
+  const FrameNumbers recorded = sensor.solve(sensor.readings());
+  const FrameNumbers once = sensor.run();
+  CHECK(apart(recorded.tractions, once.tractions) < 1e-7);
+  CHECK(apart(recorded.deviations, once.deviations) < 1e-6);
+  CHECK(recorded.alpha.value == once.alpha.value);
+  CHECK(recorded.verdict == once.verdict);
+  CHECK(recorded.data.doubts == once.data.doubts);
+  CHECK(recorded.offsets.size() == once.offsets.size());
+  CHECK(recorded.remarks == once.remarks);
+  if (more.find("1e6") != more.npos) CHECK(once.verdict != lab::Verdict::ok);
+}
+
+TEMPLATE_TEST_CASE("a taxel that repeats itself while the others move is doubted, once it has",
+                   "[lab][laws]", Lines, Skins) {
+  constexpr std::size_t stuck = TestType::taxels / 2;
+  const TestType sensor(scene<TestType>("[reconstruct]\ntangential_weight = 1.0\nalpha = 1e-5\n"));
+  const std::vector<double> g = sensor.readings();
+  auto solver = sensor.solver();
+  std::mt19937_64 random(9);
+  for (std::size_t k = 0; k <= lab::RepeatingTaxels::least_repeats; ++k) {
+    std::vector<double> frame = noisy(g, 1e-5, random);  // no single frame shows it
+    for (std::size_t c = 0; c < TestType::channels; ++c)
+      frame[c * TestType::taxels + stuck] = g[c * TestType::taxels + stuck];
+    const FrameNumbers found = TestType::answer(solver, frame);
+    CAPTURE(k);
+    CHECK(found.data.has(DataDoubt::bad_taxel) == (k == lab::RepeatingTaxels::least_repeats));
+    CHECK((found.verdict != lab::Verdict::ok || found.data.consistent()));
+    if (found.data.taxel) CHECK(*found.data.taxel == stuck);
+  }
 }
 
 TEMPLATE_TEST_CASE("units do not matter", "[lab][laws]", Lines, Skins) {

@@ -236,7 +236,7 @@ TEST_CASE("a second contact that is too weak to be certain is within the deviati
       pad + contact(-1.5, -1.0, 1.5, 1.0) + contact(2.2, 2.0, 0.8, weak) +
       "[noise]\nrms = 2e-4\n[reconstruct]\ntangential_weight = 1.0\n"
       "friction_limit = 0.8\n");
-  const lab::SkinAnswer answer = solve(sensor.problem, sensor.readings());
+  const lab::FrameAnswer answer = solve(sensor.problem, sensor.readings());
   const Uncertain& force = answer.wrench.normal;
   CAPTURE(answer.contacts, force.value, force.deviation);
   CHECK(answer.verdict == lab::Verdict::ok);

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tests/lab/large_skins.hpp"
 
@@ -23,7 +23,7 @@ const std::string limited =
     "[reconstruct]\ntangential_weight = 1.0\nfriction_limit = 0.6\nalpha = ";
 
 struct Answers {
-  lab::SkinAnswer large, dense;
+  lab::FrameAnswer large, dense;
 };
 
 Answers answers_of(const SkinScene& scene, const std::vector<double>& readings) {
@@ -35,7 +35,7 @@ Answers answers_of(const SkinScene& scene) {
   return answers_of(scene, lab::simulate(scene).readings);
 }
 
-bool all_finite(const lab::SkinAnswer& answer) {
+bool all_finite(const lab::FrameAnswer& answer) {
   const auto finite = [](double value) { return std::isfinite(value); };
   return std::all_of(answer.tractions.begin(), answer.tractions.end(), finite) &&
          std::all_of(answer.deviations.begin(), answer.deviations.end(), finite) &&
@@ -54,7 +54,7 @@ void check_alike(const Answers& both, double tolerance = 1e-6) {
   const auto& [large, dense] = both;
   CHECK(distance(large.tractions, dense.tractions) < tolerance * norm(dense.tractions));
   CHECK(large.verdict == dense.verdict);
-  CHECK(large.data.doubts == dense.data.doubts);
+  CHECK(large.data->doubts == dense.data->doubts);
   CHECK(large.contacts == dense.contacts);
   CHECK_THAT(large.unseen, WithinAbs(dense.unseen, 0.01));
   CHECK(all_finite(large));
@@ -151,7 +151,7 @@ TEST_CASE("readings of 0 are a large skin that nothing touches", "[lab][skin][la
   CHECK(both.large.cells.empty());
   CHECK(both.large.contacts == 0);
   CHECK(both.large.wrench.normal.value == 0.0);
-  CHECK(both.large.data.consistent());
+  CHECK(both.large.data->consistent());
   CHECK(all_finite(both.large));
 }
 
@@ -174,17 +174,17 @@ TEST_CASE("a frame of a large skin may have any size", "[lab][skin][large][hard]
   CAPTURE(scale, constrained);
   SkinScene scene = millimetre_skin((constrained ? limited : given) + "1e-4\n");
   std::vector<double> readings = lab::simulate(scene).readings;
-  const lab::SkinAnswer own = lab::solve(without_matrix(scene), readings);
+  const lab::FrameAnswer own = lab::solve(without_matrix(scene), readings);
   for (auto& [quantity, rms] : scene.noise->rms) rms *= scale;
   scene.material.youngs_modulus *= scale;  // what readings are plausible
   for (double& reading : readings) reading *= scale;
-  lab::SkinAnswer scaled = lab::solve(without_matrix(scene), readings);
+  lab::FrameAnswer scaled = lab::solve(without_matrix(scene), readings);
   for (double& traction : scaled.tractions) traction /= scale;
   for (double& deviation : scaled.deviations) deviation /= scale;
   CHECK(distance(scaled.tractions, own.tractions) < 1e-9 * norm(own.tractions));
   CHECK(distance(scaled.deviations, own.deviations) < 1e-6 * norm(own.deviations));
   CHECK(scaled.verdict == own.verdict);
-  CHECK(scaled.data.doubts == own.data.doubts);
+  CHECK(scaled.data->doubts == own.data->doubts);
   CHECK(scaled.cells == own.cells);
   CHECK_THAT(scaled.wrench.normal.value / scale, WithinRel(own.wrench.normal.value, 1e-9));
   CHECK_THAT(scaled.wrench.normal.deviation / scale, WithinRel(own.wrench.normal.deviation, 1e-7));
@@ -207,8 +207,8 @@ TEST_CASE("a large skin in mm and MPa has the tractions of the same skin in m an
   for (auto& [quantity, rms] : mm.noise->rms) rms *= 1e-6;
   const std::vector<double> readings = lab::simulate(scene).readings;
   const std::vector<double> own_readings = lab::simulate(mm).readings;
-  const lab::SkinAnswer si = lab::solve(without_matrix(scene), readings);
-  lab::SkinAnswer other = lab::solve(without_matrix(mm), own_readings);
+  const lab::FrameAnswer si = lab::solve(without_matrix(scene), readings);
+  lab::FrameAnswer other = lab::solve(without_matrix(mm), own_readings);
   for (double& traction : other.tractions) traction *= 1e6;
   for (double& deviation : other.deviations) deviation *= 1e6;
   CHECK_THAT(other.alpha.value, WithinRel(si.alpha.value, 1e-6));
@@ -235,8 +235,8 @@ TEST_CASE("a large skin turned round finds the same turned round",
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t i = 0; i < 132; ++i)
       other[132 * c + i] = (c == 0 ? 1.0 : -1.0) * readings[132 * c + 131 - i];
-  const lab::SkinAnswer own = lab::solve(without_matrix(scene), readings);
-  const lab::SkinAnswer found = lab::solve(without_matrix(turned), other);
+  const lab::FrameAnswer own = lab::solve(without_matrix(scene), readings);
+  const lab::FrameAnswer found = lab::solve(without_matrix(turned), other);
   const std::size_t cells = own.tractions.size() / 3;
   std::vector<double> back(own.tractions.size());
   for (std::size_t u = 0; u < 3; ++u)
@@ -260,7 +260,7 @@ TEST_CASE("what presses on a large skin is what was put on it", "[lab][skin][lar
     return lab::simulate(silent).readings;
   }();
   const lab::SkinSceneProblem problem = without_matrix(scene);
-  const lab::SkinAnswer answer = lab::solve(problem, readings);
+  const lab::FrameAnswer answer = lab::solve(problem, readings);
   const SurfaceGrid& grid = problem.grid();
   const auto sum = [&](Traction which) {
     const auto f = lab::component(answer.tractions, grid, which);

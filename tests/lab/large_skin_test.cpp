@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "src/report/words/skin_remark_words.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_recording_solver.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -24,7 +24,7 @@ using namespace tactile_net;
 namespace {
 
 /// Their alphas' priors hear four probes, and their faces differ in cells that hardly touch.
-void check_like_under_constraints(const lab::SkinAnswer& large, const lab::SkinAnswer& dense) {
+void check_like_under_constraints(const lab::FrameAnswer& large, const lab::FrameAnswer& dense) {
   const Uncertain& found = large.wrench.normal;
   const Uncertain& expected = dense.wrench.normal;
   CAPTURE(found.value, found.deviation, expected.value, expected.deviation);
@@ -42,12 +42,12 @@ TEST_CASE("with a given alpha a large skin's answer is the dense one", "[lab][sk
     const SkinScene scene = millimetre_skin(
         std::string(dead) + "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
     const std::vector<double> readings = lab::simulate(scene).readings;
-    const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
-    const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
+    const lab::FrameAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
+    const lab::FrameAnswer large = lab::solve(without_matrix(scene), readings);
     CHECK(distance(large.tractions, dense.tractions) < 1e-6 * norm(dense.tractions));
     CHECK(large.verdict == dense.verdict);
-    CHECK(large.data.doubts == dense.data.doubts);
-    CHECK_THAT(large.data.residual_limit, WithinRel(dense.data.residual_limit, 1e-12));
+    CHECK(large.data->doubts == dense.data->doubts);
+    CHECK_THAT(large.data->residual_limit, WithinRel(dense.data->residual_limit, 1e-12));
     CHECK_FALSE(dense.iteration);
     REQUIRE(large.iteration);
     CHECK(large.iteration->steps > 0);
@@ -76,14 +76,14 @@ TEST_CASE("with a rule for alpha a large skin finds what the dense one finds",
     const SkinScene scene = millimetre_skin("[reconstruct]\ntangential_weight = 1.0\nalpha = \"" +
                                             std::string(rule) + "\"\n");
     const std::vector<double> readings = lab::simulate(scene).readings;
-    const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
-    const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
+    const lab::FrameAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
+    const lab::FrameAnswer large = lab::solve(without_matrix(scene), readings);
     CAPTURE(rule, dense.alpha.value, large.alpha.value);
     // Four probes of few readings: on larger skins they agree to 15 %.
     CHECK_THAT(large.alpha.value, WithinRel(dense.alpha.value, 0.35));
     CHECK(distance(large.tractions, dense.tractions) < 0.05 * norm(dense.tractions));
     CHECK(std::abs(large.wrench.normal.value - 0.5) < 4.0 * large.wrench.normal.deviation);
-    const lab::SkinAnswer again = lab::solve(without_matrix(scene), readings);
+    const lab::FrameAnswer again = lab::solve(without_matrix(scene), readings);
     CHECK(again.tractions == large.tractions);
     CHECK(again.deviations == large.deviations);
     CHECK(again.wrench.normal.deviation == large.wrench.normal.deviation);
@@ -94,8 +94,8 @@ TEST_CASE("a large skin under a friction limit obeys it, as the dense one", "[la
   const SkinScene scene = millimetre_skin(
       "[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\nfriction_limit = 0.6\n");
   const std::vector<double> readings = lab::simulate(scene).readings;
-  const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
-  const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
+  const lab::FrameAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
+  const lab::FrameAnswer large = lab::solve(without_matrix(scene), readings);
   REQUIRE(large.cone);
   CHECK(large.verdict == dense.verdict);
   CHECK(large.cone->residual <= 1e-6);
@@ -114,8 +114,8 @@ TEST_CASE("where nothing may pull a large skin's bands are the dense ones",
         std::string(unknown));
     std::get<SkinContact>(scene.contacts.front()).friction = 0.0;
     const std::vector<double> readings = lab::simulate(scene).readings;
-    const lab::SkinAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
-    const lab::SkinAnswer large = lab::solve(without_matrix(scene), readings);
+    const lab::FrameAnswer dense = lab::solve(lab::SkinSceneProblem(scene), readings);
+    const lab::FrameAnswer large = lab::solve(without_matrix(scene), readings);
     REQUIRE(large.cone);
     CHECK(large.verdict == dense.verdict);
     check_like_under_constraints(large, dense);
@@ -134,8 +134,8 @@ TEST_CASE("contacts far apart on a large skin have the bands of each", "[lab][sk
     std::get<SkinContact>(scene.contacts.front()).z = z;
     return lab::solve(without_matrix(scene), lab::simulate(scene).readings);
   };
-  const lab::SkinAnswer both = solved(second + limits, -11e-3);
-  const lab::SkinAnswer one = solved(limits, -11e-3);
+  const lab::FrameAnswer both = solved(second + limits, -11e-3);
+  const lab::FrameAnswer one = solved(limits, -11e-3);
   CHECK(both.contacts == 2);
   CHECK(one.contacts == 1);
   CHECK(std::abs(both.wrench.normal.value - 0.9) < 4.0 * both.wrench.normal.deviation);
@@ -149,7 +149,7 @@ TEST_CASE("an even noise that constraints forbid nothing of is not taken for a m
   // The noise is as stated: what it leaves is judged by what constraints leave free.
   const SkinScene scene = millimetre_skin(
       "[reconstruct]\ntangential_weight = 1.0\nfriction_limit = 0.6\n", "rows = 24\ncolumns = 24");
-  const lab::SkinAnswer large = lab::solve(without_matrix(scene), lab::simulate(scene).readings);
+  const lab::FrameAnswer large = lab::solve(without_matrix(scene), lab::simulate(scene).readings);
   CHECK(large.noise.model_rms == 0.0);
   CHECK_THAT(large.noise.residual_rms, WithinRel(100.0, 0.05));
 }
@@ -161,7 +161,7 @@ TEST_CASE("the weight of a large skin's drags is that of its strongest part",
   const std::vector<double> readings = lab::simulate(scene).readings;
   const lab::SkinSceneProblem problem = without_matrix(scene);
   REQUIRE(problem.estimates_weight());
-  const lab::SkinAnswer answer = lab::solve(problem, readings);
+  const lab::FrameAnswer answer = lab::solve(problem, readings);
   REQUIRE(answer.alpha.tangential_weight);
   const double dense = lab::SkinSceneProblem(scene).likeliest_weight(readings);
   CHECK(*answer.alpha.tangential_weight >= 0.49 * dense);
@@ -179,7 +179,7 @@ TEST_CASE("loads that mirror each other have answers that do", "[lab][skin][larg
   scene.noise.reset();
   const std::vector<double> readings = lab::simulate(scene).readings;
   const lab::SkinSceneProblem problem = without_matrix(scene);
-  const lab::SkinAnswer answer = lab::solve(problem, readings);
+  const lab::FrameAnswer answer = lab::solve(problem, readings);
   const SurfaceGrid& grid = problem.grid();
   const std::size_t cells = grid.count();
   double peak = 0.0;
@@ -198,25 +198,25 @@ TEST_CASE("a large skin doubts readings that no contact can cause", "[lab][skin]
   const SkinScene scene = millimetre_skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
   const std::vector<double> honest = lab::simulate(scene).readings;
   const lab::SkinSceneProblem problem = without_matrix(scene);
-  CHECK(lab::solve(problem, honest).data.consistent());
+  CHECK(lab::solve(problem, honest).data->consistent());
 
   std::vector<double> spiked = honest;
   spiked[40] += 2e4;
-  const DataVerdict bad = lab::solve(problem, spiked).data;
+  const DataVerdict bad = lab::solve(problem, spiked).data.value();
   REQUIRE(bad.has(DataDoubt::bad_taxel));
   CHECK(bad.taxel == 40);
 
   std::vector<double> turned = honest;
   for (double& reading : turned) reading = -reading;
-  CHECK(lab::solve(problem, turned).data.has(DataDoubt::pulls));
+  CHECK(lab::solve(problem, turned).data->has(DataDoubt::pulls));
 
   std::vector<double> strange = honest;
   for (std::size_t i = 0; i < strange.size(); ++i) strange[i] += i % 2 == 0 ? 2e3 : -2e3;
-  CHECK(lab::solve(problem, strange).data.has(DataDoubt::misfit));
+  CHECK(lab::solve(problem, strange).data->has(DataDoubt::misfit));
 
   std::vector<double> beyond = honest;
   for (double& reading : beyond) reading *= 1e3;
-  CHECK(lab::solve(problem, beyond).data.has(DataDoubt::implausible));
+  CHECK(lab::solve(problem, beyond).data->has(DataDoubt::implausible));
 }
 
 TEST_CASE(
@@ -262,7 +262,7 @@ TEST_CASE("a recording of a large skin is solved frame by frame, gaps included",
   dead.dead_taxels = {100};
   std::vector<double> without = readings;
   for (std::size_t c = 0; c < 3; ++c) without[c * 132 + 100] = 0.0;
-  const lab::SkinAnswer expected = lab::solve(lab::SkinSceneProblem(dead), without);
+  const lab::FrameAnswer expected = lab::solve(lab::SkinSceneProblem(dead), without);
   CHECK(distance(second->tractions, expected.tractions) < 1e-6 * norm(expected.tractions));
   std::vector<double> again = readings;
   CHECK(solver.solve(again)->tractions == first->tractions);
@@ -349,7 +349,7 @@ TEST_CASE("a scene says itself how it is solved", "[lab][skin][large]") {
 }
 
 TEST_CASE("of a large skin is said how far single cells' bands are off", "[lab][skin][large]") {
-  lab::SkinAnswer answer{.iteration = lab::SkinAnswer::Iteration{.steps = 30}};
+  lab::FrameAnswer answer{.iteration = lab::FrameAnswer::Iteration{.steps = 30}};
   const auto said = [&](double least, double most) {
     answer.iteration->bands = {41, least, most};
     return report::without_matrix(answer);

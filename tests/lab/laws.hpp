@@ -8,18 +8,19 @@
 #include <numeric>
 #include <random>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "tactile_net/lab/data_verdict.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
-#include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/scene/any_scene.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -36,6 +37,31 @@ struct FrameNumbers {
   lab::Verdict verdict = lab::Verdict::ok;
   DataVerdict data{};
   std::vector<double> offsets{};
+  std::vector<std::size_t> remarks{};  ///< which of the kinds, in their order
+};
+
+inline FrameNumbers numbers_of(lab::FrameAnswer found) {
+  FrameNumbers all{.tractions = std::move(found.tractions),
+                   .deviations = std::move(found.deviations),
+                   .alpha = found.alpha,
+                   .verdict = found.verdict,
+                   .data = found.data.value(),
+                   .offsets = std::move(found.offsets)};
+  const UncertainWrench& wrench = found.wrench;
+  if (found.bands) {
+    all.force = found.bands->resultant.normal;
+    if (found.bands->resultant.centre) all.centre = {*found.bands->resultant.centre};
+  } else {
+    all.force = wrench.normal;
+    if (wrench.centre_y && wrench.centre_z) all.centre = {*wrench.centre_y, *wrench.centre_z};
+  }
+  for (const lab::Remark& one : found.remarks) all.remarks.push_back(one.index());
+  return all;
+}
+
+/// For runs in which no circuit is relaxed.
+struct UnusedSimulator : Simulator {
+  Simulation run(const std::string&) override { throw std::logic_error("no circuit is asked for"); }
 };
 
 inline const std::string pad = "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n";
@@ -123,20 +149,33 @@ struct Lines : SensorProblem<lab::SceneProblem> {
             {centre}};
   }
   [[nodiscard]] static FrameNumbers answer(Solver& solver, std::vector<double> g) {
-    FrameNumbers all{.tractions = std::vector<double>(solver.tractions())};
-    const auto result = solver.solve(g, all.tractions);
+    std::vector<double> tractions(solver.tractions());
+    const auto result = solver.solve(g, tractions);
     REQUIRE(result);
     REQUIRE(result->status == FrameStatus::ok);
-    const lab::SceneFrame frame(solver.problem(), g);
-    const lab::FrameUncertainty bands = lab::uncertainty(frame, all.tractions, *result);
-    all.deviations = bands.deviation;
-    all.force = bands.resultant.normal;
-    if (bands.resultant.centre) all.centre = {*bands.resultant.centre};
-    all.offsets = bands.offsets;
-    all.alpha = *result->alpha;
-    all.verdict = result->verdict;
-    all.data = *result->data;
-    return all;
+    return numbers_of(lab::with_bands(lab::SceneFrame(solver.problem(), g), tractions, *result));
+  }
+  /// What `run` makes of the scene's own readings.
+  [[nodiscard]] FrameNumbers run() const {
+    UnusedSimulator simulator;
+    const lab::Experiment experiment = lab::run(problem.scene(), simulator);
+    const lab::MethodResult& found = experiment.results.front();
+    REQUIRE(found.has_answer());
+    lab::FrameAnswer answer{.tractions = found.normal.traction,
+                            .deviations = found.normal.deviation,
+                            .alpha = *found.alpha,
+                            .verdict = found.verdict,
+                            .data = found.data,
+                            .offsets = found.offsets,
+                            .bands = lab::FrameUncertainty{.resultant = *found.resultant}};
+    const auto append = [](std::vector<double>& to, const std::vector<double>& values) {
+      to.insert(to.end(), values.begin(), values.end());
+    };
+    append(answer.tractions, found.tangential.traction);
+    append(answer.deviations, found.tangential.deviation);
+    for (const lab::Remark& one : found.remarks)
+      if (!std::holds_alternative<lab::remark::Hidden>(one)) answer.remarks.push_back(one);
+    return numbers_of(std::move(answer));
   }
   [[nodiscard]] Solver solver(lab::RecordingSolverOptions options = {}) const {
     return {problem, Method::tikhonov, options};
@@ -226,17 +265,12 @@ struct Skins : SensorProblem<lab::SkinSceneProblem> {
   [[nodiscard]] static FrameNumbers answer(Solver& solver, std::vector<double> g) {
     const auto found = solver.solve(g);
     REQUIRE(found);
-    const UncertainWrench& wrench = found->wrench;
-    std::vector<Uncertain> centre;
-    if (wrench.centre_y && wrench.centre_z) centre = {*wrench.centre_y, *wrench.centre_z};
-    return {.tractions = found->tractions,
-            .deviations = found->deviations,
-            .force = wrench.normal,
-            .centre = std::move(centre),
-            .alpha = found->alpha,
-            .verdict = found->verdict,
-            .data = found->data,
-            .offsets = found->offsets};
+    return numbers_of(*found);
+  }
+  [[nodiscard]] FrameNumbers run() const {
+    const lab::SkinExperiment experiment = lab::run(problem.scene());
+    REQUIRE(experiment.answer);
+    return numbers_of(*experiment.answer);
   }
   [[nodiscard]] Solver solver(lab::RecordingSolverOptions options = {}) const {
     return Solver(problem, options);

@@ -219,6 +219,7 @@ TEST_CASE("a single frame shares its alpha with none", "[lab][method]") {
           FrameStatus::ok);
   CHECK(first == alone);
   CHECK_THROWS_AS(make_sharing_solver(problem, Method::dft, 20), std::invalid_argument);
+  CHECK_THROWS_AS(make_sharing_solver(problem, Method::tikhonov, 0), std::invalid_argument);
 }
 
 }  // namespace tactile_net::lab

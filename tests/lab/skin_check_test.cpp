@@ -296,7 +296,7 @@ TEST_CASE("a skin's drift is told whoever solves it, frame by frame or all at on
           readings = recording.frames[next++];
           return true;
         },
-        [](std::span<const double>, const std::optional<lab::SkinAnswer>&) {}, 2);
+        [](std::span<const double>, const std::optional<lab::FrameAnswer>&) {}, 2);
   });
   REQUIRE(one_by_one.size() == 1);
   REQUIRE(at_once.size() == 1);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lab/skin_data_verdict.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
@@ -58,19 +58,19 @@ Errors errors_of(int draws, const std::string& rows, const std::string& pitch, d
     scene.noise.reset();
     std::vector<double> readings = lab::simulate(scene).readings;
     for (double& reading : readings) reading += noise(random) + baseline;
-    const lab::SkinAnswer answer = lab::solve(*problem, readings);
+    const lab::FrameAnswer answer = lab::solve(*problem, readings);
     REQUIRE(answer.wrench.centre_y);
     const double force = answer.wrench.normal.value - 500.0;
     const double of_force = force / answer.wrench.normal.deviation;
     const double of_y = (answer.wrench.centre_y->value - y) / answer.wrench.centre_y->deviation;
     const double of_z = (answer.wrench.centre_z->value - z) / answer.wrench.centre_z->deviation;
     CAPTURE(i, y, z, force, of_force, of_y, of_z);
-    if (answer.data.consistent())  // of readings that cannot be true no deviation says anything
+    if (answer.data->consistent())  // of readings that cannot be true no deviation says anything
       CHECK(std::max({std::abs(of_force), std::abs(of_y), std::abs(of_z)}) < 4.0);
     errors.held += std::max({std::abs(of_force), std::abs(of_y), std::abs(of_z)}) <= 2.0;
     errors.sum += of_force;
     errors.square += force * force;
-    errors.doubted += !answer.data.consistent();
+    errors.doubted += !answer.data->consistent();
   }
   return errors;
 }
@@ -129,7 +129,7 @@ seed = )" + std::to_string(i + 1) +
             "\nforce = " + std::to_string(force) + "\n",
         "gel.toml"));
     if (!problem) problem.emplace(scene);
-    const lab::SkinAnswer answer = lab::solve(*problem, lab::simulate(scene).readings);
+    const lab::FrameAnswer answer = lab::solve(*problem, lab::simulate(scene).readings);
     const Uncertain& found = answer.wrench.normal;
     const double error = found.value - force;
     CAPTURE(i, radius, force, found.value, found.deviation);
@@ -322,7 +322,7 @@ TEST_CASE("a gap that taxels stand around is seen, one at the end is not", "[lab
 TEST_CASE("a row of --uncertainty has the names that its header has", "[lab][skin][report]") {
   for (const char* more : {"friction_limit = 0.8\noffset = true\n", "tangential = false\n"}) {
     const SkinScene scene = square_skin("6", "2.0", 0.0, 0.0, more);
-    const lab::SkinAnswer answer =
+    const lab::FrameAnswer answer =
         lab::solve(lab::SkinSceneProblem(scene), lab::simulate(scene).readings);
     const std::vector<std::string> names = report::uncertainty_columns(scene);
     const std::vector<double> values = report::uncertainty_values(answer, scene);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
@@ -119,7 +119,7 @@ TEST_CASE("a friction limit below the true one is doubted, an honest one is not"
           "[lab][skin][data][long]") {
   const auto data = [](const std::string& limit) {
     const SkinScene scene = with_noise(touched_skin(1.0, 0.5, 3.0, limit), 0.01, 2);
-    return lab::run(scene).answer->data;
+    return *lab::run(scene).answer->data;
   };
   CHECK(data("").consistent());
   CHECK(data("[reconstruct]\nfriction_limit = 0.8\n").consistent());
@@ -161,7 +161,7 @@ TEST_CASE("force and centre of a skin know no units", "[lab][skin][edge][long]")
       // Its own readings, which are the same numbers but for the pressure.
       std::vector<double> readings = here.frame.readings;
       for (double& reading : readings) reading *= pascal;
-      const lab::SkinAnswer there = lab::solve(lab::SkinSceneProblem(other), readings);
+      const lab::FrameAnswer there = lab::solve(lab::SkinSceneProblem(other), readings);
       CAPTURE(metre, pascal);
       REQUIRE(there.wrench.centre_y);
       CHECK_THAT(there.wrench.centre_y->value / metre,

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lab/skin_data_verdict.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -31,13 +31,13 @@ SkinScene pressed_skin(double y, double z, const std::string& more = "",
       "skin.toml"));
 }
 
-lab::SkinAnswer answer_of_skin(const SkinScene& scene) {
+lab::FrameAnswer answer_of_skin(const SkinScene& scene) {
   lab::SkinExperiment found = lab::run(scene);
   REQUIRE(found.answer);
   return *std::move(found.answer);
 }
 
-const lab::remark::Clipped* clipped_of(const lab::SkinAnswer& answer) {
+const lab::remark::Clipped* clipped_of(const lab::FrameAnswer& answer) {
   for (const lab::Remark& remark : answer.remarks)
     if (const auto* found = std::get_if<lab::remark::Clipped>(&remark)) return found;
   return nullptr;
@@ -62,9 +62,9 @@ TEST_CASE("a skin that nothing presses has no fault", "[lab][skin][verdict]") {
   scene.contacts.clear();
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     scene.noise->seed = seed;
-    const lab::SkinAnswer answer = answer_of_skin(scene);
+    const lab::FrameAnswer answer = answer_of_skin(scene);
     CAPTURE(seed, name(answer.verdict));
-    REQUIRE(answer.data.noise_alone);
+    REQUIRE(answer.data->noise_alone);
     CHECK(is_faultless(answer.verdict));
   }
 }
@@ -75,7 +75,7 @@ TEST_CASE("taxels at the end of a skin's range are left out and named", "[lab][s
   scene.saturation.emplace();
   for (const Quantity quantity : scene.sensor.reads)
     scene.saturation->range[quantity] = {-5.0, 5.0};
-  const lab::SkinAnswer answer = answer_of_skin(scene);
+  const lab::FrameAnswer answer = answer_of_skin(scene);
   CHECK(answer.verdict == lab::Verdict::clipped);
   const lab::remark::Clipped* clipped = clipped_of(answer);
   REQUIRE(clipped);
@@ -106,7 +106,7 @@ TEST_CASE("readings that pile up at one value are no honest skin's", "[lab][skin
   const lab::SkinSceneProblem problem(scene);
   CHECK_FALSE(clipped_of(lab::solve(problem, readings)));
   for (double& reading : readings) reading = std::clamp(reading, -3.0, 3.0);
-  const lab::SkinAnswer answer = lab::solve(problem, readings);
+  const lab::FrameAnswer answer = lab::solve(problem, readings);
   CHECK(answer.verdict == lab::Verdict::clipped);
   REQUIRE(clipped_of(answer));
   CHECK_FALSE(clipped_of(answer)->left_out);
@@ -144,7 +144,7 @@ TEST_CASE("the place of a contact of one row of cells is not certain", "[lab][sk
   for (double& reading : readings) reading = std::clamp(reading, -3.0, 3.0);
   scene.noise.reset();  // or all that could explain them is sought
   scene.reconstruct.alpha = 2.32e-6;
-  const lab::SkinAnswer answer = lab::solve(lab::SkinSceneProblem(scene), readings);
+  const lab::FrameAnswer answer = lab::solve(lab::SkinSceneProblem(scene), readings);
   std::vector<std::size_t> pressed;
   for (const std::size_t cell : answer.cells)
     if (answer.tractions[cell] != 0.0) pressed.push_back(cell);

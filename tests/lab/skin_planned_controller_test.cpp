@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -72,7 +72,7 @@ TEST_CASE("a controller of a skin finds what `solve` finds, dead taxels or not",
     ContactEstimate estimate{.tractions = f};
     const std::vector<double> readings = lab::simulate(problem.scene()).readings;
     REQUIRE(estimator.update(readings, estimate) == FrameStatus::ok);
-    const lab::SkinAnswer answer = solve(problem, readings);
+    const lab::FrameAnswer answer = solve(problem, readings);
     double apart = 0.0;
     double size = 0.0;
     for (std::size_t i = 0; i < f.size(); ++i) {

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "tactile_net/lab/skin_answer.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"

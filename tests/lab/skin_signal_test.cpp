@@ -108,7 +108,7 @@ TEST_CASE("a frame that misses readings is solved as if their taxels were dead",
   std::vector<double> zeros = readings;
   for (std::size_t i = 0; i < zeros.size(); ++i)
     if (i % 20 == 3 || i % 20 == 7) zeros[i] = 0.0;
-  const lab::SkinAnswer expected = lab::solve(lab::SkinSceneProblem(dead), zeros);
+  const lab::FrameAnswer expected = lab::solve(lab::SkinSceneProblem(dead), zeros);
   CHECK(distance(found->tractions, expected.tractions) <= 1e-9 * norm(expected.tractions));
   CHECK_THAT(found->alpha.value, WithinRel(expected.alpha.value, 1e-6));
   CHECK(solver.problem().scene().dead_taxels == dead.dead_taxels);
@@ -169,8 +169,8 @@ TEST_CASE("offsets that are not known change no answer, and are said", "[lab][sk
   std::vector<double> moved = readings;
   const std::vector<double> off{0.5, -0.25, 2.0};
   for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += off[i / 20];
-  const lab::SkinAnswer a = lab::solve(problem, readings);
-  const lab::SkinAnswer b = lab::solve(problem, moved);
+  const lab::FrameAnswer a = lab::solve(problem, readings);
+  const lab::FrameAnswer b = lab::solve(problem, moved);
   CHECK(distance(a.tractions, b.tractions) <= 1e-9 * norm(a.tractions));
   REQUIRE(b.offsets.size() == 3);
   for (std::size_t c = 0; c < 3; ++c)

@@ -36,14 +36,14 @@ SkinScene sliding(const std::string& more, std::size_t side = 4) {
 }
 
 /// What a frame amounts to, number by number.
-std::vector<double> answer_numbers(const std::optional<lab::SkinAnswer>& answer) {
+std::vector<double> answer_numbers(const std::optional<lab::FrameAnswer>& answer) {
   if (!answer) return {};
   std::vector<double> all = answer->tractions;
   all.insert(all.end(), answer->deviations.begin(), answer->deviations.end());
   all.insert(all.end(), answer->wrench.covariance.begin(), answer->wrench.covariance.end());
   all.insert(all.end(),
              {answer->alpha.value, answer->wrench.normal.value, answer->wrench.normal.deviation,
-              answer->data.residual_rms, answer->noise.rms(), static_cast<double>(answer->verdict),
+              answer->data->residual_rms, answer->noise.rms(), static_cast<double>(answer->verdict),
               static_cast<double>(answer->cells.size())});
   return all;
 }
@@ -65,7 +65,7 @@ Solved solved_recording(const SkinScene& scene, const std::vector<std::vector<do
         readings = frames[at++];
         return true;
       },
-      [&](std::span<const double>, const std::optional<lab::SkinAnswer>& answer) {
+      [&](std::span<const double>, const std::optional<lab::FrameAnswer>& answer) {
         result.answers.push_back(answer_numbers(answer));
       },
       threads);
@@ -166,7 +166,7 @@ TEST_CASE("a frame that fails does so after all before it were used",
     readings = frames[at++];
     return true;
   };
-  const auto use = [&](std::span<const double>, const std::optional<lab::SkinAnswer>&) { ++used; };
+  const auto use = [&](std::span<const double>, const std::optional<lab::FrameAnswer>&) { ++used; };
   CHECK_THROWS_AS(solver.solve_all(next, use, threads), std::invalid_argument);
   CHECK(used == 6);
   CHECK(solver.solved().frames == 6);

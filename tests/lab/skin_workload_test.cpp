@@ -40,12 +40,12 @@ TEST_CASE("what is said of a skin's work is what its run does", "[lab][skin][wor
       const SkinWorkload work = workload(scene);
       const SkinExperiment experiment = run(scene);
       REQUIRE(experiment.answer);
-      const SkinAnswer& answer = *experiment.answer;
+      const FrameAnswer& answer = *experiment.answer;
       const auto does = [&](SkinComputation what) { return work.task(what).done; };
       CHECK(does(SkinComputation::tangential) == (answer.tractions.size() > grid(scene).count()));
       CHECK(does(SkinComputation::constraints) == answer.cone.has_value());
       CHECK(does(SkinComputation::weights) == answer.alpha.tangential_weight.has_value());
-      CHECK(does(SkinComputation::data_verdict) == answer.data.noise_known);
+      CHECK(does(SkinComputation::data_verdict) == answer.data->noise_known);
       CHECK(does(SkinComputation::bands) == !answer.deviations.empty());
       CHECK_FALSE(does(SkinComputation::report));
       const SkinWorkload::Task& rule = work.task(SkinComputation::alpha_rule);

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "tactile_net/frames/frame_of.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"

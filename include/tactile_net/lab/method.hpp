@@ -28,6 +28,8 @@ struct FrameResult {
   FrameStatus status = FrameStatus::ok;  ///< else there is no answer, and nothing below means much
   std::optional<ChosenAlpha> alpha{};    ///< absent: the method has none
   Verdict verdict = Verdict::ok;
+  /// Before readings and bands were judged; absent: nobody has.
+  std::optional<Verdict> solved{};
   std::optional<Condition> condition{};  ///< of the system that was solved
   Remarks remarks{};
   std::optional<ConstrainedSolution> constrained{};
@@ -45,6 +47,20 @@ class FrameSolver {
   ///                    status is `ok`
   [[nodiscard]] virtual FrameResult solve(std::span<const double> readings,
                                           std::span<double> tractions) = 0;
+
+  /// What weighs the frame in `solve`; absent: the method has no alpha.
+  /// @param frame  of the solver's problem
+  [[nodiscard]] virtual std::optional<ChosenAlpha> alpha_of(const SceneFrame& /*frame*/) {
+    return std::nullopt;
+  }
+  /// `solve` of a frame whose alpha is known, which others ask too. Its verdict is of the tractions
+  /// alone, and not of alpha.
+  ///
+  /// @param alpha  that this solver was made for, or has chosen
+  [[nodiscard]] virtual FrameResult solve_by(const SceneFrame& frame, const ChosenAlpha& /*alpha*/,
+                                             std::span<double> tractions) {
+    return solve(frame.readings(), tractions);
+  }
 
   /// How many tractions a frame has: count, or twice that.
   [[nodiscard]] virtual std::size_t tractions() const = 0;
@@ -89,7 +105,8 @@ struct MethodTraits {
 /// up to `frames` - 1 before it together, so that tractions flicker as with a fixed alpha.
 ///
 /// @param frames  >= 1; 1: as `make_solver`
-/// @throw std::invalid_argument  the scene gives alpha, or the method is no tikhonov, as above too
+/// @throw std::invalid_argument  the scene gives alpha, no frame shares, or the method is no
+///                               tikhonov; as above too
 [[nodiscard]] std::unique_ptr<FrameSolver> make_sharing_solver(const SceneProblem& problem,
                                                                Method method, std::size_t frames);
 

@@ -49,6 +49,15 @@ class IncompleteFrames {
   [[nodiscard]] std::optional<FrameResult> solve(std::span<double> readings,
                                                  std::span<double> tractions);
 
+  /// What solves a frame of which some taxels are missing.
+  struct Rest {
+    const SceneProblem& problem;
+    FrameSolver& solver;
+  };
+  /// @param readings  as above
+  /// @return          absent: no taxel is left
+  [[nodiscard]] std::optional<Rest> rest(std::span<double> readings);
+
   /// The problem that the last frame was solved with.
   [[nodiscard]] const SceneProblem& problem() const noexcept;
   /// How many patterns are kept.

@@ -73,6 +73,11 @@ class RecordingSolver {
   }
 
  private:
+  /// What solves a frame without the taxels that miss readings or are clipped, whose readings are 0
+  /// afterwards. Absent: no taxel is left.
+  std::optional<IncompleteFrames::Rest> without(std::span<double> readings,
+                                                const remark::Clipped& clipped);
+
   SceneProblem problem_;
   Method method_;
   std::vector<Site> sites_;

@@ -3,7 +3,7 @@
 /// writes as a deck.
 ///
 ///     const lab::SkinSceneProblem problem(skin);
-///     const lab::SkinAnswer answer = lab::solve(problem, readings);
+///     const lab::FrameAnswer answer = lab::solve(problem, readings);
 ///     const NetworkCircuit circuit(Realization::least_squares,
 ///         std::make_shared<const NetworkProblem>(
 ///             lab::skin_network_problem(problem.problem(), answer.alpha.value, readings)), {});

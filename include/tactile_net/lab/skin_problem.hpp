@@ -2,7 +2,7 @@
 /// What follows from a skin's scene alone: each thing made once, when it is first asked for.
 ///
 ///     const lab::SkinSceneProblem problem(std::get<SkinScene>(read_any_scene("skin.toml")));
-///     const lab::SkinAnswer answer = lab::solve(problem, readings);
+///     const lab::FrameAnswer answer = lab::solve(problem, readings);
 #pragma once
 
 #include <cstddef>

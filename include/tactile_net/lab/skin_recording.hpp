@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/frame_runs.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
 
 namespace tactile_net::lab {
 
@@ -39,17 +39,17 @@ struct SkinRecordingAnswer {
   SkinScene scene{};
   SurfaceGrid grid{};
   std::vector<Frame> frames{};
-  std::size_t per_shown = 1;           ///< frames that one of these stands for
-  std::vector<Shown> shown{};          ///< in the order of time, at most `most_shown`
-  std::size_t hardest = 0;             ///< the frame with the largest normal force
-  std::vector<double> readings{};      ///< of that one
-  std::optional<SkinAnswer> answer{};  ///< of that one; absent: none has one
+  std::size_t per_shown = 1;            ///< frames that one of these stands for
+  std::vector<Shown> shown{};           ///< in the order of time, at most `most_shown`
+  std::size_t hardest = 0;              ///< the frame with the largest normal force
+  std::vector<double> readings{};       ///< of that one
+  std::optional<FrameAnswer> answer{};  ///< of that one; absent: none has one
   Findings findings{};  ///< about the readings, by a ReadingsChecker; `add` leaves them empty
 
   /// Memory grows by what is kept of a frame alone.
   /// @param estimated  it was solved without the taxels whose readings are missing
   void add(std::optional<double> time, std::span<const double> frame_readings,
-           const SkinAnswer& found, bool estimated = false);
+           const FrameAnswer& found, bool estimated = false);
   /// A frame without an answer.
   void skip(std::optional<double> time);
   /// The times that were handed over are of a unit that nobody states: they are no seconds.

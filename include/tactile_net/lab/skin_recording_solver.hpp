@@ -15,8 +15,8 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/summary.hpp"
 
 namespace tactile_net::lab {
@@ -38,14 +38,14 @@ class SkinRecordingSolver {
   /// @param time      [s], where the frame has one: what is found suspicious, not what is answered
   /// @return          absent: values are missing, and the frame has no answer
   /// @throw           as `solve` of a frame
-  [[nodiscard]] std::optional<SkinAnswer> solve(std::span<double> readings,
-                                                std::optional<double> time = std::nullopt);
+  [[nodiscard]] std::optional<FrameAnswer> solve(std::span<double> readings,
+                                                 std::optional<double> time = std::nullopt);
 
   /// The next frame's readings, and its time where it has one; false: there is none.
   using NextFrame = std::function<bool(std::vector<double>& readings, std::optional<double>& time)>;
   /// As `solve` leaves the readings, and what it returns.
   using UseAnswer = std::function<void(std::span<const double> readings,
-                                       const std::optional<SkinAnswer>& answer)>;
+                                       const std::optional<FrameAnswer>& answer)>;
 
   /// All frames that follow: `while (next(readings, time)) use(readings, solve(readings, time))`,
   /// several of them at a time on a thread each, and the same bits and order however many there

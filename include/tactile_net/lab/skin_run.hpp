@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/relaxation.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 
 namespace tactile_net::lab {
@@ -29,8 +29,8 @@ struct SkinCircuitResult {
 struct SkinExperiment {
   SkinScene scene{};
   SurfaceGrid grid{};
-  SkinFrame frame{};                   ///< of a recording without `truth`, which nobody knows
-  std::optional<SkinAnswer> answer{};  ///< absent: `refusal` says why
+  SkinFrame frame{};                    ///< of a recording without `truth`, which nobody knows
+  std::optional<FrameAnswer> answer{};  ///< absent: `refusal` says why
   std::string refusal{};
   /// Of p, q_y and q_z: root mean square of answer - truth over that of the true p; NaN where
   /// nothing presses or the component was not solved for.

@@ -47,6 +47,8 @@ struct FrameUncertainty {
                                            const FrameResult& result);
 
 /// Where the residual is larger than the noise stated explains.
-[[nodiscard]] std::optional<remark::ModelError> model_error(const FrameUncertainty& bands) noexcept;
+/// @param held  whether the bands hold it as if it were noise
+[[nodiscard]] std::optional<remark::ModelError> model_error(const NoiseEstimate& noise,
+                                                            bool held) noexcept;
 
 }  // namespace tactile_net::lab

@@ -28,6 +28,9 @@ class ActiveSet final : public FrameSolver {
     result.constrained = std::move(solution);
     return result;
   }
+  [[nodiscard]] std::optional<ChosenAlpha> alpha_of(const SceneFrame&) override {
+    return ChosenAlpha{.value = alpha_};
+  }
   [[nodiscard]] std::size_t tractions() const override { return tractions_; }
 
  private:

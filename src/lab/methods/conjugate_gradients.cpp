@@ -18,23 +18,22 @@ class ConjugateGradients final : public FrameSolver {
   }
 
   FrameResult solve(std::span<const double> readings, std::span<double> tractions) override {
-    ChosenAlpha alpha{.value = given_.value_or(0.0)};
-    if (!given_) {
-      if (const auto status =
-              check_frame(readings, problem_.readings(), tractions, problem_.tractions());
-          status != FrameStatus::ok)
-        return {.status = status};
-      alpha = SceneFrame(problem_, readings).alpha();
-      inverse_.use_alpha(alpha.value);
-    }
-    FrameResult result{.status = inverse_.solve(readings, tractions), .alpha = alpha};
-    const Convergence& convergence = inverse_.convergence();
-    if (!convergence.converged) {
-      result.verdict = Verdict::not_converged;
-      result.remarks.emplace_back(remark::NotConverged{convergence.steps, convergence.estimate});
-    }
-    if (alpha.verdict != AlphaVerdict::ok) result.verdict = verdict_of(alpha.verdict);
+    if (given_) return solve_with(readings, {.value = *given_}, tractions);
+    if (const auto status =
+            check_frame(readings, problem_.readings(), tractions, problem_.tractions());
+        status != FrameStatus::ok)
+      return {.status = status};
+    const ChosenAlpha alpha = SceneFrame(problem_, readings).alpha();
+    FrameResult result = solve_with(readings, alpha, tractions);
+    if (result.verdict == Verdict::ok) result.verdict = verdict_of(alpha.verdict);
     return result;
+  }
+  [[nodiscard]] std::optional<ChosenAlpha> alpha_of(const SceneFrame& frame) override {
+    return given_ ? ChosenAlpha{.value = *given_} : frame.alpha();
+  }
+  [[nodiscard]] FrameResult solve_by(const SceneFrame& frame, const ChosenAlpha& alpha,
+                                     std::span<double> tractions) override {
+    return solve_with(frame.readings(), alpha, tractions);
   }
   [[nodiscard]] std::size_t tractions() const override { return inverse_.tractions(); }
   [[nodiscard]] std::optional<double> error_bound(std::span<const double>,
@@ -43,6 +42,18 @@ class ConjugateGradients final : public FrameSolver {
   }
 
  private:
+  FrameResult solve_with(std::span<const double> readings, const ChosenAlpha& alpha,
+                         std::span<double> tractions) {
+    if (!given_) inverse_.use_alpha(alpha.value);
+    FrameResult result{.status = inverse_.solve(readings, tractions), .alpha = alpha};
+    const Convergence& convergence = inverse_.convergence();
+    if (!convergence.converged) {
+      result.verdict = Verdict::not_converged;
+      result.remarks.emplace_back(remark::NotConverged{convergence.steps, convergence.estimate});
+    }
+    return result;
+  }
+
   SceneProblem problem_;
   std::optional<double> given_;
   FftTikhonov inverse_;

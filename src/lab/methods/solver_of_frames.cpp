@@ -20,26 +20,30 @@ class SolverOfFrames final : public FrameSolver {
         status != FrameStatus::ok)
       return {.status = status};
     const SceneFrame frame(problem_, readings);
-    const ChosenAlpha alpha = choose_(frame);
-    FrameResult result = solve(frame, alpha.value, tractions);
+    const ChosenAlpha alpha = *alpha_of(frame);
+    FrameResult result = solve_by(frame, alpha, tractions);
     result.alpha = alpha;
-    result.alpha->tangential_weight = frame.estimated_weight();
-    if (alpha.verdict != AlphaVerdict::ok) result.verdict = verdict_of(alpha.verdict);
+    if (result.verdict == Verdict::ok) result.verdict = verdict_of(alpha.verdict);
     return result;
+  }
+  [[nodiscard]] std::optional<ChosenAlpha> alpha_of(const SceneFrame& frame) override {
+    ChosenAlpha alpha = choose_(frame);
+    alpha.tangential_weight = frame.estimated_weight();
+    return alpha;
+  }
+  /// The family has every alpha's answer; what has none is made for it.
+  [[nodiscard]] FrameResult solve_by(const SceneFrame& frame, const ChosenAlpha& alpha,
+                                     std::span<double> tractions) override {
+    const SceneProblem& problem = frame.problem();
+    if (method_ != Method::tikhonov || problem.constraints() || problem.is_large())
+      return make_solver(problem, method_, alpha.value)->solve(frame.readings(), tractions);
+    const TikhonovFamily& family = problem.family();
+    return {.status = deliver(family.solve(frame.analysed(), alpha.value), tractions),
+            .condition = Condition{family.stacked_condition(alpha.value), Condition::Kind::bound}};
   }
   [[nodiscard]] std::size_t tractions() const override { return problem_.tractions(); }
 
  private:
-  /// The family has every alpha's answer; what has none is made for it.
-  FrameResult solve(const SceneFrame& frame, double alpha, std::span<double> tractions) const {
-    const SceneProblem& problem = frame.problem();
-    if (method_ != Method::tikhonov || problem.constraints() || problem.is_large())
-      return make_solver(problem, method_, alpha)->solve(frame.readings(), tractions);
-    const TikhonovFamily& family = problem.family();
-    return {.status = deliver(family.solve(frame.analysed(), alpha), tractions),
-            .condition = Condition{family.stacked_condition(alpha), Condition::Kind::bound}};
-  }
-
   SceneProblem problem_;
   Method method_;
   ChooseAlpha choose_;

@@ -17,6 +17,9 @@ class MatrixProduct final : public FrameSolver {
             .alpha = ChosenAlpha{.value = alpha_},
             .condition = Condition{.value = inverse_.condition(), .matrix = matrix_}};
   }
+  [[nodiscard]] std::optional<ChosenAlpha> alpha_of(const SceneFrame&) override {
+    return ChosenAlpha{.value = alpha_};
+  }
   [[nodiscard]] std::size_t tractions() const override { return inverse_.tractions(); }
   [[nodiscard]] const Reconstruction* product() const noexcept override { return &inverse_; }
 

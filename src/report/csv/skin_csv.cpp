@@ -83,7 +83,7 @@ std::vector<std::string> wrench_columns() {
   return names;
 }
 
-std::vector<double> wrench_values(const lab::SkinAnswer& answer) {
+std::vector<double> wrench_values(const lab::FrameAnswer& answer) {
   std::vector<double> values;
   const auto add = [&](const std::optional<Uncertain>& one) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -97,7 +97,7 @@ std::vector<double> wrench_values(const lab::SkinAnswer& answer) {
     add(*one);
   add(answer.friction ? std::optional(answer.friction->ratio) : std::nullopt);
   values.push_back(
-      answer.data.consistent() ? 0.0 : 1.0 + static_cast<double>(answer.data.doubts.front()));
+      answer.data->consistent() ? 0.0 : 1.0 + static_cast<double>(answer.data->doubts.front()));
   values.push_back(answer.alpha.value);
   return values;
 }
@@ -113,7 +113,7 @@ std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
   return names;
 }
 
-std::vector<double> uncertainty_values(const lab::SkinAnswer& answer, const SkinScene& scene) {
+std::vector<double> uncertainty_values(const lab::FrameAnswer& answer, const SkinScene& scene) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> more(4, none);
   if (const auto& friction = answer.friction) {

@@ -99,7 +99,7 @@ Json grid_json(const SurfaceGrid& grid) {
 }
 
 Json answer_json(const lab::SkinExperiment& experiment) {
-  const lab::SkinAnswer& answer = *experiment.answer;
+  const lab::FrameAnswer& answer = *experiment.answer;
   Json json = {{"alpha", answer.alpha.value},
                {"alpha_rule", source(answer.alpha)},
                {"tangential_weight", weight_json(experiment.scene, answer.alpha)},
@@ -115,12 +115,12 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                {"relative_error",
                 {finite_or_null(experiment.relative[0]), finite_or_null(experiment.relative[1]),
                  finite_or_null(experiment.relative[2])}},
-               {"condition", finite_or_null(answer.condition)},
+               {"condition", finite_or_null(answer.condition->value)},
                {"noise",
                 {{"stated", number_or_null(answer.noise.stated_rms)},
                  {"residual", finite_or_null(answer.noise.residual_rms)},
                  {"model", finite_or_null(answer.noise.model_rms)}}},
-               {"data", data_json(answer.data)},
+               {"data", data_json(*answer.data)},
                {"seconds",
                 {{"setup", finite_or_null(experiment.setup_seconds)},
                  {"frame", finite_or_null(experiment.frame_seconds)}}}};

@@ -24,7 +24,7 @@ std::string off_in_words(double least, double most) {
 
 }  // namespace
 
-std::string without_matrix(const lab::SkinAnswer& answer) {
+std::string without_matrix(const lab::FrameAnswer& answer) {
   const bool constrained = answer.cone.has_value();
   const std::size_t steps = constrained ? answer.cone->iterations : answer.iteration->steps;
   const auto& bands = answer.iteration->bands;

@@ -12,7 +12,7 @@ namespace tactile_net::report {
 
 /// What an answer without dense matrices has not.
 /// @pre  it has been solved by products
-[[nodiscard]] std::string without_matrix(const lab::SkinAnswer& answer);
+[[nodiscard]] std::string without_matrix(const lab::FrameAnswer& answer);
 
 /// Which frames miss readings, and what became of them.
 void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording);

@@ -79,13 +79,13 @@ bool is_off(const Uncertain& found, double exact, double scale) {
 }
 
 /// What sums are of, where there are several contacts.
-std::string of_all(const lab::SkinAnswer& answer) {
+std::string of_all(const lab::FrameAnswer& answer) {
   return answer.contacts > 1 ? " of all contacts" : "";
 }
 
 Answer pressed(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
-  const lab::SkinAnswer& found = *experiment.answer;
+  const lab::FrameAnswer& found = *experiment.answer;
   const double exact = experiment.frame.wrench.force[0];
   Answer answer{in_unit(scene.units, Dimension::point_force, found.wrench.normal),
                 "normal force" + of_all(found) + "; the contacts press with " +
@@ -314,7 +314,7 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
 
 std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
-  const lab::SkinAnswer& answer = *experiment.answer;
+  const lab::FrameAnswer& answer = *experiment.answer;
   const UncertainWrench& wrench = answer.wrench;
   const SkinWrench& exact = experiment.frame.wrench;
   const bool compared = experiment.has_truth();
@@ -388,14 +388,14 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
     print_network(out, experiment);
     return;
   }
-  const lab::SkinAnswer& answer = *experiment.answer;
+  const lab::FrameAnswer& answer = *experiment.answer;
   print_cells(out, found_cells(experiment));
   out << "verdict " << name(answer.verdict) << ", alpha " << brief(answer.alpha.value) << " ("
       << source(answer.alpha) << "), off the true p " << percent(experiment.relative[0]);
   if (components(scene) == 3)
     out << ", q_y " << percent(experiment.relative[1]) << ", q_z "
         << percent(experiment.relative[2]) << " of it";
-  out << "; data " << data_word(answer.data, scene) << '\n';
+  out << "; data " << data_word(*answer.data, scene) << '\n';
   if (answer.cone)
     out << "cells that slide " << answer.cone->slip << ", stick " << answer.cone->stick
         << ", touch nothing " << answer.cone->separation << " (" << answer.cone->iterations

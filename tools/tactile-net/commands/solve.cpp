@@ -20,11 +20,11 @@
 #include "failure.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/broken_taxels.hpp"
 #include "tactile_net/lab/recorded_noise.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
-#include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
@@ -44,9 +44,9 @@ class UncertaintyFile {
 
   void add(const lab::SceneFrame& frame, std::span<const double> tractions,
            const lab::FrameResult& result, std::string_view time) {
-    const lab::FrameUncertainty bands = lab::uncertainty(frame, tractions, result);
-    sink_.add(time, report::uncertainty_values(bands, result.data, result.alpha->value),
-              lab::name(lab::overall(result.verdict, result.data, bands.resultant.normal)));
+    const lab::FrameAnswer answer = lab::with_bands(frame, tractions, result);
+    sink_.add(time, report::uncertainty_values(*answer.bands, answer.data, answer.alpha.value),
+              lab::name(answer.verdict));
   }
   void skip(std::string_view time) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

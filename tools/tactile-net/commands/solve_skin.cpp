@@ -46,7 +46,7 @@ class SkinUncertaintyFile {
         output_(path, &streams.out),
         sink_(output_.stream(), columns_, with_time) {}
 
-  void add(std::string_view time, const lab::SkinAnswer& answer) {
+  void add(std::string_view time, const lab::FrameAnswer& answer) {
     sink_.add(time, report::uncertainty_values(answer, scene_), lab::name(answer.verdict));
   }
   void skip(std::string_view time) {
@@ -84,7 +84,7 @@ class SkinOutputs {
       wrenches_.emplace(options.uncertainty, problem.scene(), with_time, streams);
   }
 
-  void add(std::string_view time, const lab::SkinAnswer& answer) {
+  void add(std::string_view time, const lab::FrameAnswer& answer) {
     tractions_.add(time, answer.tractions);
     if (wrenches_) wrenches_->add(time, answer);
   }
@@ -143,7 +143,7 @@ lab::SkinRecordingAnswer solve_all(lab::SkinRecordingSolver& solver, frames::Rea
     return true;
   };
   const auto use = [&](std::span<const double> readings,
-                       const std::optional<lab::SkinAnswer>& answer) {
+                       const std::optional<lab::FrameAnswer>& answer) {
     const FrameRead& frame = read.front();
     if (answer) {
       outputs.add(frame.time, *answer);

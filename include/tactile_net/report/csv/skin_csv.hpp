@@ -24,14 +24,14 @@ namespace tactile_net::report {
 /// the readings can be true, as a line's recording has it (0, or 1 + the worst `DataDoubt`), and
 /// alpha.
 [[nodiscard]] std::vector<std::string> wrench_columns();
-[[nodiscard]] std::vector<double> wrench_values(const lab::SkinAnswer& answer);
+[[nodiscard]] std::vector<double> wrench_values(const lab::FrameAnswer& answer);
 
 /// Of `solve --uncertainty`: those, before `data` also the angle of the drag to the normal [rad],
 /// what is left of the friction limit, and the constant found in each channel where offsets are
 /// not known, all in SI units where the scene has [units]; last the verdict, a word.
 [[nodiscard]] std::vector<std::string> uncertainty_columns(const SkinScene& scene);
 /// Of all columns but the last.
-[[nodiscard]] std::vector<double> uncertainty_values(const lab::SkinAnswer& answer,
+[[nodiscard]] std::vector<double> uncertainty_values(const lab::FrameAnswer& answer,
                                                      const SkinScene& scene);
 
 }  // namespace tactile_net::report

@@ -1,5 +1,9 @@
 /// @file
-/// One frame of a skin's readings, turned into tractions and judged.
+/// One frame of readings, of a line or a skin, turned into tractions and judged: the same way for
+/// both, which `src/lab/answer.cpp` spells out.
+///
+///     const lab::FrameAnswer answer = lab::solve(lab::SkinSceneProblem(skin), readings);
+///     if (answer.verdict == lab::Verdict::ok) use(answer.tractions);
 #pragma once
 
 #include <functional>
@@ -11,30 +15,45 @@
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/alpha.hpp"
+#include "tactile_net/lab/condition.hpp"
+#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/remark.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
+#include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/lab/verdict.hpp"
 #include "tactile_net/skin/resultant.hpp"
 
 namespace tactile_net::lab {
 
-struct SkinAnswer {
-  std::vector<double> tractions{};   ///< components x cells [Pa]
+struct FrameAnswer {
+  std::vector<double> tractions{};   ///< components x places on the surface [Pa]
   std::vector<double> deviations{};  ///< of each, one standard deviation [Pa]; empty: not known
   ChosenAlpha alpha{};
   Verdict verdict = Verdict::ok;
-  std::optional<ConeSolution> cone{};  ///< where the scene has constraints
+  std::optional<Condition> condition{};  ///< of the system that was solved
+  /// |P W (K f - g)|_2, what the tractions leave of the readings; absent: nobody has asked.
+  std::optional<double> residual{};
+  /// How far rounding may have moved the tractions, over their 2-norm; absent: no bound is known.
+  std::optional<double> error_bound{};
   NoiseEstimate noise{};
-  DataVerdict data{};                ///< whether the readings can be true
-  double degrees_of_freedom = 0.0;   ///< of the readings that the tractions use up, under
-                                     ///< constraints those that these leave free
-  double condition = 0.0;            ///< `TikhonovFamily::stacked_condition`
-  std::vector<std::size_t> cells{};  ///< that touch: `find_contacts`
-  UncertainWrench wrench{};          ///< of those cells; of all where none is certain to touch
+  std::optional<DataVerdict> data{};  ///< whether the readings can be true; absent: not judged
+  std::vector<double> offsets{};      ///< of each channel [its unit]; none: they are known
+  Remarks remarks{};
+
+  // Of a line.
+  std::optional<ConstrainedSolution> constrained{};  ///< where the scene has constraints
+  std::optional<FrameUncertainty> bands{};           ///< with the contact's resultant
+
+  // Of a skin.
+  std::optional<ConeSolution> cone{};  ///< where the scene has constraints
+  double degrees_of_freedom = 0.0;         ///< of the readings that the tractions use up, under
+                                           ///< constraints those that these leave free
+  std::vector<std::size_t> cells{};        ///< that touch: `find_contacts`
+  UncertainWrench wrench{};  ///< of those cells; of all where none is certain to touch
   std::optional<SkinFriction> friction{};   ///< absent with one component, or where nothing touches
   std::optional<ContactEllipse> ellipse{};  ///< of the strongest contact, by Hertz' law
   std::size_t contacts = 0;                 ///< that lie apart
-  std::vector<double> offsets{};            ///< of each channel [its unit]; none: they are known
   /// Of a skin with more tractions than dense matrices take (scene/skin_size.hpp): how near to the
   /// minimiser conjugate gradients came; under constraints that is in `cone`, and here no step.
   /// Single cells' deviations are then estimates, and those without constraints.
@@ -53,7 +72,6 @@ struct SkinAnswer {
   /// tell nothing of it, and the value comes from the prior alone.
   double assumed = 0.0;
   double unseen = 0.0;  ///< share of their force where no taxel sees (skin_sight.hpp)
-  Remarks remarks{};
 };
 
 /// A frame's tractions overflow a double.
@@ -62,17 +80,28 @@ class FrameOverflow : public std::domain_error {
   FrameOverflow() : domain_error("the frame's tractions overflow a double; scale the readings") {}
 };
 
-/// What chooses a frame's alpha, before constraints.
+/// What chooses the alpha of a skin's frame, before constraints.
 using SkinAlphaChooser = std::function<AlphaChoice(const FilterFrame& frame)>;
 
-/// @param choose  absent: the scene's alpha or rule, of this frame alone
+/// @param choose   absent: the scene's alpha or rule, of this frame alone
+/// @param repeats  a taxel that frames before have shown to repeat itself (repeating_taxels.hpp)
 /// @throw std::invalid_argument  readings have the wrong size or are not finite, or the scene
 ///                               cannot be solved: as `make_problem`
 /// @throw FrameOverflow          the tractions overflow a double
 /// @throw std::domain_error      alpha is so small that double precision cannot tell the tractions
 ///                               apart
-[[nodiscard]] SkinAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
-                               const SkinAlphaChooser& choose = {});
+[[nodiscard]] FrameAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
+                                const SkinAlphaChooser& choose = {},
+                                std::optional<std::size_t> repeats = {});
+
+/// A line's frame that a `RecordingSolver` has solved, with its bands and all that they tell: what
+/// `run` says of the frame.
+///
+/// @param frame      of the problem that it was solved with
+/// @param tractions  that were found [Pa]
+/// @pre  the method has bands, and so has the problem; the status is ok
+[[nodiscard]] FrameAnswer with_bands(const SceneFrame& frame, std::span<const double> tractions,
+                                     const FrameResult& result);
 
 /// Of one component, of values as the answer has them; empty where it was not solved for.
 [[nodiscard]] std::span<const double> component(std::span<const double> values,
