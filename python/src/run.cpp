@@ -9,6 +9,7 @@
 
 #include "arrays.hpp"
 #include "bound_experiment.hpp"
+#include "contact_rows.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/lab/simulator_choice.hpp"
@@ -31,10 +32,6 @@ std::optional<Array> stacked(const std::vector<double>& normal,
   return owned(std::move(both), {tangential.empty() ? 1U : 2U, normal.size()});
 }
 
-nb::object pair_of(const std::optional<Uncertain>& number) {
-  return number ? nb::cast(nb::make_tuple(number->value, number->deviation)) : nb::none();
-}
-
 /// One method's answer by the names of Python's MethodResult.
 MethodAnswer answer(const lab::Experiment& experiment, const lab::MethodResult& result) {
   MethodAnswer found;
@@ -52,6 +49,7 @@ MethodAnswer answer(const lab::Experiment& experiment, const lab::MethodResult& 
   found["normal_force"] = resultant ? pair_of(resultant->normal) : nb::none();
   found["tangential_force"] = resultant ? pair_of(resultant->tangential) : nb::none();
   found["centre"] = resultant ? pair_of(resultant->centre) : nb::none();
+  found["patches"] = contact_rows(result.patches);
   found["remarks"] = report::remarks_in_words(experiment, result).all();
   found["failure"] = report::failure_in_words(experiment, result);
   return found;

@@ -87,7 +87,7 @@ nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinScene
     data.emplace_back(answer ? report::data_word(*answer->data, scene) : "missing");
     sources.emplace_back(answer ? lab::source(answer->alpha) : "");
     alphas.push_back(answer ? answer->alpha.value : unknown);
-    contacts.push_back(answer ? answer->contacts : 0);
+    contacts.push_back(answer ? answer->patches.size() : 0);
   }
   found["tractions"] = tractions_of(answers, width);
   found["deviation"] = deviations_of(answers, width);

@@ -10,6 +10,7 @@
 
 #include "arrays.hpp"
 #include "bound_experiment.hpp"
+#include "contact_rows.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "skin_fields.hpp"
@@ -75,6 +76,10 @@ void bind_skin_run(nb::module_& module) {
              const std::size_t width = self.answer ? self.answer->tractions.size() : 0;
              return fields_of(self.answer ? Answers(&self.answer, 1) : Answers(), self.scene,
                               self.grid, width);
+           })
+      .def("patches",
+           [](const lab::SkinExperiment& self) {
+             return self.answer ? contact_rows(self.answer->patches) : std::vector<ContactRow>();
            })
       .def("network", &network_of)
       .def("remarks",

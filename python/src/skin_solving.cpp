@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "bad_frame.hpp"
+#include "contact_rows.hpp"
 #include "missing_named.hpp"
 #include "rooms.hpp"
 #include "skin_fields.hpp"
@@ -118,6 +119,16 @@ void bind_skin_solving(nb::module_& module) {
            })
       .def("uncertainty",
            [](const SolvedSkin& self) { return uncertainty_of(self.answers(), self.scene()); })
+      .def("patches",
+           [](const SolvedSkin& self) {
+             std::vector<std::vector<ContactPatch>> frames;
+             std::vector<bool> answered;
+             for (const auto& answer : self.answers()) {
+               frames.push_back(answer ? answer->patches : std::vector<ContactPatch>());
+               answered.push_back(answer.has_value());
+             }
+             return followed_rows(frames, answered);
+           })
       .def("notes", &SolvedSkin::notes)
       .def("json", &SolvedSkin::json, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())
       .def("html", &SolvedSkin::html, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())

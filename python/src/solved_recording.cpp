@@ -121,6 +121,7 @@ Bands SolvedRecording::bands(Watcher& watcher) {
     add(bands.normal_force, one.resultant.normal);
     add(bands.tangential_force, one.resultant.tangential);
     add(bands.centre, one.resultant.centre);
+    bands.patches.push_back(std::move(one.patches));
   }
   return bands;
 }

@@ -23,6 +23,7 @@ struct Bands {
   std::vector<double> normal_force{};
   std::vector<double> tangential_force{};
   std::vector<double> centre{};
+  std::vector<std::vector<ContactPatch>> patches{};  ///< of every frame
 };
 
 class SolvedRecording {

@@ -11,6 +11,7 @@ from . import datasets, errors, logs, mujoco, plot
 from ._calibration import Calibration, FittedValue, NextPress, calibrate
 from ._check import Finding, ReadingsCheck
 from ._circuit import Certification, Relaxation, SkinSurvey, Survey
+from ._contacts import ContactPatch
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
@@ -49,6 +50,7 @@ __all__ = [
     "Cone",
     "Contact",
     "ContactEstimate",
+    "ContactPatch",
     "CutOffWarning",
     "Cylinder",
     "Diagnostic",

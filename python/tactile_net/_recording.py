@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
+from ._contacts import ContactPatch, patches
 from ._optional import optional
 from ._progress import Progress, listening
 
@@ -208,8 +209,12 @@ class Solution:
         return self.recording.t
 
     @cached_property
-    def _bands(self) -> tuple[Floats, Floats, Floats, Floats] | None:
+    def _known(self) -> tuple[Floats, Floats, Floats, Floats, list[list[dict[str, Any]]]] | None:
         return self._solved().bands()
+
+    @property
+    def _bands(self) -> tuple[Floats, Floats, Floats, Floats] | None:
+        return None if self._known is None else self._known[:4]
 
     @property
     def has_bands(self) -> bool:
@@ -263,6 +268,14 @@ class Solution:
     def centre_deviation(self) -> Floats:
         """(T,): one standard deviation [m]; nan as above."""
         return self._band(3)[:, 1]
+
+    @cached_property
+    def patches(self) -> tuple[tuple[ContactPatch, ...], ...]:
+        """Of every frame each contact by itself, the strongest first, numbered over the frames. ValueError without
+        `has_bands`."""
+        if self._known is None:
+            raise ValueError(f"{self.method} knows no deviation of its answers: tikhonov and closed_form do")
+        return tuple(map(patches, self._known[4]))
 
     @property
     def peak(self) -> int:

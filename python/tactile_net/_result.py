@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
+from ._contacts import ContactPatch, patches
 from ._documents import PagedDocument
 from ._optional import optional
 from ._progress import Progress, listening
@@ -47,6 +48,8 @@ class MethodResult:
     """Value and deviation [N/m]; None: not known. So of the next two."""
     tangential_force: tuple[float, float] | None
     centre: tuple[float, float] | None
+    patches: tuple[ContactPatch, ...]
+    """Each contact by itself, the strongest first; none where nothing presses for certain, or nothing is known."""
     remarks: tuple[str, ...]
     """What is to be said of it, a sentence each: reasons for doubt first, then what was found in the normal course."""
     failure: str
@@ -93,7 +96,7 @@ class Result(PagedDocument):
         self.readings = core.readings().reshape(scene.reading_shape)
         self.methods = {}
         for answer in core.answers():
-            fields = dict(answer) | {"remarks": tuple(answer["remarks"])}
+            fields = dict(answer) | {"remarks": tuple(answer["remarks"]), "patches": patches(answer["patches"])}
             self.methods[fields["method"]] = MethodResult(**fields)
         self.notes = tuple(core.notes())
         self.succeeded = core.succeeded

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
+from ._contacts import patches
 from ._optional import optional
 from ._progress import Progress, listening
 from ._result import MethodResult, Result
@@ -119,6 +120,7 @@ def _unknown(scene: Skin) -> dict[str, Any]:
         "normal_force": None,
         "tangential_force": None,
         "centre": None,
+        "patches": (),
         "remarks": (),
         "failure": "",
         "tangential_y_force": None,
@@ -154,6 +156,7 @@ def _answer(core: _core.SkinExperiment, scene: Skin) -> SkinMethodResult:
         "failure": "no answer that holds" if found["verdict"][0] == "failed" else "",
         "tangential_y_force": wrench["tangential_y"],
         "tangential_z_force": wrench["tangential_z"],
+        "patches": patches(core.patches()),
         "touching": found["touching"].reshape(places) != 0.0,
         "contacts": int(found["contacts"][0]),
     }

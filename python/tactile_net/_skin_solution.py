@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
+from ._contacts import ContactPatch, patches
 from ._optional import optional
 from ._progress import Progress, listening
 from ._recording import Recording, Solution
@@ -181,6 +182,11 @@ class SkinSolution(Solution):
     @property
     def friction_deviation(self) -> Floats:
         return np.asarray(self.wrench_deviation[:, 6])
+
+    @cached_property
+    def patches(self) -> tuple[tuple[ContactPatch, ...], ...]:
+        """Of every frame each contact by itself, the strongest first, numbered over the frames."""
+        return tuple(map(patches, self._drawable().patches()))
 
     @property
     def ellipse(self) -> Floats:

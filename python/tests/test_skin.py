@@ -174,6 +174,11 @@ def test_a_solution_of_a_skin_is_in_balance(skin: tn.Skin) -> None:
     assert solution.deviation.shape == solution.tractions.shape and (solution.deviation > 0).all()
     assert solution.friction[0] == pytest.approx(np.hypot(*solution.tangential_force[0]) / solution.normal_force[0])
     assert solution.contacts.tolist() == [1] and solution.ellipse.shape == (1, 3)
+    ((contact,),) = solution.patches
+    assert contact.id == 1 and contact.radius == (solution.ellipse[0, 0], solution.ellipse_deviation[0, 0])
+    assert contact.normal_force == (solution.normal_force[0], solution.normal_force_deviation[0])
+    assert contact.cells == tuple(np.flatnonzero(solution.touching[0]))
+    assert len(tn.run(scene).skin.patches) == 1
     assert solution.torsion_deviation.shape == solution.friction_deviation.shape == (1,)
 
 

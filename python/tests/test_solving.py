@@ -82,6 +82,10 @@ def test_a_solution_knows_how_sure_it_is(two: tn.Scene) -> None:
     assert np.all(np.abs(solution.tangential_force - 0.3) < 4 * solution.tangential_force_deviation + 0.02)
     assert np.all(np.abs(solution.normal_force - 1.0) < 4 * solution.normal_force_deviation + 0.02)
     assert np.all(np.abs(solution.centre) < 4 * solution.centre_deviation)
+    for frame, contacts in enumerate(solution.patches):
+        (contact,) = contacts  # the only one is the whole, and keeps its number
+        whole = solution.normal_force[frame], solution.normal_force_deviation[frame]
+        assert contact.id == 1 and contact.normal_force == pytest.approx(whole, rel=1e-9)
     tractions, full = two.solver()(recording.readings, full=True)
     assert np.array_equal(tractions, solution.tractions) and full.verdict.tolist() == solution.verdict.tolist()
     single, _ = two.solver()(recording.readings[0], full=True)
@@ -93,6 +97,8 @@ def test_dft_knows_no_deviation(scene: tn.Scene) -> None:
     assert not solution.has_bands and np.isnan(solution.tangential_force).all() and np.isnan(solution.alpha).all()
     with pytest.raises(ValueError, match="dft knows no deviation"):
         _ = solution.centre_deviation
+    with pytest.raises(ValueError, match="dft knows no deviation"):
+        _ = solution.patches
 
 
 def test_a_solution_is_pickled_as_arrays(two: tn.Scene, tmp_path: Path) -> None:

@@ -53,9 +53,6 @@ UncertainResultant resultant_of(const LinearProblem& problem, std::span<const do
   return resultant_of(surface_of(problem.grid), tractions, covariance, noise_rms);
 }
 
-namespace {
-
-/// Of the values from `first` to before `last`, with nothing elsewhere.
 UncertainResultant resultant_between(std::size_t first, std::size_t last, const Surface& surface,
                                      std::span<const double> tractions,
                                      const Covariance& covariance, double noise_rms) {
@@ -96,8 +93,6 @@ UncertainResultant resultant_between(std::size_t first, std::size_t last, const 
           covariance.covariance(gradients[i], gradients[j]) * noise_rms * noise_rms;
   return result;
 }
-
-}  // namespace
 
 UncertainResultant resultant_of(const Surface& surface, std::span<const double> tractions,
                                 const Covariance& covariance, double noise_rms) {

@@ -191,6 +191,7 @@ RecordingOverview Recording::overview(Observer& observer) const {
     const auto& [problem, result] = sources_[i];
     FrameAnswer answer = with_bands(SceneFrame(problem, group.readings), group.tractions, result);
     group.bands = std::move(answer.bands);
+    group.contacts = overview.tracker.follow(group.shown, group.bands->patches);
     const Verdict told = answer.verdict;
     if (told == group.verdict) continue;
     if (is_faultless(group.verdict) && !is_faultless(told) && group.distrusted++ == 0)

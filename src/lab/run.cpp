@@ -83,6 +83,7 @@ void take_answer(MethodResult& result, FrameAnswer&& found, const Run& run) {
   if (!found.bands) return;
   result.noise = found.noise;
   result.resultant = found.bands->resultant;
+  result.patches = found.bands->patches;
   const auto middle =
       found.deviations.begin() + static_cast<std::ptrdiff_t>(run.problem.surface().count);
   result.normal.deviation.assign(found.deviations.begin(), middle);

@@ -54,8 +54,12 @@ double rounding_bound(const FilterFrame& frame, double alpha, double condition,
 
 /// What a contact that reaches over the skin's edge amounts to, from an answer on a grid that
 /// reaches further. The map stays as it is.
-void take_from_beyond(FrameAnswer& answer, FrameAnswer beyond) {
+void take_from_beyond(FrameAnswer& answer, FrameAnswer beyond, const SurfaceGrid& from,
+                      const SurfaceGrid& to) {
   if (beyond.cells.empty()) return;
+  answer.patches.clear();
+  for (ContactPatch& patch : beyond.patches)
+    answer.patches.push_back(on_grid(std::move(patch), from, to));
   answer.wrench = beyond.wrench;
   answer.unseen = beyond.unseen;
   answer.ellipse = beyond.ellipse;
@@ -170,7 +174,8 @@ class SkinFrameMethod final : public FrameMethod {
     lab::add_bands(answer, problem_, *method_, frame_, face_, readings_);
     if (answer.unseen > most_unseen && !problem_.scene().reconstruct.grid.margin) {
       SkinFrameMethod beyond(problem_.reaching_beyond(), readings_, {}, {});
-      take_from_beyond(answer, lab::answer(beyond));
+      take_from_beyond(answer, lab::answer(beyond), problem_.reaching_beyond().grid(),
+                       problem_.grid());
     }
     return answer.wrench.normal;
   }

@@ -89,15 +89,6 @@ double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_free
   return y * z / std::max(each, 1e-3) / 12.0;
 }
 
-/// A radius by second moments lies between what it would be if smoothing had added all of that
-/// variance, and none.
-Uncertain without_smoothing(const Uncertain& radius, double variance) {
-  constexpr double hertz = 5.0;  // the radius' square over the variance
-  const double least = std::sqrt(std::max(radius.value * radius.value - hertz * variance, 0.0));
-  return {0.5 * (radius.value + least),
-          std::hypot(radius.deviation, (radius.value - least) / std::sqrt(12.0))};
-}
-
 /// Taxels that lie further apart than this, in depths: it is constraints that decide how much
 /// presses between them, and without these the place of what does.
 constexpr double between_taxels = 1.25;
@@ -178,6 +169,24 @@ void doubt_force(FrameAnswer& answer, double doubt) {
   const double share = part.value * (doubt / force.value);
   part.deviation = std::hypot(part.deviation, share);
   answer.friction->wrench->covariance[0] += share * share;
+}
+
+/// One contact is the whole, with all its doubts; of several each has its share of the force's. The
+/// whole's margin is its worst contact's.
+void doubt_patches(FrameAnswer& answer, double doubt, std::optional<double> limit) {
+  const double force = answer.wrench.normal.value;
+  for (ContactPatch& patch : answer.patches) {
+    Uncertain& part = patch.wrench.normal;
+    const double share = force > 0.0 ? part.value * (doubt / force) : 0.0;
+    part.deviation = std::hypot(part.deviation, share);
+    patch.wrench.covariance[0] += share * share;
+    if (answer.patches.size() == 1) patch.wrench = answer.wrench;
+    judge_slip(patch, limit);
+  }
+  const ContactPatch* const worst = nearest_to_slipping(answer.patches);
+  if (worst != nullptr && answer.friction &&
+      (answer.friction->contacts > 1 || answer.patches.size() == 1))
+    answer.friction->slip_margin = worst->slip_margin;
 }
 
 /// What stands out of the map beside the contact's cells, and these leave out: a contact that is
@@ -430,14 +439,16 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
         pressed_where_it_drags(answer.wrench, grid, f, answer.cells, problem.unseen(), own, rms),
         decided ? hidden_by_place(pitch) * answer.wrench.normal.value : 0.0);
   doubt_force(answer, doubt);
-  const auto apart = separate_contacts(grid, f, answer.cells);
-  answer.contacts = apart.size();
-  answer.ellipse = contact_ellipse(grid, contact, apart.front(), known, rms);
-  if (!answer.ellipse) return;
   // Of tractions without constraints: these change little of what the readings tell of a size.
-  const double variance = smoothed_variance(problem, method.degrees_of_freedom(alpha));
-  answer.ellipse->radius = without_smoothing(answer.ellipse->radius, variance);
-  answer.ellipse->second_radius = without_smoothing(answer.ellipse->second_radius, variance);
+  const double smoothed = smoothed_variance(problem, method.degrees_of_freedom(alpha));
+  const std::optional<double> limit = problem.scene().reconstruct.friction_limit;
+  answer.patches = patches_of(grid, contact, separate_contacts(grid, f, answer.cells), known, rms,
+                              {.friction_limit = limit, .smoothed_variance = smoothed});
+  if (answer.patches.size() > 1)
+    for (ContactPatch& patch : answer.patches)
+      widen_centre(patch.wrench, grid, f, patch.cells, of_contact, rms);
+  doubt_patches(answer, doubt, limit);
+  answer.ellipse = answer.patches.front().ellipse;
 }
 
 }  // namespace tactile_net::lab

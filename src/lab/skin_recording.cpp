@@ -46,7 +46,8 @@ void SkinRecordingAnswer::add(std::optional<double> time, std::span<const double
        .alpha = found.alpha,
        .wrench = found.wrench,
        .friction = found.friction ? std::optional(found.friction->ratio) : std::nullopt,
-       .data = *found.data});
+       .data = *found.data,
+       .contacts = tracker.follow(frames.size(), found.patches)});
   show(*this, found);
   if (answer && found.wrench.normal.value <= answer->wrench.normal.value) return;
   hardest = frames.size() - 1;

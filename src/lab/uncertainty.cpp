@@ -1,5 +1,6 @@
 #include "tactile_net/lab/uncertainty.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <type_traits>
@@ -52,6 +53,26 @@ std::vector<double> without_margins(std::span<const double> all, const Surface& 
   for (std::size_t first = grid.margin - own.margin; first < all.size(); first += grid.count)
     for (const double value : all.subspan(first, own.count)) values.push_back(value);
   return values;
+}
+
+/// Nothing presses in the grid's margins.
+std::vector<ContactPatch> without_margins(std::vector<ContactPatch> patches, const Surface& own,
+                                          const Surface& grid) {
+  for (ContactPatch& patch : patches)
+    for (std::size_t& cell : patch.cells) cell -= grid.margin - own.margin;
+  return patches;
+}
+
+/// The variance of place that smoothing may have added to pressure: of a stretch of the array that
+/// stands for one degree of freedom of it.
+double smoothed_variance(const SceneProblem& scene, double alpha) {
+  const Surface& surface = scene.surface();
+  const double degrees = scene.is_large() ? scene.sections().degrees_of_freedom(alpha)
+                                          : scene.family().degrees_of_freedom(alpha);
+  const double stretches = degrees / static_cast<double>(scene.options().unknowns);
+  const double array = surface.spacing * static_cast<double>(surface.count - 2 * surface.margin);
+  const double each = array / std::max(stretches, 1.0);
+  return each * each / 12.0;
 }
 
 /// Of the error of any tractions by one functional, whose minimiser lies apart from them.
@@ -111,6 +132,11 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
                         const Surface& surface) {
     bands.resultant = resultant_of(surface, f, covariance, rms);
     bands.nearest_to_slipping = nearest_to_slipping(surface, f, covariance, rms, bands.resultant);
+    bands.patches =
+        without_margins(patches_of(surface, f, covariance, rms, bands.resultant,
+                                   {.friction_limit = scene.scene().reconstruct.friction_limit,
+                                    .smoothed_variance = smoothed_variance(scene, alpha)}),
+                        scene.surface(), surface);
     bands.deviation = without_margins(covariance.deviations(), scene.surface(), surface);
     for (double& value : bands.deviation) value *= rms;
   };

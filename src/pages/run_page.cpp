@@ -16,6 +16,7 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/csv/run_csv.hpp"
+#include "tactile_net/report/words/contact_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -321,6 +322,8 @@ std::string methods_section(const lab::Experiment& experiment) {
     if (result.resultant)
       html += element("p", method + resultant_in_words(scene, *result.resultant) +
                                " (one standard deviation; bands in the plots are two).");
+    if (const auto rows = report::patch_cells(scene.units, result.patches); !rows.empty())
+      html += element("p", method + "each contact by itself:") + drawing::html_table(rows);
     html += remarks_html(remarks_in_words(experiment, result), method);
   }
   return html;

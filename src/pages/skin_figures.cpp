@@ -9,6 +9,7 @@
 #include "pages/skin_section.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/contact_words.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -222,6 +223,8 @@ std::string judgement(const lab::SkinExperiment& experiment) {
   std::string html =
       element("h2", experiment.has_truth() ? "Found beside true" : "What was found") +
       drawing::html_table(report::found_cells(experiment));
+  if (const auto rows = report::patch_cells(scene.units, answer.patches); !rows.empty())
+    html += element("p", "Each contact by itself:") + drawing::html_table(rows);
   html += "<p>" + verdict_mark(std::string(name(answer.verdict))) + " " +
           drawing::escaped(drawing::typeset(
               "alpha " + brief(answer.alpha.value) + " (" + std::string(source(answer.alpha)) +

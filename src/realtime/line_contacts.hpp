@@ -16,33 +16,57 @@ struct LineContact {
   std::size_t contacts;  ///< of which it is one
 };
 
-/// Contacts are stretches above `least_share` of the highest pressure; where it falls below that
-/// between two places, these are of two, and the line is parted between them where it presses
-/// least. One contact alone has the whole line. O(values); no allocation.
+/// Finds the contacts on a line: stretches above `least_share` of the highest pressure; where it
+/// falls below that between two places, these are of two, and the line is parted between them where
+/// it presses least. Calls `use(first, last)` with the part of each from left to right, if there
+/// are two at least: one contact alone has the whole line. O(values); no allocation.
 ///
-/// @param p, q   normal and tangential tractions
+/// @param p      normal tractions
 /// @param least  sum of p that a contact has at least: the noise's
-/// @return the contact that needs the most friction
-inline LineContact nearest_to_slipping(const double* p, const double* q, std::size_t count,
-                                       double least) noexcept {
-  LineContact nearest{0, count, 0};
+/// @return how many contacts there are
+inline std::size_t for_each_contact(const double* p, std::size_t count, double least,
+                                    const auto& use) noexcept {
   const double limit = least_share * *std::max_element(p, p + count);
   // Calls with the first value of each stretch above the limit, what follows its last, and its sum.
-  const auto for_each_stretch = [&](const auto& use) {
+  const auto for_each_stretch = [&](const auto& take) {
     for (std::size_t i = 0; i < count; ++i) {
       if (!(p[i] > limit)) continue;
       const std::size_t first = i;
       double sum = 0.0;
       for (; i < count && p[i] > limit; ++i) sum += p[i];
-      use(first, i, sum);
+      take(first, i, sum);
     }
   };
   double strongest = 0.0;
   for_each_stretch(
       [&](std::size_t, std::size_t, double sum) { strongest = std::max(strongest, sum); });
   least = std::max(least, least_share * strongest);
+  std::size_t contacts = 0;
+  std::size_t begin = 0;  // of the contact that was found last, and what follows its stretch
+  std::size_t end = 0;
+  for_each_stretch([&](std::size_t first, std::size_t last, double sum) {
+    if (!(sum > least)) return;
+    if (contacts++ > 0) {
+      const auto cut = static_cast<std::size_t>(std::min_element(p + end, p + first) - p);
+      use(begin, cut);
+      begin = cut;
+    }
+    end = last;
+  });
+  if (contacts > 1) use(begin, count);
+  return contacts;
+}
+
+/// Of the contacts on a line the one that needs the most friction; one contact alone has the whole
+/// line. O(values); no allocation.
+///
+/// @param p, q   normal and tangential tractions
+/// @param least  as `for_each_contact` takes it
+inline LineContact nearest_to_slipping(const double* p, const double* q, std::size_t count,
+                                       double least) noexcept {
+  LineContact nearest{0, count, 0};
   double most = -1.0;
-  const auto compare = [&](std::size_t first, std::size_t last) {
+  nearest.contacts = for_each_contact(p, count, least, [&](std::size_t first, std::size_t last) {
     double press = 0.0;
     double drag = 0.0;
     for (std::size_t i = first; i < last; ++i) {
@@ -53,20 +77,8 @@ inline LineContact nearest_to_slipping(const double* p, const double* q, std::si
     most = std::abs(drag) / press;
     nearest.first = first;
     nearest.last = last;
-  };
-  std::size_t begin = 0;  // of the contact that was found last, and what follows its stretch
-  std::size_t end = 0;
-  for_each_stretch([&](std::size_t first, std::size_t last, double sum) {
-    if (!(sum > least)) return;
-    if (nearest.contacts++ > 0) {
-      const auto cut = static_cast<std::size_t>(std::min_element(p + end, p + first) - p);
-      compare(begin, cut);
-      begin = cut;
-    }
-    end = last;
   });
   if (nearest.contacts < 2) return {0, count, 1};
-  compare(begin, count);
   return nearest;
 }
 

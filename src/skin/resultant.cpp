@@ -5,7 +5,9 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
+#include "inverse/contact_sizes.hpp"
 #include "realtime/touching_cells.hpp"
 #include "tactile_net/skin/load.hpp"
 
@@ -360,6 +362,63 @@ std::optional<ContactEllipse> contact_ellipse(const SurfaceGrid& grid,
                         .second_radius = all[1],
                         // Of a circle any.
                         .angle = half > 0.0 ? all[2] : Uncertain{0.0, std::numbers::pi}};
+}
+
+std::vector<ContactPatch> patches_of(const SurfaceGrid& grid, std::span<const double> tractions,
+                                     std::span<const std::vector<std::size_t>> contacts,
+                                     const Covariance& covariance, double noise_rms,
+                                     const PatchOptions& options) {
+  constexpr double hertz = 5.0;  // the radius' square over the variance of place
+  std::vector<ContactPatch> patches;
+  for (const std::vector<std::size_t>& cells : contacts) {
+    const Contact contact(grid, tractions, cells);
+    ContactPatch patch{.cells = cells,
+                       .wrench = resultant_of(grid, tractions, cells, covariance, noise_rms),
+                       .lever = contact.lever()};
+    judge_slip(patch, options.friction_limit);
+    patch.ellipse = contact_ellipse(grid, tractions, cells, covariance, noise_rms);
+    double share = options.smoothed_variance > 0.0 ? 0.0 : 1.0;  // of the area, without smoothing
+    if (patch.ellipse) {
+      const auto least_share_of = [&](const Uncertain& radius) {
+        return share_without(radius.value * radius.value / hertz, options.smoothed_variance);
+      };
+      Uncertain& radius = patch.ellipse->radius;
+      Uncertain& second = patch.ellipse->second_radius;
+      const double of_radius = least_share_of(radius);
+      const double of_second = least_share_of(second);
+      share = of_radius * of_second;
+      radius = down_to(radius, radius.value * of_radius);
+      second = down_to(second, second.value * of_second);
+    }
+    std::vector<double> pressures;
+    for (const std::size_t cell : cells) pressures.push_back(contact.p(cell));
+    if (const std::optional<Extent> extent = extent_of(pressures, grid.area())) {
+      Gradient gradient(tractions.size());
+      for (std::size_t i = 0; i < cells.size(); ++i) gradient[cells[i]] = extent->gradient[i];
+      const std::vector<Result> area{{extent->value, std::move(gradient)}};
+      patch.extent = down_to(uncertain(area, covariance, noise_rms).front(), share * extent->value);
+    }
+    patches.push_back(std::move(patch));
+  }
+  std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
+    return a.wrench.normal.value > b.wrench.normal.value;
+  });
+  return patches;
+}
+
+ContactPatch on_grid(ContactPatch patch, const SurfaceGrid& from, const SurfaceGrid& to) {
+  const auto nearest = [](double place, double first, double spacing, std::size_t count) {
+    const double at = std::round((place - first) / spacing);
+    return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
+  };
+  for (std::size_t& cell : patch.cells) {
+    const std::size_t row = nearest(from.y(cell / from.columns), to.y(0), to.spacing_y, to.rows);
+    cell =
+        row * to.columns + nearest(from.z(cell % from.columns), to.z(0), to.spacing_z, to.columns);
+  }
+  std::sort(patch.cells.begin(), patch.cells.end());
+  patch.cells.erase(std::unique(patch.cells.begin(), patch.cells.end()), patch.cells.end());
+  return patch;
 }
 
 }  // namespace tactile_net

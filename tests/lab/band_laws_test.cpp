@@ -238,7 +238,7 @@ TEST_CASE("a second contact that is too weak to be certain is within the deviati
       "friction_limit = 0.8\n");
   const lab::FrameAnswer answer = solve(sensor.problem, sensor.readings());
   const Uncertain& force = answer.wrench.normal;
-  CAPTURE(answer.contacts, force.value, force.deviation);
+  CAPTURE(answer.patches.size(), force.value, force.deviation);
   CHECK(answer.verdict == lab::Verdict::ok);
   CHECK_THAT(force.value, WithinAbs(1.0 + weak, 2.0 * force.deviation));
   REQUIRE(answer.wrench.centre_y);

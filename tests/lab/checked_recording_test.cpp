@@ -472,8 +472,8 @@ TEST_CASE("taxels that are worn are told among others that feel much", "[lab][ch
   CHECK(std::get<finding::TaxelsLeftOut>(said.back()).taxels == worn);
   CHECK(problem.scene().dead_taxels == worn);
   const std::vector<double>& pressed = skin.frames[frames_recorded / 2];
-  const lab::SkinAnswer without = lab::solve(problem, pressed);
-  const lab::SkinAnswer expected = lab::solve(stated, pressed);
+  const lab::FrameAnswer without = lab::solve(problem, pressed);
+  const lab::FrameAnswer expected = lab::solve(stated, pressed);
   CHECK(without.verdict == expected.verdict);
   CHECK_THAT(without.wrench.normal.value, WithinRel(expected.wrench.normal.value, 1e-6));
 

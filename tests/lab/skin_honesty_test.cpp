@@ -176,7 +176,7 @@ TEST_CASE("the force of a narrow contact is held wherever it lies between taxels
                              std::pair(0.25, 0.25), std::pair(0.5, 0.5)}) {
     scene.contacts = pressed_skin(y * pitch, z * pitch).contacts;
     std::get<SkinContact>(scene.contacts.front()).radius = radius;
-    const lab::SkinAnswer answer = answer_of_skin(scene);
+    const lab::FrameAnswer answer = answer_of_skin(scene);
     CAPTURE(apart, radius, y, z, name(answer.verdict), answer.wrench.normal.value,
             answer.wrench.normal.deviation);
     CHECK(std::abs(answer.wrench.normal.value - 1000.0) <= 2.0 * answer.wrench.normal.deviation);

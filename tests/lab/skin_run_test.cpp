@@ -43,7 +43,7 @@ TEST_CASE("what was found is the truth within its own deviations", "[lab][skin]"
   near(*found.centre_y, 0.3, 1.0);
   near(*found.centre_z, -0.2, 1.0);
   CHECK(experiment.relative[0] < 0.3);
-  CHECK(experiment.answer->contacts == 1);
+  CHECK(experiment.answer->patches.size() == 1);
 }
 
 TEST_CASE("under a friction limit every cell obeys it", "[lab][skin]") {

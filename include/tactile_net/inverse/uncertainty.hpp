@@ -82,6 +82,12 @@ struct UncertainResultant {
                                               std::span<const double> tractions,
                                               const Covariance& covariance, double noise_rms);
 
+/// Of the values from `first` to before `last`, with nothing elsewhere.
+[[nodiscard]] UncertainResultant resultant_between(std::size_t first, std::size_t last,
+                                                   const Surface& surface,
+                                                   std::span<const double> tractions,
+                                                   const Covariance& covariance, double noise_rms);
+
 /// Resultant of the contact that needs the most friction, where several lie apart. F_v and F_t of
 /// the whole are sums: two contacts dragged in opposite directions both slip while F_t is 0.
 /// Absent: there is one contact, or no tangential traction.

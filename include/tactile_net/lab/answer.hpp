@@ -53,7 +53,7 @@ struct FrameAnswer {
   UncertainWrench wrench{};  ///< of those cells; of all where none is certain to touch
   std::optional<SkinFriction> friction{};   ///< absent with one component, or where nothing touches
   std::optional<ContactEllipse> ellipse{};  ///< of the strongest contact, by Hertz' law
-  std::size_t contacts = 0;                 ///< that lie apart
+  std::vector<ContactPatch> patches{};      ///< each contact by itself, the strongest first
   /// Of a skin with more tractions than dense matrices take (scene/skin_size.hpp): how near to the
   /// minimiser conjugate gradients came; under constraints that is in `cone`, and here no step.
   /// Single cells' deviations are then estimates, and those without constraints.

@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/lab/contact_tracker.hpp"
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/observer.hpp"
@@ -47,6 +48,7 @@ struct FrameGroup {
   std::vector<double> tractions{};    ///< normal, then tangential [Pa]
   Resultant resultant{};
   std::optional<FrameUncertainty> bands{};  ///< absent: the method has none
+  std::vector<FollowedContact> contacts{};  ///< from frame shown to frame shown, where bands are
 };
 
 struct RecordingOverview {
@@ -58,6 +60,7 @@ struct RecordingOverview {
   std::size_t doubted = 0;                    ///< frames whose readings have any
   std::vector<FrameGroup> groups{};           ///< in the order of time
   Findings findings{};  ///< about the readings, by a ReadingsChecker; `Recording` leaves them empty
+  ContactTracker tracker{};  ///< what became of the contacts of the frames that are shown
 
   [[nodiscard]] bool tangential() const noexcept;
   /// The group with the largest |F_v|, of those with the verdict ok if there is one: the hardest

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/inverse/contact_patch.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/observer.hpp"
@@ -48,7 +49,8 @@ struct MethodResult {
   std::optional<NoiseEstimate> noise{};
   std::optional<DataVerdict> data{};  ///< of the readings
   std::optional<UncertainResultant> resultant{};
-  std::vector<double> offsets{};  ///< of each channel's readings; none where they are known
+  std::vector<ContactPatch> patches{};  ///< each contact by itself, where there are bands
+  std::vector<double> offsets{};        ///< of each channel's readings; none where they are known
   Remarks remarks{};
   /// Why there is no answer that holds: the violated rule as the library or the simulator states
   /// it. Empty: there is one, or `Experiment::relaxation` says what is wrong with it.

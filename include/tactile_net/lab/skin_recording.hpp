@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tactile_net/lab/answer.hpp"
+#include "tactile_net/lab/contact_tracker.hpp"
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/frame_runs.hpp"
 
@@ -23,8 +24,9 @@ struct SkinRecordingAnswer {
     Verdict verdict = Verdict::ok;
     ChosenAlpha alpha{};
     UncertainWrench wrench{};
-    std::optional<Uncertain> friction{};  ///< drag over force
-    DataVerdict data{};                   ///< whether its readings can be true
+    std::optional<Uncertain> friction{};      ///< drag over force
+    DataVerdict data{};                       ///< whether its readings can be true
+    std::vector<FollowedContact> contacts{};  ///< the strongest first, without their cells
   };
 
   /// Tractions of a frame, for a picture; the one that presses hardest of `count` neighbours.
@@ -44,6 +46,7 @@ struct SkinRecordingAnswer {
   std::size_t hardest = 0;              ///< the frame with the largest normal force
   std::vector<double> readings{};       ///< of that one
   std::optional<FrameAnswer> answer{};  ///< of that one; absent: none has one
+  ContactTracker tracker{};             ///< what became of the frames' contacts
   Findings findings{};  ///< about the readings, by a ReadingsChecker; `add` leaves them empty
 
   /// Memory grows by what is kept of a frame alone.

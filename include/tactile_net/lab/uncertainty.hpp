@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/inverse/contact_patch.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/method.hpp"
 
@@ -19,9 +20,10 @@ struct FrameUncertainty {
   NoiseEstimate noise{};
   UncertainResultant resultant{};
   std::optional<UncertainResultant> nearest_to_slipping{};  ///< as `tactile_net` has it
-  std::vector<double> deviation{};  ///< of every traction [Pa], one standard deviation
-  bool holds_model_error = false;   ///< it counts for noise in them
-  std::vector<double> offsets{};    ///< of each channel's readings; none where they are known
+  std::vector<ContactPatch> patches{};  ///< each contact by itself, as `patches_of` finds them
+  std::vector<double> deviation{};      ///< of every traction [Pa], one standard deviation
+  bool holds_model_error = false;       ///< it counts for noise in them
+  std::vector<double> offsets{};        ///< of each channel's readings; none where they are known
 };
 
 /// By `LoadWindows` where the problem has them; of line loads over taxels with what may press

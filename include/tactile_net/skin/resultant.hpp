@@ -12,13 +12,12 @@
 ///     wrench.torsion->value;                 // [N m], about the centre of pressure
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/inverse/contact_patch.hpp"
 #include "tactile_net/skin/grid.hpp"
 
 namespace tactile_net {
@@ -76,19 +75,6 @@ struct FoundContacts {
 [[nodiscard]] std::vector<std::size_t> with_neighbours(const SurfaceGrid& grid,
                                                        std::span<const std::size_t> cells);
 
-/// The wrench of tractions, each value with its deviation.
-struct UncertainWrench {
-  Uncertain normal{};                       ///< F_x [N]
-  std::optional<Uncertain> tangential_y{};  ///< F_y [N]; absent with one component
-  std::optional<Uncertain> tangential_z{};  ///< F_z [N]; absent with one component
-  std::optional<Uncertain> centre_y{};      ///< centre of pressure [m]; absent if F_x <= 0
-  std::optional<Uncertain> centre_z{};      ///< centre of pressure [m]; absent if F_x <= 0
-  /// Moment about x through the centre of pressure, from y towards z [N m].
-  std::optional<Uncertain> torsion{};
-  /// Covariance of the six values in their order, 6 x 6 row-major; zero where one is absent.
-  std::array<double, 36> covariance{};
-};
-
 /// Wrench of the tractions of some cells.
 ///
 /// @param cells      cells to sum over: `contact_cells`, or all
@@ -135,15 +121,23 @@ enum class PressureLaw {
   punch,    ///< variance of the place: a^2 / 3
 };
 
-/// The ellipse that has the second moments of one contact's pressure, which the solver has blurred
-/// by about a depth. Absent if F_x <= 0 or the moments are not an ellipse's.
-struct ContactEllipse {
-  Uncertain radius{};         ///< [m], the longer one
-  Uncertain second_radius{};  ///< [m]
-  Uncertain angle{};          ///< of `radius`, from the y axis towards z [rad], in (-pi/2, pi/2]
-};
+/// The ellipse of one contact's pressure as the tractions have it, with what the solver has
+/// blurred. Absent if F_x <= 0 or the moments are not an ellipse's.
 [[nodiscard]] std::optional<ContactEllipse> contact_ellipse(
     const SurfaceGrid& grid, std::span<const double> tractions, std::span<const std::size_t> cells,
     const Covariance& covariance, double noise_rms, PressureLaw law = PressureLaw::hertz);
+
+/// Each contact by itself, the strongest first.
+///
+/// @param contacts  their cells: `separate_contacts`
+/// @throw std::invalid_argument  a size does not fit, the friction limit is not > 0
+[[nodiscard]] std::vector<ContactPatch> patches_of(
+    const SurfaceGrid& grid, std::span<const double> tractions,
+    std::span<const std::vector<std::size_t>> contacts, const Covariance& covariance,
+    double noise_rms, const PatchOptions& options = {});
+
+/// The same on another grid: its cells that lie nearest to the patch's.
+[[nodiscard]] ContactPatch on_grid(ContactPatch patch, const SurfaceGrid& from,
+                                   const SurfaceGrid& to);
 
 }  // namespace tactile_net

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "report/json/contact_json.hpp"
 #include "report/json/data_json.hpp"
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
@@ -30,6 +31,7 @@ void add_uncertainty(Json& json, const lab::MethodResult& result) {
                           : Json{{"normal", result.normal.deviation},
                                  {"tangential", list_or_null(result.tangential.deviation)}};
   json["resultant"] = result.resultant ? resultant(*result.resultant) : Json(nullptr);
+  json["patches"] = line_contacts_json(result.patches);
   json["noise"] = nullptr;
   if (result.noise)
     json["noise"] = {{"stated", number_or_null(result.noise->stated_rms)},

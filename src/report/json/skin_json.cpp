@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "report/json/contact_json.hpp"
 #include "report/json/data_json.hpp"
 #include "report/json/document.hpp"
 #include "report/json/finding_json.hpp"
@@ -53,18 +54,6 @@ Json wrench_json(const SkinWrench& wrench) {
           {"torsion", number_or_null(wrench.torsion())}};
 }
 
-Json pair_json(const std::optional<Uncertain>& a, const std::optional<Uncertain>& b) {
-  return a && b ? Json{uncertain_json(*a), uncertain_json(*b)} : Json(nullptr);
-}
-
-Json found_json(const UncertainWrench& wrench) {
-  return {{"normal", uncertain_json(wrench.normal)},
-          {"tangential_y", uncertain_or_null(wrench.tangential_y)},
-          {"tangential_z", uncertain_or_null(wrench.tangential_z)},
-          {"centre", pair_json(wrench.centre_y, wrench.centre_z)},
-          {"torsion", uncertain_or_null(wrench.torsion)}};
-}
-
 Json skin_friction_json(const std::optional<SkinFriction>& friction) {
   if (!friction) return nullptr;
   return {{"ratio", uncertain_json(friction->ratio)},
@@ -74,13 +63,6 @@ Json skin_friction_json(const std::optional<SkinFriction>& friction) {
                          ? pair_json(friction->wrench->centre_y, friction->wrench->centre_z)
                          : Json(nullptr)},
           {"slip_margin", uncertain_or_null(friction->slip_margin)}};
-}
-
-Json ellipse_json(const std::optional<ContactEllipse>& ellipse) {
-  if (!ellipse) return nullptr;
-  return {{"radius", uncertain_json(ellipse->radius)},
-          {"second_radius", uncertain_json(ellipse->second_radius)},
-          {"angle", uncertain_json(ellipse->angle)}};
 }
 
 /// Null with one component, which nothing weighs.
@@ -107,9 +89,10 @@ Json answer_json(const lab::SkinExperiment& experiment) {
                {"tractions", fields(answer.tractions, experiment.grid)},
                {"deviations", fields(answer.deviations, experiment.grid)},
                {"cells", answer.cells},
-               {"contacts", answer.contacts},
+               {"contacts", answer.patches.size()},
                {"unseen", answer.unseen},
                {"resultant", found_json(answer.wrench)},
+               {"patches", skin_contacts_json(answer.patches)},
                {"friction", skin_friction_json(answer.friction)},
                {"ellipse", ellipse_json(answer.ellipse)},
                {"relative_error",
@@ -189,6 +172,7 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
   json["grid"] = grid_json(recording.grid);
   json["hardest"] = recording.answer ? Json(recording.hardest) : Json(nullptr);
   json["findings"] = findings_json(recording.findings, recording.scene);
+  json["events"] = events_json(recording.tracker.events());
   json["frames"] = Json::array();
   for (const lab::SkinRecordingAnswer::Frame& frame : recording.frames) {
     Json one = {{"t", finite_or_null(frame.time)},
@@ -201,6 +185,7 @@ std::string recording_json(const lab::SkinRecordingAnswer& recording, const std:
                 {"tangential_weight", nullptr},
                 {"resultant", nullptr},
                 {"friction", uncertain_or_null(frame.friction)},
+                {"patches", skin_contacts_json(frame.contacts)},
                 {"data", nullptr}};
     if (!frame.missing) {
       one["data"] = doubts_json(frame.data);

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "report/json/contact_json.hpp"
 #include "report/json/data_json.hpp"
 #include "report/json/document.hpp"
 #include "report/json/finding_json.hpp"
@@ -23,6 +24,7 @@ Json shown_json(const lab::RecordingOverview& overview) {
     const auto numbers = shown_numbers(overview, group);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       json[std::string(shown_names[i])] = number_or_null(numbers[i]);
+    json["patches"] = line_contacts_json(group.contacts);
     list.push_back(std::move(json));
   }
   return list;
@@ -78,6 +80,7 @@ std::string solve_json(const lab::RecordingOverview& overview, const lab::Solved
       {"columns_ignored", report.columns_ignored},
       {"seconds", report.seconds},
       {"findings", findings_json(overview.findings, scene)},
+      {"events", events_json(overview.tracker.events())},
       {"shown", shown_json(overview)}});
   if (scene.units) json["units"] = units_json(*scene.units);
   return text_of(json, 2);

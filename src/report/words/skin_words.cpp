@@ -13,6 +13,7 @@
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/report/words/contact_words.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
@@ -80,7 +81,7 @@ bool is_off(const Uncertain& found, double exact, double scale) {
 
 /// What sums are of, where there are several contacts.
 std::string of_all(const lab::FrameAnswer& answer) {
-  return answer.contacts > 1 ? " of all contacts" : "";
+  return answer.patches.size() > 1 ? " of all contacts" : "";
 }
 
 Answer pressed(const lab::SkinExperiment& experiment) {
@@ -98,19 +99,6 @@ Answer pressed(const lab::SkinExperiment& experiment) {
     answer.doubtful = answer.doubtful || !is_faultless(found.verdict);
   }
   return answer;
-}
-
-/// The size of a drag, to first order.
-Uncertain drag_of(const UncertainWrench& wrench) {
-  const double y = wrench.tangential_y->value;
-  const double z = wrench.tangential_z->value;
-  const double size = std::hypot(y, z);
-  const double dy = wrench.tangential_y->deviation;
-  const double dz = wrench.tangential_z->deviation;
-  if (!(size > 0.0)) return {0.0, std::max(dy, dz)};
-  const double both = wrench.covariance[1 * 6 + 2];
-  const double variance = y * y * dy * dy + 2.0 * y * z * both + z * z * dz * dz;
-  return {size, std::sqrt(std::max(variance, 0.0)) / size};
 }
 
 double direction(double y, double z) { return std::atan2(z, y); }
@@ -319,7 +307,7 @@ std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& exp
   const SkinWrench& exact = experiment.frame.wrench;
   const bool compared = experiment.has_truth();
   std::vector<std::vector<std::string>> rows = {
-      {answer.contacts > 1 ? "of all contacts" : "of the contact", "found"}};
+      {answer.patches.size() > 1 ? "of all contacts" : "of the contact", "found"}};
   if (compared) rows.front().emplace_back("true");
   // A truth that is nothing beside `scale` is rounding.
   const auto add = [&](const char* what, Dimension dimension, const std::optional<Uncertain>& found,
@@ -341,7 +329,7 @@ std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& exp
       centre ? std::optional(centre->z) : std::nullopt, spacing);
   add("torsion about it", Dimension::moment, wrench.torsion, exact.torsion(),
       spacing * exact.force[0]);
-  if (answer.ellipse && answer.contacts == 1 && may_be_hertz(scene)) {
+  if (answer.ellipse && answer.patches.size() == 1 && may_be_hertz(scene)) {
     const auto [longer, shorter] = hertz_radii(scene);
     add(longer ? "radius (Hertz)" : "radius, if Hertz's", Dimension::length, answer.ellipse->radius,
         longer, spacing);
@@ -390,6 +378,10 @@ void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) 
   }
   const lab::FrameAnswer& answer = *experiment.answer;
   print_cells(out, found_cells(experiment));
+  if (const auto rows = patch_cells(scene.units, answer.patches); !rows.empty()) {
+    out << '\n';
+    print_cells(out, rows);
+  }
   out << "verdict " << name(answer.verdict) << ", alpha " << brief(answer.alpha.value) << " ("
       << source(answer.alpha) << "), off the true p " << percent(experiment.relative[0]);
   if (components(scene) == 3)

@@ -7,6 +7,7 @@
 #include "numeric/named.hpp"
 #include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/contact_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
@@ -214,6 +215,8 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
   for (const lab::MethodResult& result : experiment.results) {
     if (result.resultant)
       out << name(result.method) << ": " << resultant_in_words(scene, *result.resultant) << '\n';
+    if (const auto rows = patch_cells(scene.units, result.patches); !rows.empty())
+      print_cells(out, rows);
     print_remarks(out, std::string(name(result.method)) + ": ",
                   remarks_in_words(experiment, result));
     if (const std::string failure = failure_in_words(experiment, result); !failure.empty())

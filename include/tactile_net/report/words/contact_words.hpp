@@ -1,0 +1,21 @@
+/// @file
+/// The contacts of an answer, one by one, as text for people.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tactile_net/inverse/contact_patch.hpp"
+#include "tactile_net/scene/units.hpp"
+
+namespace tactile_net::report {
+
+/// A row a contact, the strongest first: force, drag, centre, torsion, friction, margin and size,
+/// as far as they are known. Where there are fewer than two the sum says it all: no row, not even a
+/// header.
+[[nodiscard]] std::vector<std::vector<std::string>> patch_cells(
+    const std::optional<Units>& units, std::span<const ContactPatch> patches);
+
+}  // namespace tactile_net::report
