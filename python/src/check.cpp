@@ -1,6 +1,5 @@
 // A recording looked at before it is trusted.
 #include <nanobind/stl/optional.h>
-#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -8,7 +7,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "arrays.hpp"
@@ -38,14 +36,6 @@ lab::ReadingsCheck check(const Any& shared, const std::vector<double>& times, co
   return checker.result(watcher);
 }
 
-/// Of each suspicion what it is, and what to do.
-std::vector<std::pair<std::string, std::string>> findings_of(const lab::ReadingsCheck& self) {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const lab::Finding& finding : self.findings)
-    all.emplace_back(report::in_words(finding, self.scene), report::advice(finding, self.scene));
-  return all;
-}
-
 std::string check_text(const lab::ReadingsCheck& self) {
   std::ostringstream out;
   report::print_check(out, self);
@@ -62,7 +52,6 @@ void bind_check_of(nb::module_& module) {
 
 void bind_check(nb::module_& module) {
   nb::class_<lab::ReadingsCheck>(module, "ReadingsCheck")
-      .def("findings", &findings_of)
       .def("understood", &report::understood_in_words)
       .def("text", &check_text)
       .def("json", &report::check_json, nb::arg("name"));

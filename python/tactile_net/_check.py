@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -23,6 +23,10 @@ class Finding(NamedTuple):
     what: str
     advice: str
     """What to write, or to do."""
+    kind: str
+    """Its name, such as `dead_taxels`: the table in check.md has them all."""
+    numbers: dict[str, Any]
+    """The numbers of its kind, by the names in that table."""
 
 
 class ReadingsCheck(Document):
@@ -40,10 +44,12 @@ class ReadingsCheck(Document):
         times = [] if recording.t is None else recording.t.tolist()
         with listening(progress) as heard:
             core = _core.check(self.scene._core, times, np.ascontiguousarray(rows), heard)
-        self.findings = tuple(Finding(*one) for one in core.findings())
         self.understood = tuple(core.understood())
         self._text = core.text()
         self._json = core.json(name)
+        self.findings = tuple(
+            Finding(one.pop("text"), one.pop("advice"), one.pop("kind"), one) for one in self.to_dict()["findings"]
+        )
 
     def __str__(self) -> str:
         return self._text
@@ -52,4 +58,5 @@ class ReadingsCheck(Document):
         return f"<ReadingsCheck of {self.scene.file}: {len(self.findings)} suspicious>"
 
     def _repr_html_(self) -> str:
-        return _html.paragraphs(self.understood) + _html.table([("suspicious", "what to do"), *self.findings])
+        rows = [(one.what, one.advice) for one in self.findings]
+        return _html.paragraphs(self.understood) + _html.table([("suspicious", "what to do"), *rows])

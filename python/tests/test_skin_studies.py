@@ -129,6 +129,9 @@ def test_checks(command: Callable[..., str], name: str, tmp_path: Path) -> None:
     turned = scene.check(-recording.readings)
     assert any("sign" in finding.what or "pull" in finding.what for finding in turned.findings), turned.findings
     assert all(finding.advice for finding in turned.findings) and "suspicious" in repr(turned)
+    told = [{"kind": one.kind, "text": one.what, "advice": one.advice} | one.numbers for one in turned.findings]
+    assert told == turned.to_dict()["findings"]
+    assert all(one.numbers for one in turned.findings)
 
 
 def test_frames_that_miss_readings(command: Callable[..., str], tmp_path: Path) -> None:

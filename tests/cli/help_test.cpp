@@ -68,6 +68,7 @@ TEST_CASE("a value that there is not is told with those that there are", "[cli]"
   usage_refused({"run", "S", "--frame", "-1"}, "'-1' is not a whole number");
   usage_refused({"relax", "S", "--tolerance", "1,5"}, "'1,5' is not a number");
   usage_refused({"help", "slove"}, "did you mean 'solve'?");
+  usage_refused({"schema", "chekc"}, "did you mean 'check'?");
   usage_refused({"help", "solve", "--man"}, "--man: is one page of all commands");
 }
 

@@ -7,9 +7,23 @@
 #include "command_line/parser.hpp"
 #include "tactile_net/numeric/fft.hpp"
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/json/schema.hpp"
 #include "tactile_net/report/words/confinement_words.hpp"
 
 namespace tactile_net::tool {
+
+void add_schema(AllCommands& all) {
+  auto [command, options] = all.add<SchemaOptions>(
+      {.name = "schema",
+       .text = "Print the JSON Schema of a document that another command writes: its keys, what "
+               "they hold, and in which units",
+       .pages = {"results.md"},
+       .examples = {{"schema", "the kinds of documents, a line each"},
+                    {"schema check", "of what check --json writes"}}});
+  const auto kinds = report::schema_kinds();
+  command.add_option("KIND", options.kind, choice({kinds.begin(), kinds.end()}),
+                     "What stands in the document under kind (default: all of them, a line each)");
+}
 
 void add_completion(AllCommands& all) {
   auto [command, options] = all.add<CompletionOptions>(
@@ -62,7 +76,7 @@ AllCommands::AllCommands() {
       {"more", "help COMMAND, with examples; docs/terminal.md, docs/scene.md, docs/results.md"}};
   for (const auto add_to : {add_init, add_check, add_solve, add_identify, add_calibrate, add_plan,
                             add_grasp, add_run, add_simulate, add_tradeoff, add_sweep, add_merge,
-                            add_gen, add_relax, add_certify, add_completion, add_help})
+                            add_gen, add_relax, add_certify, add_schema, add_completion, add_help})
     add_to(*this);
 }
 

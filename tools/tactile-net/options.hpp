@@ -18,6 +18,7 @@
 #include "commands/plan.hpp"
 #include "commands/relax.hpp"
 #include "commands/run.hpp"
+#include "commands/schema.hpp"
 #include "commands/simulate.hpp"
 #include "commands/solve.hpp"
 #include "commands/sweep.hpp"
@@ -26,10 +27,11 @@
 namespace tactile_net::tool {
 
 /// What one command was asked for: `run` takes it.
-using Command = std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
-                             SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions,
-                             GraspOptions, SweepOptions, MergeOptions, InitOptions, CheckOptions,
-                             CalibrateOptions, HelpOptions, CompletionOptions, ReleaseOptions>;
+using Command =
+    std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
+                 SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions, GraspOptions,
+                 SweepOptions, MergeOptions, InitOptions, CheckOptions, CalibrateOptions,
+                 SchemaOptions, HelpOptions, CompletionOptions, ReleaseOptions>;
 
 struct Invocation {
   Command command{};

@@ -15,6 +15,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tactile_net/lab/finding.hpp"
@@ -26,21 +27,32 @@ namespace tactile_net::lab {
 
 /// The times of a recording, as far as its frames have them.
 struct RecordingClock {
-  bool in_seconds = true;           ///< false: their unit is not known
-  std::size_t timed = 0;            ///< frames with a time
-  double first = 0.0;               ///< of the first of them [s]
-  double last = 0.0;                ///< of the last of them [s]
-  double longest = 0.0;             ///< longest step forwards [s]
-  double forwards = 0.0;            ///< all steps forwards together [s]
-  std::size_t backwards = 0;        ///< how often time runs backwards
+  bool in_seconds = true;
+  std::size_t timed = 0;  ///< frames with a time
+  double first = 0.0;
+  double last = 0.0;
+  double longest = 0.0;
+  double forwards = 0.0;  ///< all steps forwards together [s]
+  std::size_t backwards = 0;
   std::size_t first_backwards = 0;  ///< frame
   std::size_t rollovers = 0;        ///< how often that looks like a counter of 32 bits at its end
-  std::size_t repeats = 0;          ///< how often it stands still
-  std::size_t first_repeat = 0;     ///< frame
+  std::size_t repeats = 0;
+  std::size_t first_repeat = 0;  ///< frame
 
-  /// Frames per second on average, steps backwards aside; nothing without two different times, or
-  /// where their unit is not known.
+  /// Nothing without two different times, or where their unit is not known.
   [[nodiscard]] std::optional<double> rate() const noexcept;
+
+  static constexpr auto described =
+      std::tuple{field("first", &RecordingClock::first, Measure::time, "The first frame's time."),
+                 field("last", &RecordingClock::last, Measure::time, "The last frame's time."),
+                 field("in_seconds", &RecordingClock::in_seconds,
+                       "False: times are whole numbers of no stated unit, as they stand."),
+                 field("rate", &RecordingClock::rate, Measure::rate,
+                       "Frames per second on average, steps backwards aside; null: not known."),
+                 field("longest_step", &RecordingClock::longest, Measure::time,
+                       "The longest step forwards from one frame to the next."),
+                 field("backwards", &RecordingClock::backwards, "How often time runs backwards."),
+                 field("repeats", &RecordingClock::repeats, "How often time stands still.")};
 };
 
 /// What one channel holds.
@@ -48,13 +60,23 @@ struct CheckedChannel {
   std::string name{};
   double least = 0.0;
   double largest = 0.0;
-  /// Rms, estimated, at least that of a converter's rounding; absent: too few still frames, or a
-  /// threshold hides it.
   std::optional<double> noise{};
-  double rounding = 0.0;           ///< rms, of steps that are larger than the noise
-  std::optional<double> stated{};  ///< by the scene
-  /// The number, as the file has it, below which all are written as 0.
+  double rounding = 0.0;  ///< rms, of steps that are larger than the noise
+  std::optional<double> stated{};
   std::optional<double> threshold{};
+
+  static constexpr auto described = std::tuple{
+      field("name", &CheckedChannel::name, "The quantity, and its depth where there are several."),
+      field("least", &CheckedChannel::least, Measure::reading, "The least reading."),
+      field("largest", &CheckedChannel::largest, Measure::reading, "The largest reading."),
+      field("noise", &CheckedChannel::noise, Measure::reading,
+            "The noise estimated, rms, at least that of a converter's rounding; null: too few "
+            "still frames, or a threshold hides it."),
+      field("noise_stated", &CheckedChannel::stated, Measure::reading,
+            "The noise that the scene states, rms."),
+      field("threshold", &CheckedChannel::threshold,
+            "The number, as the file has it, below which all are written as 0; null: there is "
+            "none.")};
 };
 
 /// The frame with the largest reading, and what it means.

@@ -11,7 +11,7 @@
 namespace tactile_net::report {
 namespace {
 
-std::string field(const std::optional<double>& value) {
+std::string csv_number(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? ',' + shortest(*value) : ",";
 }
 
@@ -25,10 +25,10 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
     text += ',' + column;
   text += ",data\n";
   for (const lab::FrameGroup& group : overview.groups) {
-    text += std::to_string(group.shown) + field(group.time) + ',' + std::to_string(group.first) +
-            ',' + std::to_string(group.count) + ',' + std::to_string(group.distrusted) + ',' +
-            std::string(name(group.verdict));
-    for (const auto& number : shown_numbers(overview, group)) text += field(number);
+    text += std::to_string(group.shown) + csv_number(group.time) + ',' +
+            std::to_string(group.first) + ',' + std::to_string(group.count) + ',' +
+            std::to_string(group.distrusted) + ',' + std::string(name(group.verdict));
+    for (const auto& number : shown_numbers(overview, group)) text += csv_number(number);
     text += ',';
     frames::append_row(text, group.tractions);
     text.back() = ',';

@@ -9,7 +9,7 @@
 namespace tactile_net::report {
 
 /// What a document is. `schema` grows by one when a key goes, or means something else: whoever
-/// reads one asks for both. docs/schemas/NAME.json is the JSON Schema.
+/// reads one asks for both. schema.hpp has the JSON Schema.
 struct DocumentKind {
   std::string_view name;
   int schema = 1;

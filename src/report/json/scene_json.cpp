@@ -20,15 +20,19 @@ Json scene_json(const DocumentKind& kind, const Scene& scene) {
   return json;
 }
 
-Json units_json(const Units& units) {
-  return {{"length", si_unit(Dimension::length)},
-          {"stress", si_unit(Dimension::stress)},
-          {"force", si_unit(Dimension::force)},
-          {"stated",
-           {{"length", units.length.name},
-            {"modulus", units.modulus.name},
-            {"stress", units.stress.name},
-            {"force", units.force.name}}}};
+UnitsTold units_told(const Units& units, Dimension force) {
+  return {.length = si_unit(Dimension::length),
+          .stress = si_unit(Dimension::stress),
+          .force = si_unit(force),
+          .stated = {.length = units.length.name,
+                     .modulus = units.modulus.name,
+                     .stress = units.stress.name,
+                     .force = units.force.name}};
+}
+
+Json units_json(const Units& units) { return as_json(units_told(units, Dimension::force)); }
+Json skin_units_json(const Units& units) {
+  return as_json(units_told(units, Dimension::point_force));
 }
 
 }  // namespace tactile_net::report

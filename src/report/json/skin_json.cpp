@@ -14,12 +14,6 @@
 
 namespace tactile_net::report {
 
-Json skin_units_json(const Units& units) {
-  Json json = units_json(units);
-  json["force"] = si_unit(Dimension::point_force);
-  return json;
-}
-
 Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
   Json json = document(kind);
   json["scene"] = scene.file;

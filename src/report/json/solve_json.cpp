@@ -39,10 +39,10 @@ std::string solve_json(const lab::RecordingOverview& overview, const lab::Solved
   for (const auto& [verdict, count] : solved.verdicts) verdicts.emplace(lab::name(verdict), count);
   Json distrusted = Json::object();
   for (const auto& [verdict, frames] : solved.distrusted)
-    distrusted[std::string(lab::name(verdict))] = runs_json(frames);
+    distrusted[std::string(lab::name(verdict))] = as_json(frames);
   Json doubted = Json::object();
   for (const auto& [doubt, frames] : solved.doubted)
-    doubted[std::string(name(doubt))] = runs_json(frames);
+    doubted[std::string(name(doubt))] = as_json(frames);
   Json bad_taxels = Json::array();
   for (const auto& [taxel, frames] : solved.bad_taxels)
     bad_taxels.push_back({{"taxel", taxel}, {"frames", frames}});
@@ -71,8 +71,8 @@ std::string solve_json(const lab::RecordingOverview& overview, const lab::Solved
        {{"noise_known", solved.noise_known}, {"doubted", doubted}, {"bad_taxels", bad_taxels}}},
       {"missing",
        {{"policy", lab::name(report.missing)},
-        {"skipped", runs_json(solved.skipped)},
-        {"estimated", runs_json(solved.estimated)}}},
+        {"skipped", as_json(solved.skipped)},
+        {"estimated", as_json(solved.estimated)}}},
       {"condition", condition ? Json(condition->value) : Json(nullptr)},
       {"condition_kind", condition ? Json(name(condition->kind)) : Json(nullptr)},
       {"condition_of", condition ? Json(name(condition->matrix)) : Json(nullptr)},

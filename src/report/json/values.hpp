@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "tactile_net/inverse/uncertainty.hpp"
-#include "tactile_net/lab/frame_runs.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/system/printable.hpp"
@@ -41,13 +40,6 @@ inline Json matrix_json(const Matrix& matrix) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < matrix.rows; ++i) rows.push_back(matrix.row(i));
   return rows;
-}
-
-/// Frames as runs, each with its first and last number.
-inline Json runs_json(const lab::FrameRuns& frames) {
-  Json list = Json::array();
-  for (const lab::FrameRun& run : frames.runs()) list.push_back({run.first, run.last});
-  return {{"count", frames.count()}, {"runs", list}, {"not_listed", frames.not_listed()}};
 }
 
 inline Json uncertain_json(const Uncertain& number) {

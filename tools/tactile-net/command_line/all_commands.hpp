@@ -60,6 +60,7 @@ void add_merge(AllCommands& all);
 void add_init(AllCommands& all);
 void add_check(AllCommands& all);
 void add_calibrate(AllCommands& all);
+void add_schema(AllCommands& all);
 void add_completion(AllCommands& all);
 void add_help(AllCommands& all);
 

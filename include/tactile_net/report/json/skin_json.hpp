@@ -12,16 +12,16 @@
 
 namespace tactile_net::report {
 
-/// docs/schemas/skin_run.json
+/// kind `skin_run`
 [[nodiscard]] std::string experiment_json(const lab::SkinExperiment& experiment);
 
-/// A recording of a skin: docs/schemas/simulate.json.
+/// A recording of a skin: kind `simulate`.
 ///
 /// @param columns  of the file of readings
 [[nodiscard]] std::string simulate_json(const SkinScene& scene, const lab::RecordedFrames& recorded,
                                         std::span<const std::string> columns);
 
-/// A recording solved: docs/schemas/skin_solve.json. @param readings  the file of readings
+/// A recording solved: kind `skin_solve`. @param readings  the file of readings
 [[nodiscard]] std::string recording_json(const lab::SkinRecordingAnswer& recording,
                                          const std::string& readings);
 

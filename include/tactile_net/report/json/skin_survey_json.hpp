@@ -1,5 +1,5 @@
 /// @file
-/// A survey of a skin's sensors as JSON (docs/schemas/skin_identify.json).
+/// A survey of a skin's sensors as JSON (kind `skin_identify`).
 #pragma once
 
 #include <string>

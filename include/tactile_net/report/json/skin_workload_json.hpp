@@ -1,5 +1,5 @@
 /// @file
-/// What a skin's run would do, as JSON (docs/schemas/explain.json).
+/// What a skin's run would do, as JSON (kind `explain`).
 #pragma once
 
 #include <string>

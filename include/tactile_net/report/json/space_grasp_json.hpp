@@ -1,5 +1,5 @@
 /// @file
-/// A grasp in space as JSON; the format is docs/schemas/space_grasp.json.
+/// A grasp in space as JSON; the format is kind `space_grasp`.
 #pragma once
 
 #include <string>

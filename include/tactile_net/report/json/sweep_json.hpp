@@ -10,7 +10,7 @@
 
 namespace tactile_net::report {
 
-/// The document docs/schemas/sweep.json. The rows themselves stand in results.csv.
+/// The document kind `sweep`. The rows themselves stand in results.csv.
 ///
 /// @param resumed  points that an earlier call had done; absent: not known, as of a merge
 [[nodiscard]] std::string sweep_json(const sweep::Table& table,

@@ -1,0 +1,110 @@
+#include "tactile_net/report/json/schema.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "report/json/finding_json.hpp"
+#include "report/json/scene_json.hpp"
+#include "report/json/schemas.hpp"
+#include "tactile_net/numeric/text.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+struct DescribedKind {
+  std::string_view name;
+  Json (*schema)();
+};
+constexpr DescribedKind described_kinds[] = {{kind::check.name, check_schema}};
+
+/// Files that hold parts of others, and are no documents.
+constexpr std::string_view shared_files[] = {"common", "circuit"};
+
+/// What written schemas call "described.json": the parts that are described by fields.
+Json described_parts() {
+  return {{"$defs",
+           {{"finding", schema_of<FindingTold>()},
+            {"runs", schema_of<lab::FrameRuns>()},
+            {"units", schema_of<UnitsTold>()}}}};
+}
+
+Json schema_in(std::string_view name) {
+  if (name == "described") return described_parts();
+  for (const DescribedKind& one : described_kinds)
+    if (one.name == name) return one.schema();
+  for (const WrittenSchema& one : written_schemas())
+    if (one.name == name) return Json::parse(one.text);
+  throw std::logic_error("no schema is called " + std::string(name));
+}
+
+void expect_kind(std::string_view kind) {
+  const std::vector<std::string_view> kinds = schema_kinds();
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw std::invalid_argument("no document is of the kind '" + std::string(kind) +
+                                "': give one of " +
+                                join(std::vector<std::string>(kinds.begin(), kinds.end()), ", "));
+}
+
+/// Takes what a schema refers to, in its own file and in others, into one list of definitions.
+class Bundle {
+ public:
+  explicit Bundle(std::string_view kind) : kind_(kind), schema_(schema_in(kind)) {
+    schema_.erase("$defs");
+    take_in(schema_, kind_);
+    if (!definitions_.empty()) schema_["$defs"] = definitions_;
+  }
+
+  [[nodiscard]] const Json& schema() const { return schema_; }
+
+ private:
+  /// @param part  of the schema `file`
+  void take_in(Json& part, const std::string& file) {
+    if (part.is_object() && part.contains("$ref")) refer(part["$ref"], file);
+    if (part.is_structured())
+      for (Json& inner : part) take_in(inner, file);
+  }
+
+  /// @param reference  "common.json#/$defs/runs", or "#/$defs/runs" of `file` itself
+  void refer(Json& reference, const std::string& file) {
+    const std::string text = reference;
+    const std::size_t end = text.find(".json#");
+    const std::string of = end == text.npos ? file : text.substr(0, end);
+    const std::string name = text.substr(text.rfind('/') + 1);
+    const std::string here = of == kind_ ? name : of + '_' + name;
+    reference = "#/$defs/" + here;
+    if (definitions_.contains(here)) return;
+    definitions_[here] = nullptr;  // where it refers to itself
+    Json definition = schema_in(of).at("$defs").at(name);
+    take_in(definition, of);
+    definitions_[here] = std::move(definition);
+  }
+
+  std::string kind_;
+  Json schema_;
+  Json definitions_ = Json::object();
+};
+
+}  // namespace
+
+std::vector<std::string_view> schema_kinds() {
+  std::vector<std::string_view> names;
+  for (const DescribedKind& one : described_kinds) names.push_back(one.name);
+  for (const WrittenSchema& one : written_schemas())
+    if (std::find(std::begin(shared_files), std::end(shared_files), one.name) ==
+        std::end(shared_files))
+      names.push_back(one.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string schema(std::string_view kind) {
+  expect_kind(kind);
+  return text_of(Bundle(kind).schema(), 2);
+}
+
+std::string schema_title(std::string_view kind) {
+  expect_kind(kind);
+  return schema_in(kind).at("title");
+}
+
+}  // namespace tactile_net::report

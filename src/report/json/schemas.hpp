@@ -1,0 +1,23 @@
+/// @file
+/// Private. Where schemas come from: the fields of a result, or a file of docs/schemas.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "report/json/values.hpp"
+
+namespace tactile_net::report {
+
+struct WrittenSchema {
+  std::string_view name;  ///< of the file, without its end
+  std::string_view text;
+};
+
+/// The files of docs/schemas, as they were when this was built.
+[[nodiscard]] std::span<const WrittenSchema> written_schemas();
+
+// Of the kinds that are described by fields.
+[[nodiscard]] Json check_schema();
+
+}  // namespace tactile_net::report
