@@ -27,10 +27,10 @@ std::string experiment_text(const Any& self) {
 }
 
 template <class Any>
-std::string write_experiment_report(const Any& self, const std::string& folder, bool force) {
+void write_experiment_report(const Any& self, const std::string& folder, bool force) {
   const nb::gil_scoped_release released;
-  return write_page({.path = folder, .force = force}, pages::run_page(self, ""), "result.json",
-                    report::experiment_json(self));
+  write_page({.path = folder, .force = force}, pages::run_page(self, ""), "result.json",
+             report::experiment_json(self));
 }
 
 /// @tparam Any  `lab::Experiment` or `lab::SkinExperiment`

@@ -69,12 +69,12 @@ std::string html(const ScenesCalibration& self) {
   return pages::calibration_html(self.found, self.log, {}).html;
 }
 
-std::string write_calibration_report(const ScenesCalibration& self, const std::string& folder,
-                                     bool force) {
+void write_calibration_report(const ScenesCalibration& self, const std::string& folder,
+                              bool force) {
   const nb::gil_scoped_release released;
-  return write_page({.path = folder, .force = force},
-                    pages::calibration_html(self.found, self.log, {.files = {"result.json"}}),
-                    "result.json", report::calibration_json(self.found, self.log));
+  write_page({.path = folder, .force = force},
+             pages::calibration_html(self.found, self.log, {.files = {"result.json"}}),
+             "result.json", report::calibration_json(self.found, self.log));
 }
 
 }  // namespace

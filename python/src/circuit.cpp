@@ -80,12 +80,12 @@ std::string relaxation_text(const ScenesRelaxation& self) {
   return out.str();
 }
 
-std::string write_certificate_report(const lab::Certification& self, const std::string& folder,
-                                     bool force) {
+void write_certificate_report(const lab::Certification& self, const std::string& folder,
+                              bool force) {
   const nb::gil_scoped_release released;
-  return write_page({.path = folder, .force = force},
-                    pages::certificate_html(self, {.files = {"certificate.json"}}),
-                    "certificate.json", report::certificate_json(self));
+  write_page({.path = folder, .force = force},
+             pages::certificate_html(self, {.files = {"certificate.json"}}), "certificate.json",
+             report::certificate_json(self));
 }
 
 /// The circuit of a scene of a line, or of a skin.

@@ -5,14 +5,13 @@
 
 namespace tactile_net::python {
 
-std::string write_page(const PageFolder& folder, const drawing::Page& page,
-                       const std::string& json_name, const std::string& json) {
+void write_page(const PageFolder& folder, const drawing::Page& page, const std::string& json_name,
+                const std::string& json) {
   frames::OutputFolder output(folder.path, report::existing_in(folder.path, folder.force));
   output.write("report.html", page.html);
   output.write(json_name, json);
   for (const auto& [name, content] : page.files) output.write(name, content);
   (void)output.commit();
-  return page.missing;
 }
 
 }  // namespace tactile_net::python

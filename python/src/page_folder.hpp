@@ -15,9 +15,8 @@ struct PageFolder {
 };
 
 /// Everything appears together, or nothing does.
-/// @return what is missing in the page and why; empty: nothing
 /// @throw frames::CannotCreate  also: report.html is somebody's own, and not `force`
-std::string write_page(const PageFolder& folder, const drawing::Page& page,
-                       const std::string& json_name, const std::string& json);
+void write_page(const PageFolder& folder, const drawing::Page& page, const std::string& json_name,
+                const std::string& json);
 
 }  // namespace tactile_net::python

@@ -135,9 +135,7 @@ void bind_skin_solving(nb::module_& module) {
       .def(
           "report",
           [](const SolvedSkin& self, const std::string& folder, bool force,
-             const std::string& name) {
-            return self.report({.path = folder, .force = force}, name);
-          },
+             const std::string& name) { self.report({.path = folder, .force = force}, name); },
           nb::arg("folder"), nb::arg("force"), nb::arg("name"),
           nb::call_guard<nb::gil_scoped_release>());
   module.def("solve_skin", &solve_skin, nb::arg("scene"), nb::arg("missing"),

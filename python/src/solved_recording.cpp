@@ -160,15 +160,14 @@ std::string SolvedRecording::tractions_csv() const {
   return out.str();
 }
 
-std::string SolvedRecording::report(const PageFolder& folder, const std::string& name,
-                                    Watcher& watcher) {
+void SolvedRecording::report(const PageFolder& folder, const std::string& name, Watcher& watcher) {
   const lab::RecordingOverview shown = overview(watcher);
   drawing::Page page =
       pages::recording_page(shown, name, report::in_words(remarks_),
                             {.files = {"result.json", "shown.csv", "tractions.csv"}});
   page.files.emplace_back("shown.csv", report::recording_csv(shown));
   page.files.emplace_back("tractions.csv", tractions_csv());
-  return write_page(folder, page, "result.json", json(shown, name));
+  write_page(folder, page, "result.json", json(shown, name));
 }
 
 }  // namespace tactile_net::python

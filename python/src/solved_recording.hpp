@@ -52,8 +52,8 @@ class SolvedRecording {
   [[nodiscard]] Bands bands(Watcher& watcher);
 
   [[nodiscard]] std::string json(const std::string& name, Watcher& watcher);
-  /// As `solve --out` writes it. @return what is missing in the page
-  std::string report(const PageFolder& folder, const std::string& name, Watcher& watcher);
+  /// As `solve --out` writes it.
+  void report(const PageFolder& folder, const std::string& name, Watcher& watcher);
 
  private:
   [[nodiscard]] lab::RecordingOverview overview(Watcher& watcher) const;

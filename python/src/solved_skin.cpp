@@ -122,7 +122,7 @@ std::string SolvedSkin::json(const std::string& name) const {
 }
 
 std::string SolvedSkin::html(const std::string& name) const {
-  return pages::recording_page(checked_recording(), name, "").html;
+  return pages::recording_page(checked_recording(), name, {}).html;
 }
 
 std::string SolvedSkin::tractions_csv() const {
@@ -137,11 +137,12 @@ std::string SolvedSkin::tractions_csv() const {
   return out.str();
 }
 
-std::string SolvedSkin::report(const PageFolder& folder, const std::string& name) const {
+void SolvedSkin::report(const PageFolder& folder, const std::string& name) const {
   const lab::SkinRecordingAnswer all = checked_recording();
-  drawing::Page page = pages::recording_page(all, name, "");
+  drawing::Page page =
+      pages::recording_page(all, name, {.files = {"result.json", "tractions-of-frames.csv"}});
   page.files.emplace_back("tractions-of-frames.csv", tractions_csv());
-  return write_page(folder, page, "result.json", report::recording_json(all, name));
+  write_page(folder, page, "result.json", report::recording_json(all, name));
 }
 
 }  // namespace tactile_net::python

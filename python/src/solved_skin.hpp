@@ -46,8 +46,8 @@ class SolvedSkin {
   [[nodiscard]] std::string json(const std::string& name) const;
   /// The page that `solve --out` writes.
   [[nodiscard]] std::string html(const std::string& name) const;
-  /// The folder that `solve --out` writes. @return what is missing in the page
-  std::string report(const PageFolder& folder, const std::string& name) const;
+  /// The folder that `solve --out` writes.
+  void report(const PageFolder& folder, const std::string& name) const;
 
  private:
   [[nodiscard]] lab::SkinRecordingAnswer recording() const;

@@ -120,11 +120,11 @@ std::string json_of(SolvedRecording& self, const std::string& name) {
   return self.json(name, watcher);
 }
 
-std::string write_recording_report(SolvedRecording& self, const std::string& folder, bool force,
-                                   const std::string& name) {
+void write_recording_report(SolvedRecording& self, const std::string& folder, bool force,
+                            const std::string& name) {
   Watcher watcher;
   const nb::gil_scoped_release released;
-  return self.report({.path = folder, .force = force}, name, watcher);
+  self.report({.path = folder, .force = force}, name, watcher);
 }
 
 }  // namespace

@@ -88,11 +88,11 @@ std::map<std::string, std::optional<double>> wavelengths_of(const SkinSurvey& se
 }
 
 template <class Kind>
-std::string write_survey_report(const Kind& self, const std::string& folder, bool force) {
+void write_survey_report(const Kind& self, const std::string& folder, bool force) {
   const nb::gil_scoped_release released;
-  return write_page({.path = folder, .force = force},
-                    pages::survey_html(self.scene(), self.survey, {.files = {"result.json"}}),
-                    "result.json", report::survey_json(self.scene(), self.survey));
+  write_page({.path = folder, .force = force},
+             pages::survey_html(self.scene(), self.survey, {.files = {"result.json"}}),
+             "result.json", report::survey_json(self.scene(), self.survey));
 }
 
 template <class Kind>

@@ -105,12 +105,12 @@ class StudyPoints {
   sweep::Study study_;
 };
 
-std::string write_sweep_report(const sweep::Table& table, const std::string& json,
-                               const std::string& folder, bool force) {
+void write_sweep_report(const sweep::Table& table, const std::string& json,
+                        const std::string& folder, bool force) {
   const nb::gil_scoped_release released;
   drawing::Page page = pages::sweep_page(table, {.files = {"results.csv", "result.json"}});
   page.files.emplace_back("results.csv", table.csv);
-  return write_page({.path = folder, .force = force}, page, "result.json", json);
+  write_page({.path = folder, .force = force}, page, "result.json", json);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ def test_licences_travel_with_it() -> None:
     files = importlib.metadata.files("tactile-net") or []
     texts = {file.name: file.read_text() for file in files if "licenses" in file.parts}
     assert set(texts) == {"LICENSE", "NOTICES.txt", "MPL-2.0.txt"}
-    for name in ("Eigen", "Boost", "toml++", "nlohmann", "nanobind", "robin-map"):
+    for name in ("Eigen", "Boost", "toml++", "nlohmann", "nanobind", "robin-map", "uPlot"):
         assert name in texts["NOTICES.txt"]
 
 

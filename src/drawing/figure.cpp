@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -17,12 +16,6 @@ std::string field(const std::string& text) {
 }
 
 std::string value(double number) { return std::isfinite(number) ? shortest(number) : ""; }
-
-/// gnuplot's drawing with the caption as its name, for whoever hears a page.
-std::string plot_html(const std::string& svg, const Figure& figure, const std::string& type) {
-  return "<div class=\"" + type + "\"><svg role=\"img\" aria-label=\"" +
-         escaped(typeset(figure.caption)) + "\"" + svg.substr(4) + "</div>";
-}
 
 }  // namespace
 
@@ -75,38 +68,17 @@ Figures::Figures(std::vector<Figure> figures) : figures_(std::move(figures)) {
   std::erase_if(figures_, [](const Figure& figure) {
     return figure.plot.curves.empty() && figure.picture.empty();
   });
-  std::vector<Plot> plots;
-  for (const Figure& figure : figures_) {
-    if (!figure.picture.empty()) continue;
-    plots.push_back(figure.plot);
-    if (!figure.plot.wide) continue;
-    plots.push_back(figure.plot);
-    plots.back().wide = false;
-  }
-  std::vector<std::string> drawn;
-  try {
-    drawn = draw(plots);
-  } catch (const std::runtime_error& error) {
-    missing_ = std::string("the report has no plots: ") + error.what();
-  }
-  auto next = drawn.begin();
-  for (const Figure& figure : figures_) {
-    pictures_.push_back(figure.picture);
-    if (!figure.picture.empty() || drawn.empty()) continue;
-    svg_.emplace_back(figure.name + ".svg", *next);
-    pictures_.back() = plot_html(*next++, figure, figure.plot.wide ? "plot wide-plot" : "plot");
-    if (figure.plot.wide) pictures_.back() += plot_html(*next++, figure, "plot narrow-plot");
-  }
 }
 
 std::string Figures::html(std::string_view section) const {
   std::string html;
-  for (std::size_t i = 0; i < figures_.size(); ++i) {
-    const Figure& figure = figures_[i];
-    if (figure.section != section || pictures_[i].empty()) continue;
-    html += figure_html(figure.name, pictures_[i], escaped(typeset(figure.caption)),
-                        figure.data.empty() ? figure.name + ".csv" : figure.data,
-                        figure.plot.wide ? "whole-row" : figure.type);
+  for (const Figure& figure : figures_) {
+    if (figure.section != section) continue;
+    html += figure_html(
+        figure.name,
+        figure.picture.empty() ? chart_html(figure.plot, figure.caption) : figure.picture,
+        words_html(figure.caption), figure.data.empty() ? figure.name + ".csv" : figure.data,
+        figure.plot.wide ? "whole-row" : figure.type);
   }
   return html.empty() ? html : "<div class=\"figures\">\n" + html + "</div>\n";
 }

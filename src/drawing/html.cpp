@@ -136,6 +136,17 @@ std::string element(std::string_view tag, std::string_view words, std::string_vi
   return enclosed(tag, words_html(words), type);
 }
 
+std::string data_html(std::string_view json) {
+  std::string out(data_element);
+  for (const char c : json) {
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  }
+  return out + "</script>\n";
+}
+
 std::string html_list(const std::vector<std::string>& items) {
   std::string out = "<ul>\n";
   for (const std::string& item : items) out += element("li", item);

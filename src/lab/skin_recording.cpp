@@ -1,5 +1,6 @@
 #include "tactile_net/lab/skin_recording.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -8,7 +9,13 @@ namespace {
 
 constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
 
-void show(SkinRecordingAnswer& recording, const FrameAnswer& found) {
+std::size_t most_frames(std::size_t tractions) {
+  return std::clamp(SkinRecordingAnswer::most_values / std::max<std::size_t>(tractions, 1),
+                    SkinRecordingAnswer::least_shown, SkinRecordingAnswer::most_shown);
+}
+
+void show(SkinRecordingAnswer& recording, std::span<const double> frame_readings,
+          const FrameAnswer& found) {
   const auto& frames = recording.frames;
   auto& shown = recording.shown;
   std::size_t& per_shown = recording.per_shown;
@@ -16,21 +23,29 @@ void show(SkinRecordingAnswer& recording, const FrameAnswer& found) {
     return frames[a].wrench.normal.value > frames[b].wrench.normal.value;
   };
   const std::size_t frame = frames.size() - 1;
+  const auto shown_frame = [&](std::size_t count) {
+    return SkinRecordingAnswer::Shown{.frame = frame,
+                                      .count = count,
+                                      .tractions = found.tractions,
+                                      .deviations = found.deviations,
+                                      .readings = {frame_readings.begin(), frame_readings.end()},
+                                      .cells = found.cells};
+  };
   if (shown.empty() || shown.back().count == per_shown) {
-    shown.push_back({frame, 1, found.tractions, found.cells});
+    shown.push_back(shown_frame(1));
   } else {
     const std::size_t count = shown.back().count + 1;
-    if (harder(frame, shown.back().frame))
-      shown.back() = {frame, count, found.tractions, found.cells};
+    if (harder(frame, shown.back().frame)) shown.back() = shown_frame(count);
     shown.back().count = count;
   }
-  if (shown.size() < SkinRecordingAnswer::most_shown || shown.back().count < per_shown) return;
+  if (shown.size() <= most_frames(found.tractions.size())) return;
   std::vector<SkinRecordingAnswer::Shown> merged;
   for (std::size_t i = 0; i + 1 < shown.size(); i += 2) {
     const std::size_t count = shown[i].count + shown[i + 1].count;
     merged.push_back(std::move(shown[harder(shown[i + 1].frame, shown[i].frame) ? i + 1 : i]));
     merged.back().count = count;
   }
+  if (shown.size() % 2 == 1) merged.push_back(std::move(shown.back()));  // which the next ones join
   shown = std::move(merged);
   per_shown *= 2;
 }
@@ -48,7 +63,7 @@ void SkinRecordingAnswer::add(std::optional<double> time, std::span<const double
        .friction = found.friction ? std::optional(found.friction->ratio) : std::nullopt,
        .data = *found.data,
        .contacts = tracker.follow(frames.size(), found.patches)});
-  show(*this, found);
+  show(*this, frame_readings, found);
   if (answer && found.wrench.normal.value <= answer->wrench.normal.value) return;
   hardest = frames.size() - 1;
   readings.assign(frame_readings.begin(), frame_readings.end());

@@ -191,7 +191,7 @@ std::string correlations(const PressFit& fit) {
 Page calibration_html(const lab::SceneCalibration& found, const std::string& log,
                       const Made& made) {
   const Figures figures(figures_of(found));
-  Page page{.missing = figures.missing(), .files = figures.data()};
+  Page page{.files = figures.data()};
   std::string html = heading(found.title(), found.file() + ", " + log,
                              report::calibrated_in_words(found) + "; " +
                                  std::to_string(found.fit.presses.size()) + " presses");
@@ -199,7 +199,6 @@ Page calibration_html(const lab::SceneCalibration& found, const std::string& log
   const std::vector<std::string> words = report::calibration_in_words(found);
   html += element("p", words.front(), found.fit.verdict == FitVerdict::ok ? "" : "bad");
   html += html_list({words.begin() + 1, words.end()});
-  if (!page.missing.empty()) html += element("p", page.missing, "note");
   html += element("h2", "What was found");
   html += html_table(report::calibration_cells(found));
   const std::vector<std::string> hidden = report::null_directions_in_words(found);

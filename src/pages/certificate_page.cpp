@@ -206,18 +206,18 @@ Figure pad_of(const SkinScene& scene, std::span<const double> tractions) {
   take(scales, shown, cells);
   const bool loaded = scales.pressure > 0.0;
   if (!loaded) scales.pressure = 1.0;
-  return {.name = "pad",
-          .section = "pad",
-          .caption = loaded ? "Seen from outside: " + std::string(voltages) +
-                                  ", colours the pressure of each cell, arrows its drag, dots the "
-                                  "taxels. A node is named after its cell: p_3_5 of row 3 and "
-                                  "column 5, from 0, qy_3_5 and qz_3_5 its drags."
-                            : "The cells that the circuit's nodes stand for; nothing presses.",
-          .plot = {},
-          .picture = maps({traction_map(scene, cells, shown, {}, scales, "")}) +
-                     traction_bar(scene, scales),
-          .data = "certificate.json",
-          .type = "skin"};
+  return {
+      .name = "pad",
+      .section = "pad",
+      .caption = loaded ? "Seen from outside: " + std::string(voltages) +
+                              ", colours the pressure of each cell, arrows its drag, dots the "
+                              "taxels. A node is named after its cell: p_3_5 of row 3 and "
+                              "column 5, from 0, qy_3_5 and qz_3_5 its drags."
+                        : "The cells that the circuit's nodes stand for; nothing presses.",
+      .plot = {},
+      .picture = maps({traction_map(scene, cells, shown, scales)}) + traction_bar(scene, scales),
+      .data = "certificate.json",
+      .type = "skin"};
 }
 
 std::vector<Figure> figures_of(const lab::Certification& c) {
@@ -247,7 +247,7 @@ std::vector<std::string> known(const lab::Certification& c) {
 
 Page certificate_html(const lab::Certification& c, const Made& made) {
   const Figures figures(figures_of(c));
-  Page page{.missing = figures.missing(), .files = figures.data()};
+  Page page{.files = figures.data()};
   if (c.parts && c.parts->choice)
     page.files.insert(page.files.end(), {{"parts.csv", report::order_csv(*c.parts)},
                                          {"BOM.csv", report::bill_csv(*c.parts)},
@@ -264,7 +264,6 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   for (const CircuitRemark& remark : c.certificate().remarks)
     html += element("p", in_words(remark), "note");
   if (c.curves) html += element("p", in_words(*c.curves), "note");
-  if (!page.missing.empty()) html += element("p", page.missing, "note");
 
   html += "<div class=\"two top\">" + figures.html("pad") + "<div>" +
           element("h2", "What is known of it") + html_list(known(c)) + "</div></div>\n";

@@ -234,7 +234,7 @@ std::vector<Figure> figures_of(const Scene& scene, const lab::Survey& survey) {
 
 Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made) {
   const Figures figures(figures_of(scene, survey));
-  Page page{.missing = figures.missing(), .files = figures.data()};
+  Page page{.files = figures.data()};
 
   std::string html =
       heading(scene.title, scene.file, sensor_in_words(scene) + "; " + material_in_words(scene));
@@ -242,7 +242,6 @@ Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made
   const std::vector<std::string> verdict = verdict_in_words(survey, scene.units);
   const bool hidden = survey.own.identifiability.null_space.dimension > 0;
   html += element("p", verdict.front(), hidden ? "bad" : "");
-  if (!page.missing.empty()) html += element("p", page.missing, "note");
   html += figures.html("answer");
   html += paragraphs({verdict.begin() + 1, verdict.end()}, "");
   html += element("h2", "Which quantities, at which depth");

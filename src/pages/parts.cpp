@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "pages/style.hpp"
+#include "pages/web_files.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
@@ -137,7 +137,8 @@ std::string colophon(std::string_view summary, const std::string& body, const dr
 }
 
 std::string page_html(const std::string& title, const std::string& body) {
-  return drawing::html_page(title, body, style_sheet());
+  const bool data = body.find(drawing::data_element) != std::string::npos;
+  return drawing::html_page(title, data ? body + drawing_scripts() : body, style_sheet());
 }
 
 }  // namespace tactile_net::pages

@@ -48,7 +48,8 @@ namespace tactile_net::pages {
 [[nodiscard]] std::string colophon(std::string_view summary, const std::string& body,
                                    const drawing::Files& own, const Made& made);
 
-/// The whole page in the one style of all. @param title  of the window
+/// The whole page in the one style of all; one that holds data (drawing::data_html) has the scripts
+/// that draw them. @param title  of the window
 [[nodiscard]] std::string page_html(const std::string& title, const std::string& body);
 
 }  // namespace tactile_net::pages

@@ -10,7 +10,6 @@
 #include "pages/network_section.hpp"
 #include "pages/pad_drawing.hpp"
 #include "pages/parts.hpp"
-#include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/lab/agreement.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -139,11 +138,17 @@ Figure rules_figure(const AlphaSweep& sweep, std::optional<AlphaRule> used) {
     Curve drawn{std::string(name(curve.rule)) + " " + brief(curve.choice.alpha), values,
                 1 + plot.curves.size()};
     drawn.width = curve.rule == used ? 4.0 : 1.5;
+    const auto chosen = std::lower_bound(sweep.alphas.begin(), sweep.alphas.end() - 1,
+                                         curve.choice.alpha * (1.0 - 1e-9));
+    drawn.names.resize(sweep.alphas.size());
+    drawn.names[static_cast<std::size_t>(chosen - sweep.alphas.begin())] =
+        std::string(name(curve.rule)) + (curve.rule == used ? ", used" : "");
     plot.curves.push_back(std::move(drawn));
   }
   return {"alpha", std::string(choice_section),
           "Every rule's criterion over alpha, each scaled to run from 0 to 1; a rule chooses where "
-          "its own curve is lowest, at the value in the key; the thick one was used. A flat valley "
+          "its own curve is lowest, at its name and the value in the key; the thick one was used. "
+          "A flat valley "
           "means that other values do as well; valleys far apart mean that the rules disagree.",
           std::move(plot)};
 }
@@ -175,9 +180,11 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
   const double largest = *most;
   const Surface grid = surface(scene);
   const double half = grid.half_width();
-  const ScaledUnit unit =
-      scene.units ? report::axis_unit(scene, Dimension::length, half) : ScaledUnit{};
-  const auto clock = [&](std::size_t frame) { return brief(course.time[frame], 4) + " s"; };
+  if (largest > 0.0)
+    plot.map = {.label = along.label,
+                .low = (grid.centre - half) * along.factor,
+                .high = (grid.centre + half) * along.factor,
+                .most = largest * traction.factor};
   return {.name = "traction-over-time",
           .section = std::string(over_time_section),
           .caption = "The normal traction that " + std::string(name(course.method)) +
@@ -185,15 +192,6 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
                      in_unit(scene, Dimension::stress, largest) + " or more" +
                      ", red would pull, nothing is the page's own colour.",
           .plot = std::move(plot),
-          .picture = !(largest > 0.0)
-                         ? ""
-                         : stretched_picture(frames, {grid.centre - half, grid.centre + half}, unit,
-                                             "Heat map of the normal traction over time", "",
-                                             heat_map(frames, n, Traction::normal,
-                                                      [&](std::size_t k, std::size_t i) {
-                                                        return at(k, i) / largest;
-                                                      }),
-                                             {clock(0), clock(frames / 2), clock(frames - 1)}),
           .type = "whole-row"};
 }
 
@@ -340,7 +338,7 @@ std::string titled(const Figures& figures, const std::string& title, std::string
 Page report_html(const lab::Experiment& experiment, const Made& made) {
   const Scene& scene = experiment.scene;
   const Figures figures(figures_of(experiment));
-  Page page{.missing = figures.missing(), .files = figures.data()};
+  Page page{.files = figures.data()};
 
   std::string html =
       heading(scene.title, scene.file, sensor_in_words(scene) + "; " + material_in_words(scene));
@@ -349,7 +347,6 @@ Page report_html(const lab::Experiment& experiment, const Made& made) {
     if (const std::string failure = failure_in_words(experiment, result); !failure.empty())
       html += element("p", std::string(name(result.method)) + ": " + failure, "bad");
   html += paragraphs(in_words(experiment.frame), "note");
-  if (!page.missing.empty()) html += element("p", page.missing, "note");
   html += figures.html(answer_section);
   html += methods_section(experiment);
   html += titled(figures, "Over time", over_time_section);

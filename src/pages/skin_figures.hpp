@@ -26,11 +26,8 @@ struct Scales {
 /// Widens the scales so that these tractions fit.
 void take(Scales& scales, const std::vector<double>& values, const SurfaceGrid& grid);
 
-/// @param cells  that touch, around which a line runs, and whose drags are drawn; none: all are
-[[nodiscard]] std::string traction_map(const SkinScene& scene, const SurfaceGrid& cells_of,
-                                       const std::vector<double>& values,
-                                       const std::vector<std::size_t>& cells, const Scales& scales,
-                                       const std::string& title);
+[[nodiscard]] std::string traction_map(const SkinScene& scene, const SurfaceGrid& cells,
+                                       const std::vector<double>& values, const Scales& scales);
 
 /// The bar below such maps: colours and the longest arrow.
 [[nodiscard]] std::string traction_bar(const SkinScene& scene, const Scales& scales);
@@ -38,10 +35,7 @@ void take(Scales& scales, const std::vector<double>& values, const SurfaceGrid& 
 /// Side by side where the window is wide.
 [[nodiscard]] std::string maps(const std::vector<std::string>& pictures);
 
-/// All that is drawn of one frame: tractions, sections, errors, the pad, and the numbers.
+/// Of one frame that has an answer: the pad in section, and the numbers.
 [[nodiscard]] std::string frame_html(const lab::SkinExperiment& experiment);
-
-/// Small maps, one for each channel of an even skin.
-[[nodiscard]] std::string readings_figure(const lab::SkinExperiment& experiment);
 
 }  // namespace tactile_net::pages

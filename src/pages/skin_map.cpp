@@ -107,15 +107,6 @@ MapGrid map_grid(const SurfaceGrid& grid) {
   return {grid.rows, grid.columns, grid.spacing_y, grid.spacing_z, grid.y(0), grid.z(0)};
 }
 
-MapGrid map_grid(const SkinArray& skin) {
-  return {skin.rows,
-          skin.columns,
-          skin.pitch_y,
-          skin.pitch_z,
-          centred(0, skin.rows) * skin.pitch_y,
-          centred(0, skin.columns) * skin.pitch_z};
-}
-
 std::string map_image(const MapGrid& grid, std::span<const double> values, double most,
                       MapColours colours) {
   const Pixels of(grid, values);
@@ -207,8 +198,7 @@ std::string at_taxels(const SkinArray& skin, std::span<const std::size_t> dead, 
   return svg + '\n';
 }
 
-}  // namespace
-
+/// The crosses alone.
 std::string map_dead_taxels(const MapGrid& grid, const SkinArray& skin,
                             std::span<const std::size_t> dead) {
   if (dead.empty()) return {};
@@ -221,11 +211,11 @@ std::string map_dead_taxels(const MapGrid& grid, const SkinArray& skin,
   });
 }
 
-bool has_taxel_dots(const SkinArray& skin) noexcept { return taxel_count(skin) <= most_dots; }
+}  // namespace
 
 std::string map_taxels(const MapGrid& grid, const SkinArray& skin,
                        std::span<const std::size_t> dead) {
-  if (!has_taxel_dots(skin)) return map_dead_taxels(grid, skin, dead);
+  if (taxel_count(skin) > most_dots) return map_dead_taxels(grid, skin, dead);
   const std::string radius = px(taxel_radius(skin));
   return at_taxels(skin, dead, false,
                    [&](double y, double z) {

@@ -44,8 +44,6 @@ struct MapGrid {
 };
 
 [[nodiscard]] MapGrid map_grid(const SurfaceGrid& grid);
-/// Of the taxels of an even skin.
-[[nodiscard]] MapGrid map_grid(const SkinArray& skin);
 
 /// What colours mean: signed_values are white at 0, blue above, red below; sizes purple from 0 on.
 enum class MapColours { signed_values, sizes };
@@ -63,15 +61,10 @@ enum class MapColours { signed_values, sizes };
 /// Around cells for which `inside` is true.
 [[nodiscard]] std::string map_outline(const MapGrid& grid, const std::vector<bool>& inside);
 
-/// Whether taxels are so few that a dot each is more than a grey sheet.
-[[nodiscard]] bool has_taxel_dots(const SkinArray& skin) noexcept;
 /// Where taxels are: a dot each if there are any dots, of dead ones a cross.
 /// @param dead  their numbers
 [[nodiscard]] std::string map_taxels(const MapGrid& grid, const SkinArray& skin,
                                      std::span<const std::size_t> dead);
-/// The crosses alone.
-[[nodiscard]] std::string map_dead_taxels(const MapGrid& grid, const SkinArray& skin,
-                                          std::span<const std::size_t> dead);
 
 /// The map with its numbers around it.
 ///

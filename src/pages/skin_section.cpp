@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "pages/pixel_text.hpp"
-#include "pages/time_picture.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/drawing/png.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -20,54 +19,16 @@ namespace {
 
 using drawing::element;
 
-/// One component along a line of cells.
-std::vector<double> along_line(const std::vector<double>& values, const SurfaceGrid& grid,
-                               Traction which, Axis along, const PeakCell& peak) {
+/// One component along the line of cells through the peak.
+std::vector<double> along_y(const std::vector<double>& values, const SurfaceGrid& grid,
+                            Traction which, std::size_t column) {
   const auto all = lab::component(values, grid, which);
   std::vector<double> line;
   if (all.empty()) return line;
-  if (along == Axis::y)
-    for (std::size_t row = 0; row < grid.rows; ++row)
-      line.push_back(all[row * grid.columns + peak.column]);
-  else
-    for (std::size_t column = 0; column < grid.columns; ++column)
-      line.push_back(all[peak.row * grid.columns + column]);
+  for (std::size_t row = 0; row < grid.rows; ++row)
+    line.push_back(all[row * grid.columns + column]);
   return line;
 }
-
-/// A component's curve, its band and the truth.
-struct Line {
-  std::vector<double> found, deviation, truth;
-  bool pushes_only = false;  ///< nothing is below 0, and so no band
-
-  [[nodiscard]] double band(std::size_t i) const {
-    return deviation.empty() ? 0.0 : 2.0 * deviation[i];
-  }
-  [[nodiscard]] double low(std::size_t i) const {
-    const double below = found[i] - band(i);
-    return pushes_only ? std::max(below, 0.0) : below;
-  }
-  void widen(Range& range) const {
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      range.take(low(i));
-      range.take(found[i] + band(i));
-    }
-    for (const double value : truth) range.take(value);
-  }
-  [[nodiscard]] std::string svg(const Range& range, const std::string& type) const {
-    const std::size_t n = std::max(truth.size(), found.size());
-    const auto of = [](const std::vector<double>& values) {
-      return [&values](std::size_t i) { return values[i]; };
-    };
-    std::string text;
-    if (!deviation.empty())
-      text += area_of(
-          n, range, [&](std::size_t i) { return low(i); },
-          [&](std::size_t i) { return found[i] + band(i); }, type + "-area");
-    if (!found.empty()) text += path_of(n, range, of(found), type);
-    return truth.empty() ? text : text + path_of(n, range, of(truth), type + " true");
-  }
-};
 
 /// Depths and places of the picture's points inside the pad, and the stress there.
 struct Interior {
@@ -121,63 +82,20 @@ Interior interior_of(const lab::SkinExperiment& experiment, double bottom, doubl
   return interior;
 }
 
-}  // namespace
-
-PeakCell peak_of(const lab::SkinExperiment& experiment) {
-  const SurfaceGrid& grid = experiment.grid;
+/// The column of the cell where the answer presses hardest.
+std::size_t peak_column(const lab::SkinExperiment& experiment) {
   const auto& values = experiment.answer ? experiment.answer->tractions : experiment.frame.truth;
-  const auto p = lab::component(values, grid, Traction::normal);
+  const auto p = lab::component(values, experiment.grid, Traction::normal);
   const auto at = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
-  return {at / grid.columns, at % grid.columns};
+  return at % experiment.grid.columns;
 }
 
-std::string section_picture(const lab::SkinExperiment& experiment, Axis along) {
-  const SurfaceGrid& grid = experiment.grid;
-  const PeakCell peak = peak_of(experiment);
-  const auto line = [&](Traction which) {
-    const auto of = [&](const std::vector<double>& values) {
-      return along_line(values, grid, which, along, peak);
-    };
-    return Line{of(experiment.answer->tractions), of(experiment.answer->deviations),
-                of(experiment.frame.truth), false};
-  };
-  Line normal = line(Traction::normal);
-  normal.pushes_only = experiment.answer->cone.has_value();
-  const Line drag = line(along == Axis::y ? Traction::tangential_y : Traction::tangential_z);
-  Range range;
-  normal.widen(range);
-  if (!drag.found.empty()) drag.widen(range);
-  const std::size_t n = normal.found.size();
-  const auto& units = experiment.scene.units;
-  const auto in_words = [&](double at) {
-    return at == 0.0 ? "0" : report::in_unit(units, Dimension::length, at);
-  };
-  const auto place = [&](std::size_t i) {
-    return in_words(along == Axis::y ? grid.y(i) : grid.z(i));
-  };
-  const std::string axis = along == Axis::y ? "y" : "z";
-  const std::string other =
-      along == Axis::y ? "z = " + report::in_unit(units, Dimension::length, grid.z(peak.column))
-                       : "y = " + report::in_unit(units, Dimension::length, grid.y(peak.row));
-  std::string svg = level_line(n, range, 0.0, "zero");
-  if (!drag.found.empty()) svg += drag.svg(range, "tangential");
-  svg += normal.svg(range, "normal");
-  return "<p class=\"map-title\">Along " + axis + ", at " +
-         drawing::escaped(drawing::typeset(other)) + ": <span class=\"key-normal\">p</span>" +
-         (drag.found.empty() ? ""
-                             : ", <span class=\"key-tangential\">q<sub>" + axis + "</sub></span>") +
-         (experiment.has_truth() ? "; dashed: true</p>" : "</p>") +
-         stretched_picture(
-             n, range,
-             report::axis_unit(units, Dimension::stress, std::max(range.high, -range.low)),
-             "Tractions along " + axis + " through the peak", "", svg,
-             {axis + " = " + place(0), place(n / 2), place(n - 1)});
-}
+}  // namespace
 
 std::string pad_picture(const lab::SkinExperiment& experiment) {
   const SkinScene& scene = experiment.scene;
   const SurfaceGrid& grid = experiment.grid;
-  const PeakCell peak = peak_of(experiment);
+  const std::size_t column = peak_column(experiment);
   const double deepest = [&] {
     double most = 0.0;
     for (const Site& site : sites(scene.sensor)) most = std::max(most, site.depth);
@@ -192,10 +110,10 @@ std::string pad_picture(const lab::SkinExperiment& experiment) {
                     "\" role=\"img\" aria-label=\"Section of the pad along y through the peak\">\n";
   svg += "<rect class=\"pad\" x=\"0\" y=\"" + px(surface) + "\" width=\"1000\" height=\"" +
          px(thickness) + "\"/>\n";
-  const auto p = along_line(shown(experiment), grid, Traction::normal, Axis::y, peak);
+  const auto p = along_y(shown(experiment), grid, Traction::normal, column);
   const double most = *std::max_element(p.begin(), p.end());
   if (most > 0.0) {
-    const Interior inside = interior_of(experiment, bottom, grid.z(peak.column));
+    const Interior inside = interior_of(experiment, bottom, grid.z(column));
     std::vector<std::uint8_t> pixels;
     for (const double stress : inside.stress)
       pixels.push_back(drawing::diverging_index(stress / most));
@@ -221,7 +139,7 @@ std::string pad_picture(const lab::SkinExperiment& experiment) {
     for (std::size_t i = 0; i < p.size(); ++i)
       area += 'L' + px(at(grid.y(i))) + ' ' + px(surface - 90.0 * std::max(p[i], 0.0) / most);
     svg += "<path class=\"pressure\" d=\"" + area + "L1000 " + px(surface) + "Z\"/>\n";
-    const auto q = along_line(shown(experiment), grid, Traction::tangential_y, Axis::y, peak);
+    const auto q = along_y(shown(experiment), grid, Traction::tangential_y, column);
     std::string arrows;
     for (std::size_t i = 0; i < q.size(); ++i) {
       const double length = 60.0 * q[i] / most;

@@ -195,12 +195,10 @@ std::vector<report::Answer> answers(const Table& table) {
 
 Page sweep_page(const Table& table, const Made& made) {
   const Figures figures(figures_of(table));
-  Page page{.missing = figures.missing(), .files = figures.data()};
-  page.files.insert(page.files.end(), figures.pictures().begin(), figures.pictures().end());
+  Page page{.files = figures.data()};
 
   std::string html = heading("", table.title, "a scene at " + counted(table.points, "point"));
   html += answer_box(answers(table));
-  if (!figures.missing().empty()) html += element("p", figures.missing(), "quiet");
   html += "<h2>How far from the truth</h2>\n" + figures.html("error");
   html += drawing::html_table(report::method_cells(table));
   if (const std::string alphas = figures.html("alpha"); !alphas.empty())

@@ -295,7 +295,7 @@ Figure contact_figure(const study::StudyInput& input) {
               "Seen from outside: what the contacts do, colours the pressure, mean of each "
               "cell, arrows the drag, dots the taxels.",
           .plot = {},
-          .picture = maps({traction_map(skin.scene(), skin.grid(), truth, {}, scales, "")}) +
+          .picture = maps({traction_map(skin.scene(), skin.grid(), truth, scales)}) +
                      traction_bar(skin.scene(), scales),
           .data = "tradeoff.json",
           .type = "skin"};

@@ -43,8 +43,7 @@ std::string moment(const SkinScene& scene) { return "frame " + std::to_string(sc
 
 Page study_html(const study::Study& study, const Made& made) {
   const Figures figures(tradeoff_figures(study));
-  Page page{.missing = figures.missing(), .files = figures.data()};
-  for (const auto& picture : figures.pictures()) page.files.push_back(picture);
+  Page page{.files = figures.data()};
 
   std::string html = element("h1", "What accuracy costs in time");
   html += element("p", study.input.with_scene([&](const auto& scene) {
@@ -60,7 +59,6 @@ Page study_html(const study::Study& study, const Made& made) {
                     "The study was stopped: this is a part of it. Run it again with " +
                         option(Option::resume) + " to go on.",
                     "note");
-  if (!page.missing.empty()) html += element("p", page.missing, "note");
   html += figures.html("");
   html += element("h2", "What nothing beats") + html_table(report::front_cells(study));
   html += html_list(in_words(study));

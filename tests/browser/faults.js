@@ -37,6 +37,17 @@
     });
   }
 
+  // A canvas says what it shows, or lies under one that does, and is drawn in the pixels it has.
+  for (const canvas of [...document.querySelectorAll("canvas")].filter(shown)) {
+    const box = canvas.getBoundingClientRect();
+    if (box.right > width + 1) faults.push(`cut off: ${canvas.className} ends at ${box.right}`);
+    const chart = canvas.closest("[role=img]"), under = canvas.classList.contains("cells");
+    if (!under && !chart?.getAttribute("aria-label"))
+      faults.push(`name: a <canvas> does not say what it shows: ${canvas.outerHTML.slice(0, 60)}`);
+    if (canvas.closest(".uplot") && Math.abs(canvas.width - devicePixelRatio * box.width) > 1.5)
+      faults.push(`blurred: ${chart?.getAttribute("aria-label")} has ${canvas.width} pixels in ${box.width}`);
+  }
+
   // The answer is on the first screen of a desk, and no verdict is out of sight on a telephone.
   const answers = document.querySelector(".answers");
   if (!answers) faults.push("answer: there is none");
@@ -86,7 +97,7 @@
 
   for (const figure of document.querySelectorAll("figure")) {
     const caption = figure.querySelector("figcaption");
-    if (!figure.querySelector("svg, .bars")) faults.push(`figure: ${figure.id} has no picture`);
+    if (!figure.querySelector("svg, canvas, .bars")) faults.push(`figure: ${figure.id} has no picture`);
     if (!caption || caption.textContent.trim().length < 40)
       faults.push(`figure: ${figure.id} has no caption`);
     if (!caption?.querySelector("a[href]")) faults.push(`figure: ${figure.id} names no data`);
@@ -94,5 +105,5 @@
   return {faults, links: [...document.querySelectorAll("[href]:not(use):not(image), [src]")].map(
       (e) => e.getAttribute("href") ?? e.getAttribute("src")),
       figures: document.querySelectorAll("figure").length,
-      labels: document.querySelectorAll("svg text").length};
+      labels: document.querySelectorAll("svg text, .uplot, .map").length};
 })()

@@ -59,8 +59,9 @@ TEST_CASE("run of a skin says force, drag and place, and draws maps", "[cli][ski
   CHECK_THAT(result.output, ContainsSubstring("force into the skin"));
   CHECK_THAT(result.output, ContainsSubstring("5 x 4 taxels"));
   const std::string html = read_text(folder / "out/report.html");
-  for (const char* part : {"What presses", "What was found", "class=\"arrow\"", "data:image/png",
-                           "prefers-color-scheme", "readings.csv", "tractions.csv"})
+  for (const char* part :
+       {"What was found", "id=\"frames\"", "data-view=\"tractions\"", "data:image/png",
+        "prefers-color-scheme", "readings.csv", "tractions.csv"})
     CHECK_THAT(html, ContainsSubstring(part));
   const Json json = Json::parse(read_text(folder / "out/result.json"));
   CHECK(json["kind"] == "skin_run");
@@ -117,22 +118,22 @@ TEST_CASE("what simulate records of a skin, solve finds as run does", "[cli][ski
   }
 }
 
-TEST_CASE("dead taxels of a skin are crossed out on its page", "[cli][skin]") {
+TEST_CASE("the data of a skin's page name its dead taxels", "[cli][skin]") {
   const Folder folder;
-  const auto crosses = [&](const std::string& more) {
+  const auto dead = [&](const std::string& more) {
     const ProcessResult result =
         run_tool({"run", folder.write("skin.toml", skin + more), "--out", folder / "out"});
     CAPTURE(result.errors);
     REQUIRE(result.code == 0);
     const std::string page = read_text(folder / "out/report.html");
-    std::size_t count = 0;
-    for (std::size_t at = 0; (at = page.find("class=\"taxel-dead\"", at)) != page.npos; ++at)
-      ++count;
-    return count;
+    const std::string begin = "<script type=\"application/json\">";
+    const std::size_t at = page.find(begin) + begin.size();
+    const Json data = Json::parse(page.substr(at, page.find("</script>", at) - at));
+    CHECK(data["taxels"]["y"].size() == 20);
+    return data["taxels"]["dead"].get<std::vector<std::size_t>>();
   };
-  CHECK(crosses("") == 0);
-  // Of what presses, what was found, both of its errors, and three maps of readings.
-  CHECK(crosses("[dead_taxels]\nindices = [3, 7]\n") == 2 * 7);
+  CHECK(dead("").empty());
+  CHECK(dead("[dead_taxels]\nindices = [3, 7]\n") == std::vector<std::size_t>{3, 7});
 }
 
 TEST_CASE("simulate and run of a skin go through its effects", "[cli][skin]") {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/drawing/html.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net::drawing;
@@ -28,11 +29,10 @@ TEST_CASE("a figure's picture bears its caption as a name, and links its numbers
   const Figures figures({line("one", {1.0, 4.0, 9.0})});
   const std::string html = figures.html("all");
   CHECK(figures.html("elsewhere").empty());
-  CHECK_THAT(html, ContainsSubstring("role=\"img\" aria-label=\"A line, to be looked at") &&
+  CHECK_THAT(html, ContainsSubstring("\"name\":\"A line, to be looked at") &&
                        ContainsSubstring("with 2 µs") && ContainsSubstring("href=\"one.csv\""));
   REQUIRE(figures.data().size() == 1);
   CHECK(figures.data().front().second == "x,\"a \"\"line\"\"\"\n1,1\n2,4\n3,9\n");
-  CHECK(figures.pictures().size() == 1);
 }
 
 TEST_CASE("a figure without a finite value is left out", "[figure]") {
@@ -55,33 +55,25 @@ TEST_CASE("a picture of its own stands in a figure's place, its numbers all the 
                        ContainsSubstring("<svg>too</svg>") &&
                        ContainsSubstring("href=\"truth.csv\""));
   CHECK(figures.data().size() == 2);
-  CHECK(figures.pictures().size() == 1);
-  CHECK(figures.pictures().front().first == "one.svg");
+  CHECK(count(html, "class=\"chart\"") == 1);
 }
 
-TEST_CASE("a wide plot is drawn for a telephone too, in one figure", "[figure]") {
-  Figure wide = line("wide", {1.0, 2.0, 3.0});
-  wide.plot.wide = true;
-  const Figures figures({wide, line("one", {3.0, 2.0, 1.0})});
-  const std::string html = figures.html("all");
-  CHECK(count(html, "<figure") == 2);
-  CHECK(count(html, "<svg") == 3);
-  CHECK_THAT(html, ContainsSubstring("wide-plot") && ContainsSubstring("narrow-plot"));
-  CHECK(figures.pictures().size() == 2);
-}
-
-TEST_CASE("names stand beside their points, one above the other where points are close",
-          "[figure]") {
-  Plot plot{"", "x", "y", {}, {}, true, true};
-  Curve front{"front", {1.0, 1.02, 1.04}, 1};
-  front.x = {1e-3, 1e-3, 1e-3};
-  front.names = {"first point", "", "it's <third>"};
-  Curve quiet{"in the file alone", {2.0, 3.0}, 2};
-  quiet.x = {1e-2, 1e-1};
-  quiet.quiet = true;
-  plot.curves = {quiet, front};
-  plot.quiet_label = "others";
-  const std::string svg = draw(std::vector{plot}).front();
-  CHECK_THAT(svg, ContainsSubstring("first point") && ContainsSubstring("it's &lt;third>") &&
-                      ContainsSubstring("others") && !ContainsSubstring("in the file alone"));
+TEST_CASE("a chart's data are JSON whatever its labels hold, and hold every value", "[figure]") {
+  Plot plot{"</script><b>", "x \"quoted\" \\ back", "y\n", {1.0, 2.0}, {}, true};
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  plot.curves = {{"first <curve>", {1.25e-7, none}, 1}};
+  plot.curves.front().half_width = {0.5, 0.25};
+  const std::string html = chart_html(plot, "what \"it\" shows");
+  CHECK(count(html, "<script") == 1);
+  CHECK(count(html, "</script>") == 1);
+  CHECK(html.find("<b>") == std::string::npos);
+  const std::string begin(data_element);
+  const std::size_t at = html.find(begin) + begin.size();
+  const std::string json = html.substr(at, html.find("</script>") - at);
+  CHECK_THAT(json, ContainsSubstring("\"label\":\"x \\\"quoted\\\" \\\\ back\",\"log\":true") &&
+                       ContainsSubstring("\"label\":\"y\\u000a\"") &&
+                       ContainsSubstring("\"y\":[1.25e-07,null]") &&
+                       ContainsSubstring("\"band\":[0.5,0.25]") &&
+                       ContainsSubstring("\"xs\":[1,2]") &&
+                       ContainsSubstring("first \\u003ccurve>"));
 }

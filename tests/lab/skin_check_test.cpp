@@ -348,7 +348,7 @@ TEST_CASE("a skin's page and its JSON have every finding", "[lab][check][skin]")
   all.add({}, recording.frames[100], lab::solve(problem, recording.frames[100]));
   all.findings = check(recording).findings;
   REQUIRE_FALSE(all.findings.empty());
-  const std::string page = pages::recording_page(all, "skin.csv", "").html;
+  const std::string page = pages::recording_page(all, "skin.csv", {}).html;
   const std::string json = report::recording_json(all, "skin.csv");
   for (const lab::Finding& one : all.findings) {
     CHECK_THAT(page, ContainsSubstring(report::in_words(one, recording.scene)));

@@ -144,3 +144,29 @@ TEST_CASE("a recording keeps the frame that presses hardest", "[lab][skin]") {
   CHECK(recording.hardest == 1);
   CHECK(recording.readings == readings);
 }
+
+TEST_CASE("of a long recording each frame is shown, or a neighbour that presses harder",
+          "[lab][skin]") {
+  const SkinScene scene = dragged_skin();
+  lab::SkinRecordingAnswer recording{.scene = scene};
+  lab::SkinAnswer answer;
+  answer.tractions.resize(lab::SkinRecordingAnswer::most_values / 20);
+  const auto force = [](std::size_t k) { return std::sin(2.7 * static_cast<double>(k)); };
+  for (std::size_t k = 0; k < 150; ++k) {
+    answer.wrench.normal = {force(k), 0.1};
+    answer.tractions[0] = force(k);
+    recording.add(0.01 * static_cast<double>(k), std::vector<double>{force(k)}, answer);
+    std::size_t first = 0;
+    for (const lab::SkinRecordingAnswer::Shown& shown : recording.shown) {
+      REQUIRE(shown.frame >= first);
+      REQUIRE(shown.frame < first + shown.count);
+      for (std::size_t i = first; i < first + shown.count; ++i)
+        REQUIRE(force(i) <= force(shown.frame));
+      REQUIRE(shown.tractions[0] == force(shown.frame));
+      REQUIRE(shown.readings == std::vector<double>{force(shown.frame)});
+      first += shown.count;
+    }
+    REQUIRE(first == k + 1);
+    REQUIRE(recording.shown.size() <= 20);
+  }
+}

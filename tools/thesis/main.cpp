@@ -5,6 +5,7 @@
 
 #include "tactile_net/frames/output_file.hpp"
 #include "tools/thesis/chapter.hpp"
+#include "tools/thesis/gnuplot.hpp"
 
 namespace {
 
@@ -24,9 +25,8 @@ std::string page(const std::filesystem::path& folder) {
   for (const auto make :
        {kernels, example_3_1, example_3_2, forty_one_sensors, example_4_1, example_4_2, errata}) {
     const Chapter chapter = make();
-    const std::vector<std::string> pictures = chapter.plots.empty()
-                                                  ? std::vector<std::string>{}
-                                                  : tactile_net::drawing::draw(chapter.plots);
+    const std::vector<std::string> pictures =
+        chapter.plots.empty() ? std::vector<std::string>{} : draw(chapter.plots);
     std::string part = chapter.text;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       tactile_net::frames::write_file(folder / "thesis" / (chapter.names[i] + ".svg"), pictures[i]);

@@ -31,6 +31,12 @@ namespace tactile_net::drawing {
 
 [[nodiscard]] std::string html_list(const std::vector<std::string>& items);
 
+/// How data begin in a page: an element that does nothing, for scripts to read.
+inline constexpr std::string_view data_element = "<script type=\"application/json\">";
+
+/// JSON as such an element; what could end it is escaped.
+[[nodiscard]] std::string data_html(std::string_view json);
+
 /// A cell's content as HTML.
 using CellHtml = std::function<std::string(std::size_t column, const std::string& text)>;
 

@@ -1,9 +1,10 @@
 /// @file
-/// Line plots by gnuplot, as SVG text.
+/// Line plots as data: curves in axes.
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tactile_net::drawing {
@@ -19,8 +20,16 @@ struct Curve {
   bool dashed = false;
   double width = 0.0;  ///< of the line; 0: as the others'
   bool quiet = false;  ///< grey, for comparison; see `Plot::quiet_label`
-  /// Words beside its points, one per x; empty ones: none. Where both axes are logarithmic.
+  /// Words beside its points, one per x; empty ones: none.
   std::vector<std::string> names{};
+};
+
+/// How a plot's curves are rows of a map: colours over x and another axis, the first curve lowest.
+struct HeatMap {
+  std::string label{};  ///< of the other axis
+  double low = 0.0;     ///< its ends
+  double high = 0.0;
+  double most = 0.0;  ///< the size of full colour, > 0
 };
 
 struct Plot {
@@ -36,14 +45,14 @@ struct Plot {
   double y_at_least = 0.0;     ///< > 0: the y axis reaches from minus this to this, or further
   /// > 0: both axes are linear up to about this, and logarithmic beyond it on both sides of zero.
   double linear_within = 0.0;
-  std::string band_label{};   ///< what the bands are; empty: they are not in the key
-  std::string quiet_label{};  ///< of all quiet curves together; empty: they are not in the key
-  bool wide = false;          ///< twice as wide as others
+  std::string band_label{};      ///< what the bands are; empty: they are not in the key
+  std::string quiet_label{};     ///< of all quiet curves together; empty: they are not in the key
+  std::optional<HeatMap> map{};  ///< the plot is one; its `y_label` is that of the values
+  bool wide = false;             ///< twice as wide as others
 };
 
-/// SVG of every plot, in order, from one run of gnuplot.
-///
-/// @throw std::runtime_error  gnuplot is not installed, or failed; the text says what to do
-[[nodiscard]] std::vector<std::string> draw(std::span<const Plot> plots);
+/// The plot as data of a page, which a script draws (pages/web/chart.js).
+/// @param name  what the picture shows, for whoever hears a page
+[[nodiscard]] std::string chart_html(const Plot& plot, std::string_view name);
 
 }  // namespace tactile_net::drawing

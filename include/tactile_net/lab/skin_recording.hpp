@@ -34,15 +34,21 @@ struct SkinRecordingAnswer {
     std::size_t frame = 0;
     std::size_t count = 1;
     std::vector<double> tractions{};
+    std::vector<double> deviations{};  ///< of each traction; empty: not known
+    std::vector<double> readings{};
     std::vector<std::size_t> cells{};  ///< that touch
   };
-  static constexpr std::size_t most_shown = 64;
+  /// Frames that are shown: as many as have so many tractions together, but no more than this, and
+  /// no fewer than that.
+  static constexpr std::size_t most_values = 1'200'000;
+  static constexpr std::size_t most_shown = 1500;
+  static constexpr std::size_t least_shown = 16;
 
   SkinScene scene{};
   SurfaceGrid grid{};
   std::vector<Frame> frames{};
   std::size_t per_shown = 1;            ///< frames that one of these stands for
-  std::vector<Shown> shown{};           ///< in the order of time, at most `most_shown`
+  std::vector<Shown> shown{};           ///< in the order of time
   std::size_t hardest = 0;              ///< the frame with the largest normal force
   std::vector<double> readings{};       ///< of that one
   std::optional<FrameAnswer> answer{};  ///< of that one; absent: none has one

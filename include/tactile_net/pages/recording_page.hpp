@@ -11,7 +11,7 @@
 
 namespace tactile_net::pages {
 
-/// One file, without a network; about 8 bytes for each of the tractions that are kept. A recording
+/// One file, without a network; a byte or two for each of the values that are shown. A recording
 /// without frames is a page that says so.
 ///
 /// @param notes  what else is to be said: remarks of the method, columns that were not read

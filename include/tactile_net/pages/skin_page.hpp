@@ -8,6 +8,7 @@
 #include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/lab/skin_recording.hpp"
 #include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/pages/made.hpp"
 
 namespace tactile_net::pages {
 
@@ -19,6 +20,6 @@ namespace tactile_net::pages {
 /// @param readings  the recording's name
 /// @pre  there is a frame
 [[nodiscard]] drawing::Page recording_page(const lab::SkinRecordingAnswer& recording,
-                                           const std::string& readings, const std::string& by);
+                                           const std::string& readings, const Made& made);
 
 }  // namespace tactile_net::pages

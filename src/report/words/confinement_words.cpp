@@ -10,8 +10,8 @@ std::string in_words(const Confinement& confinement) {
       confinement.processes
           ? "starts no other program and opens no connection (seccomp)"
           : "could start other programs (this kernel or processor has no seccomp filter)";
-  return "ngspice and gnuplot run confined as far as this machine can: each " + files + ", and " +
-         processes + ".";
+  return "ngspice runs confined as far as this machine can: it " + files + ", and " + processes +
+         ".";
 }
 
 }  // namespace tactile_net::report

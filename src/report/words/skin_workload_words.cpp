@@ -90,7 +90,7 @@ std::string cost_in_words(const lab::SkinWorkload::Task& task) {
     case contact_search:
       return "where tractions that only press leave too much, a search for contacts that do not";
     case drawing:
-      return "plots by gnuplot, tables";
+      return "plots and tables";
   }
   return "";
 }

@@ -126,7 +126,7 @@ std::string cost_in_words(const Workload::Task& task) {
     case every_frame:
       return "every frame simulated and solved, at most 400 solved";
     case drawing:
-      return "plots by gnuplot, tables";
+      return "plots and tables";
   }
   return "";
 }

@@ -30,7 +30,6 @@ void Results::write(const Result& result, Progress& progress) {
     folder_->write("report.html", page.html);
     folder_->write(result.json_name, json);
     for (const auto& [name, content] : page.files) folder_->write(name, content);
-    say_missing(streams_.err, page.missing);
     say_others(streams_.err, path_, folder_->commit());
   }
   progress.clear();
@@ -53,10 +52,6 @@ void write(frames::OutputFile* file, const std::string& text) {
   if (file == nullptr) return;
   file->stream() << text;
   file->commit();
-}
-
-void say_missing(std::ostream& err, const std::string& missing) {
-  if (!missing.empty()) err << "note: " << missing << '\n';
 }
 
 void say_others(std::ostream& err, const std::filesystem::path& folder,

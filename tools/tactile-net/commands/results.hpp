@@ -58,9 +58,6 @@ class Results {
 /// Writes a text as a whole. Null: does nothing.
 void write(frames::OutputFile* file, const std::string& text);
 
-/// Says what a report lacks, if anything.
-void say_missing(std::ostream& err, const std::string& missing);
-
 /// Says which files of another run a folder holds, if any.
 void say_others(std::ostream& err, const std::filesystem::path& folder,
                 const std::vector<std::string>& others);

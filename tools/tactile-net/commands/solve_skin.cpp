@@ -207,10 +207,11 @@ void solve_skin(const SkinScene& scene, const SolveOptions& options, const Strea
   progress.clear();
   say_findings(streams.err, options.method, recording.findings, scene);
   if (!results) return;
-  results->write(
-      {.json = [&] { return report::recording_json(recording, options.readings); },
-       .page = [&] { return pages::recording_page(recording, options.readings, streams.command); }},
-      progress);
+  pages::Made made{.by = streams.command, .files = {"result.json"}};
+  if (outputs.in_folder()) made.files.emplace_back("tractions-of-frames.csv");
+  results->write({.json = [&] { return report::recording_json(recording, options.readings); },
+                  .page = [&] { return pages::recording_page(recording, options.readings, made); }},
+                 progress);
 }
 
 }  // namespace tactile_net::tool

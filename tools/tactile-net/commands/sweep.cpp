@@ -58,7 +58,6 @@ void write_results(const sweep::Table& table, const std::string& json, const fs:
   for (const auto& [name, content] : page.files) {
     frames::write_file(folder / name, content);
   }
-  say_missing(streams.err, page.missing);
   say_others(streams.err, folder, frames::other_results(folder, {names.begin(), names.end()}));
 }
 

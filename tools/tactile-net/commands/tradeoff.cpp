@@ -36,25 +36,20 @@ std::string content_of(const std::filesystem::path& path) {
   return bounded_text(path, largest_study, "is this the study's own file?");
 }
 
-struct Written {
-  std::set<std::string> files;
-  std::string missing;  // what could not be drawn
-};
-
-/// Everything that a folder holds of a study, whole or a part.
-Written write_all(const std::filesystem::path& folder, frames::Existing existing,
-                  const study::Study& study, const std::string& scene_text,
-                  const std::string& command) {
+/// Everything that a folder holds of a study, whole or a part. @return its files' names
+std::set<std::string> write_all(const std::filesystem::path& folder, frames::Existing existing,
+                                const study::Study& study, const std::string& scene_text,
+                                const std::string& command) {
   drawing::Page report = pages::study_html(study, {.by = command});
   report.files.emplace_back("tradeoff.csv", report::study_csv(study));
   report.files.emplace_back("tradeoff.json", report::study_json(study, scene_text));
   report.files.emplace_back("report.html", report.html);
   for (const auto& [name, content] : report.files)
     frames::check_replaceable(folder / name, existing);
-  Written written{.files = {}, .missing = report.missing};
+  std::set<std::string> written;
   for (const auto& [name, content] : report.files) {
     frames::write_file(folder / name, content);
-    written.files.insert(name);
+    written.insert(name);
   }
   return written;
 }
@@ -106,7 +101,7 @@ class StudyWatcher final : public study::StudyObserver {
     existing_ = frames::Existing::replaced;  // they are ours now
   }
 
-  [[nodiscard]] const Written& written() const noexcept { return written_; }
+  [[nodiscard]] const std::set<std::string>& written() const noexcept { return written_; }
   [[nodiscard]] Progress& line() noexcept { return line_; }
 
  private:
@@ -116,7 +111,7 @@ class StudyWatcher final : public study::StudyObserver {
   frames::Existing existing_;
   const std::string& scene_text_;
   std::string command_;
-  Written written_;
+  std::set<std::string> written_;
 };
 
 study::Study study_of(const AnyScene& scene, const study::TradeoffOptions& options,
@@ -190,9 +185,8 @@ void run(const TradeoffOptions& options, const Streams& streams) {
   StudyWatcher watcher(folder, existing, scene_text, streams);
   const study::Study study = study_of(scene, study_options, watcher);
   watcher.line().clear();
-  say_missing(streams.err, watcher.written().missing);
   if (!folder.empty())
-    say_others(streams.err, folder, frames::other_results(folder, watcher.written().files));
+    say_others(streams.err, folder, frames::other_results(folder, watcher.written()));
   results.write({.print =
                      [&](std::ostream& out) {
                        print(out, study, requirement);

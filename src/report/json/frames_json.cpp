@@ -1,0 +1,517 @@
+#include "tactile_net/report/json/frames_json.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "report/json/packed_values.hpp"
+#include "report/json/rounded.hpp"
+#include "report/json/values.hpp"
+#include "tactile_net/lab/interior.hpp"
+#include "tactile_net/report/words/frame_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+using FrameValues = std::span<const double>;
+
+/// One frame, of a line or of a skin.
+struct ShownFrame {
+  FrameValues tractions{};   ///< components x cells
+  FrameValues deviations{};  ///< as many, or none
+  FrameValues truth{};       ///< as many, or none
+  FrameValues readings{};
+  std::span<const std::size_t> touching{};  ///< cells, in their order
+  std::size_t number = 0;
+  double time = 0.0;  ///< NaN: none
+  bool distrusted = false;
+  FrameWords words{};
+};
+
+/// What both are brought to.
+struct ShownFrames {
+  SurfaceGrid grid{};
+  std::optional<Units> units{};
+  std::vector<Channel> channels{};
+  std::vector<Site> sites{};
+  std::vector<std::size_t> dead{};       ///< taxels
+  std::optional<SurfaceGrid> lattice{};  ///< of the taxels, where they lie on one
+  std::size_t components = 1;
+  bool is_line = false;
+  std::string title{};  ///< of the tractions' map
+  std::vector<ShownFrame> frames{};
+  std::size_t start = 0;  ///< index of the frame that is shown first
+
+  [[nodiscard]] FrameValues component(FrameValues values, std::size_t which) const {
+    return values.empty() ? values : values.subspan(which * grid.count(), grid.count());
+  }
+};
+
+Json packed_json(const PackedValues& packed) {
+  Json json = {{"size", packed.size}, {"steps", packed.steps}, {"text", packed.text}};
+  if (packed.sizes) json["sizes"] = true;
+  return json;
+}
+
+Json unit_json(const ScaledUnit& unit) { return {{"label", unit.label}, {"factor", unit.factor}}; }
+
+Json rounded_or_null(double number, int digits = 5) {
+  return std::isfinite(number) ? Json(rounded(number, digits)) : Json(nullptr);
+}
+
+Json lattice_json(const SurfaceGrid& grid) {
+  return {{"rows", grid.rows}, {"columns", grid.columns}, {"y", grid.y(0)},
+          {"z", grid.z(0)},    {"dy", grid.spacing_y},    {"dz", grid.spacing_z}};
+}
+
+/// What pictures reach over: of frames that can be trusted, or of all where none can.
+struct Reach {
+  double normal = 0.0;
+  double drag = 0.0;
+  double deviation = 0.0;
+  double error = 0.0;
+  double low = 0.0;  ///< of every component with its band
+  double high = 0.0;
+  bool negative = false;  ///< some pressure is below 0, and not by noise alone
+};
+
+/// Drags of a skin are arrows, of a line numbers.
+double largest_drag(const ShownFrames& all, FrameValues values) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < all.grid.count(); ++i) {
+    double square = 0.0;
+    for (std::size_t k = 1; k < all.components; ++k)
+      square += std::pow(all.component(values, k)[i], 2);
+    most = std::max(most, std::sqrt(square));
+  }
+  return most;
+}
+
+Reach reach_of(const ShownFrames& all) {
+  Reach reach;
+  double lowest = 0.0;
+  const bool any = std::any_of(all.frames.begin(), all.frames.end(),
+                               [](const ShownFrame& frame) { return !frame.distrusted; });
+  for (const ShownFrame& frame : all.frames) {
+    if (any && frame.distrusted) continue;
+    for (const FrameValues values : {frame.tractions, frame.truth}) {
+      if (values.empty()) continue;
+      for (const double p : all.component(values, 0)) {
+        reach.normal = std::max(reach.normal, std::abs(p));
+        lowest = std::min(lowest, p);
+      }
+      reach.drag = std::max(reach.drag, largest_drag(all, values));
+    }
+    for (std::size_t i = 0; i < frame.tractions.size(); ++i) {
+      const double band = frame.deviations.empty() ? 0.0 : 2.0 * frame.deviations[i];
+      const double truth = frame.truth.empty() ? frame.tractions[i] : frame.truth[i];
+      reach.low = std::min({reach.low, frame.tractions[i] - band, truth});
+      reach.high = std::max({reach.high, frame.tractions[i] + band, truth});
+    }
+    for (const double deviation : all.component(frame.deviations, 0))
+      reach.deviation = std::max(reach.deviation, deviation);
+    if (!frame.truth.empty())
+      for (std::size_t i = 0; i < all.grid.count(); ++i)
+        reach.error = std::max(reach.error, std::abs(frame.tractions[i] - frame.truth[i]));
+  }
+  reach.negative = lowest < -0.03 * reach.normal;
+  if (!(reach.high > reach.low)) reach.high = 1.0;
+  return reach;
+}
+
+/// 1 where a scale would be 0, for pictures divide by it.
+double scale_or_one(double scale) { return scale > 0.0 ? rounded(scale, 4) : 1.0; }
+
+Json tractions_json(const ShownFrames& all) {
+  /// FrameValues of all frames, beyond which bands of drags are left out.
+  constexpr std::size_t most_banded = 600'000;
+  const bool skin = !all.is_line;
+  const std::array<const char*, 3> titles = {"pressure p", skin ? "drag q_y" : "drag q",
+                                             "drag q_z"};
+  const std::array<const char*, 3> signs = {"p", skin ? "q_y" : "q", "q_z"};
+  const auto of_all = [&](FrameValues ShownFrame::*values, std::size_t k) {
+    std::vector<FrameValues> parts;
+    for (const ShownFrame& frame : all.frames) parts.push_back(all.component(frame.*values, k));
+    return parts;
+  };
+  const auto known = [&](FrameValues ShownFrame::*values) {
+    return std::none_of(all.frames.begin(), all.frames.end(),
+                        [&](const ShownFrame& frame) { return (frame.*values).empty(); });
+  };
+  const bool large = all.frames.size() * all.components * all.grid.count() > most_banded;
+  Json json = Json::array();
+  for (std::size_t k = 0; k < all.components; ++k) {
+    Json one = {{"title", titles[k]},
+                {"sign", signs[k]},
+                {"colour", k == 0 ? "normal" : "tangential"},
+                {"values", packed_json(packed(of_all(&ShownFrame::tractions, k)))}};
+    one["deviations"] = nullptr;
+    one["truth"] = nullptr;
+    if (known(&ShownFrame::deviations)) {
+      const PackedValues bands = packed(of_all(&ShownFrame::deviations, k), Packing::sizes);
+      if (k == 0 || !large || bands.steps.size() == 1) one["deviations"] = packed_json(bands);
+    }
+    if (known(&ShownFrame::truth))
+      one["truth"] = packed_json(packed(of_all(&ShownFrame::truth, k)));
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+/// Cells that touch, as runs of [first, count].
+Json touching_json(const ShownFrames& all) {
+  Json frames = Json::array();
+  for (const ShownFrame& frame : all.frames) {
+    Json runs = Json::array();
+    for (std::size_t i = 0; i < frame.touching.size();) {
+      std::size_t end = i + 1;
+      while (end < frame.touching.size() && frame.touching[end] == frame.touching[end - 1] + 1)
+        ++end;
+      runs.push_back({frame.touching[i], end - i});
+      i = end;
+    }
+    frames.push_back(std::move(runs));
+  }
+  return frames;
+}
+
+Json readings_json(const ShownFrames& all) {
+  const auto largest = [&](const Channel& channel) {
+    double most = 0.0;
+    for (const ShownFrame& frame : all.frames)
+      for (const double value : frame.readings.subspan(channel.first, channel.count))
+        if (std::isfinite(value)) most = std::max(most, std::abs(value));
+    return most;
+  };
+  Json json = Json::array();
+  for (const Channel& channel : all.channels) {
+    const QuantityKind kind = traits(channel.quantity).kind;
+    double of_kind = 0.0;  // channels of one kind have one unit
+    for (const Channel& other : all.channels)
+      if (traits(other.quantity).kind == kind) of_kind = std::max(of_kind, largest(other));
+    std::vector<FrameValues> frames;
+    for (const ShownFrame& frame : all.frames)
+      frames.push_back(frame.readings.subspan(channel.first, channel.count));
+    Json y = Json::array();
+    Json z = Json::array();
+    for (std::size_t i = 0; i < channel.count; ++i) {
+      y.push_back(rounded(all.sites[channel.first + i].y, 6));
+      z.push_back(rounded(all.sites[channel.first + i].z, 6));
+    }
+    const bool whole = all.lattice && all.lattice->count() == channel.count;
+    json.push_back({{"name", std::string(name(channel.quantity)) + " at " +
+                                 in_unit(all.units, Dimension::length, channel.depth)},
+                    {"unit", unit_json(axis_unit(all.units, dimension_of(kind), of_kind))},
+                    {"largest", scale_or_one(largest(channel))},
+                    {"shear", traits(channel.quantity).first != traits(channel.quantity).second},
+                    {"grid", whole ? lattice_json(*all.lattice) : Json(nullptr)},
+                    {"y", std::move(y)},
+                    {"z", std::move(z)},
+                    {"values", packed_json(packed(frames))}});
+  }
+  return json;
+}
+
+/// Each place once, though several quantities may be read there.
+Json places_json(const ShownFrames& all) {
+  std::size_t count = 0;
+  for (const Site& site : all.sites) count = std::max(count, site.taxel + 1);
+  std::vector<const Site*> of_taxel(count);
+  for (const Site& site : all.sites)
+    if (of_taxel[site.taxel] == nullptr) of_taxel[site.taxel] = &site;
+  Json y = Json::array();
+  Json z = Json::array();
+  for (const Site* site : of_taxel) {
+    y.push_back(site ? rounded(site->y, 6) : 0.0);
+    z.push_back(site ? rounded(site->z, 6) : 0.0);
+  }
+  return {{"y", std::move(y)}, {"z", std::move(z)}, {"dead", all.dead}};
+}
+
+Json frame_list_json(const ShownFrames& all) {
+  const auto list = [&](const auto& of) {
+    Json json = Json::array();
+    for (const ShownFrame& frame : all.frames) json.push_back(of(frame));
+    return json;
+  };
+  const auto words = [&](std::string FrameWords::*which) {
+    return list([which](const ShownFrame& frame) { return frame.words.*which; });
+  };
+  return {{"start", all.start},
+          {"time", list([](const ShownFrame& frame) { return finite_or_null(frame.time); })},
+          {"number", list([](const ShownFrame& frame) { return frame.number; })},
+          {"distrusted", list([](const ShownFrame& frame) { return frame.distrusted ? 1 : 0; })},
+          {"place", words(&FrameWords::place)},
+          {"clock", words(&FrameWords::clock)},
+          {"answer", words(&FrameWords::answer)},
+          {"trust", words(&FrameWords::trust)}};
+}
+
+/// A value of every frame with its band, in a unit of its own.
+struct Course {
+  const char* label;
+  const char* colour;
+  std::vector<double> values{}, low{}, high{};
+  bool dashed = false;
+
+  [[nodiscard]] bool has_band() const {
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (low[i] < high[i]) return true;
+    return false;
+  }
+  void add(double value, double below, double above) {
+    values.push_back(value);
+    low.push_back(below);
+    high.push_back(above);
+  }
+  void add(const std::optional<Uncertain>& number) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (number)
+      add(number->value, number->value - 2.0 * number->deviation,
+          number->value + 2.0 * number->deviation);
+    else
+      add(none, none, none);
+  }
+};
+
+/// Null where nothing is known of any frame.
+Json course_json(const std::optional<Units>& units, const std::string& title,
+                 const std::string& axis, Dimension dimension, const std::vector<Course>& courses) {
+  double most = 0.0;
+  for (const Course& course : courses)
+    for (const double value : course.values)
+      if (std::isfinite(value)) most = std::max(most, std::abs(value));
+  if (!(most > 0.0)) return nullptr;
+  const ScaledUnit unit = axis_unit(units, dimension, most);
+  const auto list = [&](const std::vector<double>& values) {
+    Json json = Json::array();
+    for (const double value : values) json.push_back(rounded_or_null(value * unit.factor));
+    return json;
+  };
+  Json lines = Json::array();
+  bool banded = false;
+  for (const Course& course : courses) {
+    lines.push_back({{"label", course.label},
+                     {"colour", course.colour},
+                     {"dashed", course.dashed},
+                     {"y", list(course.values)}});
+    if (course.has_band() && !course.dashed) {
+      banded = true;
+      lines.back()["low"] = list(course.low);
+      lines.back()["high"] = list(course.high);
+    }
+  }
+  return {{"title", title},
+          {"label", axis + (unit.label.empty() ? "" : " [" + unit.label + "]")},
+          {"bands", banded ? "two standard deviations" : ""},
+          {"lines", std::move(lines)}};
+}
+
+Json field_json(const lab::RecordingOverview& overview) {
+  constexpr std::size_t rows = 18;
+  constexpr std::size_t most_values = 256;  // 4 million products a frame in the browser
+  if (surface(overview.scene).count > most_values) return nullptr;
+  const lab::InteriorKernels kernels =
+      lab::interior_kernels(overview.scene, rows, overview.tangential());
+  const auto of = [](const std::vector<double>& values) {
+    return values.empty() ? Json(nullptr) : packed_json(packed({FrameValues(values)}));
+  };
+  return {
+      {"rows", rows}, {"normal", of(kernels.of_normal)}, {"tangential", of(kernels.of_tangential)}};
+}
+
+Json frames_document(const ShownFrames& all) {
+  const Reach reach = reach_of(all);
+  const double far = std::max({std::abs(all.grid.y(0)), std::abs(all.grid.z(0)),
+                               std::abs(all.grid.y(all.grid.rows - 1)),
+                               std::abs(all.grid.z(all.grid.columns - 1))});
+  const bool touches = std::any_of(all.frames.begin(), all.frames.end(),
+                                   [](const ShownFrame& frame) { return !frame.touching.empty(); });
+  return {{"line", all.is_line},
+          {"title", all.title},
+          {"grid", lattice_json(all.grid)},
+          {"length", unit_json(axis_unit(all.units, Dimension::length, far))},
+          {"stress",
+           unit_json(axis_unit(all.units, Dimension::stress, std::max(reach.high, -reach.low)))},
+          {"low", rounded(reach.low, 4)},
+          {"high", rounded(reach.high, 4)},
+          {"negative", reach.negative},
+          {"largest",
+           {{"normal", scale_or_one(reach.normal)},
+            {"drag", scale_or_one(reach.drag)},
+            {"deviation", scale_or_one(reach.deviation)},
+            {"error", scale_or_one(reach.error)}}},
+          {"frames", frame_list_json(all)},
+          {"tractions", tractions_json(all)},
+          {"touching", touches ? touching_json(all) : Json(nullptr)},
+          {"readings", readings_json(all)},
+          {"taxels", places_json(all)},
+          {"courses", Json::array()}};
+}
+
+void add_course(Json& json, Json course) {
+  if (!course.is_null()) json["courses"].push_back(std::move(course));
+}
+
+ShownFrames shown_of(const lab::RecordingOverview& overview) {
+  const Scene& scene = overview.scene;
+  const Surface places = surface(scene);
+  ShownFrames all{.grid = {.rows = places.count,
+                           .columns = 1,
+                           .spacing_y = places.spacing,
+                           .spacing_z = 1.0,
+                           .centre_y = places.centre},
+                  .units = scene.units,
+                  .channels = channels(scene.sensor),
+                  .sites = sites(scene.sensor),
+                  .dead = scene.dead_taxels,
+                  .components = overview.tangential() ? std::size_t{2} : std::size_t{1},
+                  .is_line = true,
+                  .start = static_cast<std::size_t>(&overview.peak() - overview.groups.data())};
+  for (const lab::FrameGroup& group : overview.groups)
+    all.frames.push_back(
+        {.tractions = group.tractions,
+         .deviations = group.bands ? FrameValues(group.bands->deviation) : FrameValues{},
+         .readings = group.readings,
+         .number = group.shown,
+         .time = group.time,
+         .distrusted = group.distrusted > 0 || group.doubted > 0,
+         .words = frame_words(overview, group)});
+  return all;
+}
+
+/// What frames of a skin have in common.
+ShownFrames skin_frames(const SkinScene& scene, const SurfaceGrid& grid, std::size_t values) {
+  ShownFrames all{.grid = grid,
+                  .units = scene.units,
+                  .channels = channels(scene.sensor),
+                  .sites = sites(scene.sensor),
+                  .dead = scene.dead_taxels,
+                  .components = values / grid.count()};
+  if (is_even(scene.sensor))
+    all.lattice = SurfaceGrid{.rows = scene.sensor.rows,
+                              .columns = scene.sensor.columns,
+                              .spacing_y = scene.sensor.pitch_y,
+                              .spacing_z = scene.sensor.pitch_z};
+  return all;
+}
+
+/// Forces of a line over time, with what the tractions leave.
+void add_courses(Json& json, const lab::RecordingOverview& overview) {
+  Course normal{"normal force", "normal"};
+  Course tangential{"drag", "tangential"};
+  Course residual{"residual", "ink"};
+  Course stated{"noise that the scene states", "normal"};
+  stated.dashed = true;
+  Json centres = Json::array();
+  for (const lab::FrameGroup& group : overview.groups) {
+    const auto add = [](Course& course, double value, const Uncertain& band, double lowest,
+                        double highest) {
+      course.add(value, std::min(value - 2.0 * band.deviation, lowest),
+                 std::max(value + 2.0 * band.deviation, highest));
+    };
+    const UncertainResultant bands = group.bands ? group.bands->resultant : UncertainResultant{};
+    add(normal, group.resultant.normal, bands.normal, group.lowest_normal, group.highest_normal);
+    add(tangential, group.resultant.tangential, bands.tangential.value_or(Uncertain{}),
+        group.lowest_tangential, group.highest_tangential);
+    if (group.bands) {
+      residual.add(Uncertain{group.bands->noise.residual_rms, 0.0});
+      if (const auto rms = group.bands->noise.stated_rms) stated.add(Uncertain{*rms, 0.0});
+    } else {
+      residual.add(std::nullopt);
+    }
+    const auto centre = group.resultant.centre();
+    centres.push_back(centre && overview.loaded(group) ? rounded_or_null(*centre) : Json(nullptr));
+  }
+  const auto& units = overview.scene.units;
+  std::vector<Course> forces = {normal};
+  if (overview.tangential()) forces.push_back(tangential);
+  add_course(json, course_json(units, "Force", "force", Dimension::force, forces));
+  std::vector<Course> residuals = {residual};
+  if (stated.values.size() == residual.values.size()) residuals.push_back(stated);
+  add_course(
+      json,
+      course_json(units,
+                  "What the tractions leave unexplained: where it is above the noise, the pad, "
+                  "the depth or the calibration is not as stated",
+                  "residual, rms", residual_dimension(overview.scene), residuals));
+  json["centre"] = std::move(centres);
+}
+
+void add_courses(Json& json, const lab::SkinRecordingAnswer& recording) {
+  Course force{"force", "normal"};
+  Course along_y{"along y", "tangential"};
+  Course along_z{"along z", "ink"};
+  along_z.dashed = true;
+  Course torsion{"torsion", "tangential"};
+  for (const lab::SkinRecordingAnswer::Shown& shown : recording.shown) {
+    const UncertainWrench& wrench = recording.frames[shown.frame].wrench;
+    force.add(wrench.normal);
+    along_y.add(wrench.tangential_y);
+    along_z.add(wrench.tangential_z);
+    torsion.add(wrench.torsion);
+  }
+  const auto& units = recording.scene.units;
+  add_course(json,
+             course_json(units, "Force into the skin", "force", Dimension::point_force, {force}));
+  add_course(json, course_json(units, "Drag", "drag", Dimension::point_force, {along_y, along_z}));
+  add_course(json, course_json(units, "Torsion about the centre", "torsion", Dimension::moment,
+                               {torsion}));
+}
+
+}  // namespace
+
+std::string frames_json(const lab::RecordingOverview& overview) {
+  Json json = frames_document(shown_of(overview));
+  add_courses(json, overview);
+  json["field"] = field_json(overview);
+  return text_of(json, -1);
+}
+
+std::string frames_json(const lab::SkinRecordingAnswer& recording) {
+  ShownFrames all =
+      skin_frames(recording.scene, recording.grid, recording.shown.front().tractions.size());
+  all.title = all.components > 1 ? "Pressure and drag" : "Pressure";
+  for (const lab::SkinRecordingAnswer::Shown& shown : recording.shown) {
+    const lab::SkinRecordingAnswer::Frame& frame = recording.frames[shown.frame];
+    if (shown.frame == recording.hardest) all.start = all.frames.size();
+    all.frames.push_back({.tractions = shown.tractions,
+                          .deviations = shown.deviations,
+                          .readings = shown.readings,
+                          .touching = shown.cells,
+                          .number = shown.frame,
+                          .time = frame.time,
+                          .distrusted = !is_faultless(frame.verdict) || !frame.data.consistent(),
+                          .words = frame_words(recording, shown)});
+  }
+  Json json = frames_document(all);
+  add_courses(json, recording);
+  return text_of(json, -1);
+}
+
+std::string frames_json(const lab::SkinExperiment& experiment) {
+  const bool solved = experiment.answer.has_value();
+  const std::vector<double>& tractions =
+      solved ? experiment.answer->tractions : experiment.frame.truth;
+  ShownFrames all = skin_frames(experiment.scene, experiment.grid, tractions.size());
+  all.title = solved ? "What was found" : "What presses";
+  ShownFrame frame{.tractions = tractions,
+                   .readings = experiment.frame.readings,
+                   .time = std::numeric_limits<double>::quiet_NaN()};
+  // A truth of more components than were solved for begins with these.
+  if (solved && experiment.has_truth() && experiment.frame.truth.size() >= tractions.size())
+    frame.truth = FrameValues(experiment.frame.truth).first(tractions.size());
+  if (solved) {
+    frame.deviations = experiment.answer->deviations;
+    frame.touching = experiment.answer->cells;
+    frame.words = frame_words(experiment);
+  }
+  all.frames.push_back(std::move(frame));
+  return text_of(frames_document(all), -1);
+}
+
+}  // namespace tactile_net::report
