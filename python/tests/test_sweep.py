@@ -178,5 +178,5 @@ def test_slurm_script() -> None:
     script = tn.slurm_script("study.toml", "out", tasks=8, time="2:00:00")
     assert "#SBATCH --array=1-8" in script and "#SBATCH --time=2:00:00" in script
     assert f"--out {Path('out').absolute()}" in script
-    with pytest.raises(ValueError, match="no time"):
+    with pytest.raises(ValueError, match="is not a time"):
         tn.slurm_script("study.toml", "out", tasks=8, time="soon")

@@ -61,7 +61,7 @@ void SkinRecordingAnswer::add(std::optional<double> time, std::span<const double
        .alpha = found.alpha,
        .wrench = found.wrench,
        .friction = found.friction ? std::optional(found.friction->ratio) : std::nullopt,
-       .data = *found.data,
+       .data = found.data.value_or(DataVerdict{}),
        .contacts = tracker.follow(frames.size(), found.patches)});
   show(*this, frame_readings, found);
   if (answer && found.wrench.normal.value <= answer->wrench.normal.value) return;

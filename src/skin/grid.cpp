@@ -21,12 +21,12 @@ struct CellLine {
 };
 
 /// Where an irregular skin's taxels lie along one axis.
-struct Extent {
+struct TaxelRange {
   double from = 0.0;
   double to = 0.0;
 };
 
-Extent extent(const SkinArray& skin, double Taxel::*coordinate) {
+TaxelRange taxel_range(const SkinArray& skin, double Taxel::*coordinate) {
   if (is_even(skin)) return {};
   const auto [least, largest] = std::minmax_element(
       skin.taxels.begin(), skin.taxels.end(),
@@ -41,8 +41,8 @@ SurfaceGrid grid_of(const SkinArray& skin, const SkinGridOptions& options) {
   check_spacing_and_margin(options.spacing, options.margin);
   const double depth = least_depth(skin);
   const double margin = options.margin.value_or(depth);
-  const auto [y_from, y_to] = extent(skin, &Taxel::y);
-  const auto [z_from, z_to] = extent(skin, &Taxel::z);
+  const auto [y_from, y_to] = taxel_range(skin, &Taxel::y);
+  const auto [z_from, z_to] = taxel_range(skin, &Taxel::z);
   const auto line = [&](std::size_t taxels, double pitch, double extent) -> CellLine {
     const bool even = is_even(skin);
     const bool has_pitch = !even || taxels > 1;

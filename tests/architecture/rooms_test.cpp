@@ -287,7 +287,7 @@ TEST_CASE("every public header is installed: a list of its room names it", "[roo
   CHECK(headers > 200);
 }
 
-TEST_CASE("no room holds more than 16 % of the product's lines", "[rooms]") {
+TEST_CASE("no room holds more than 17 % of the product's lines", "[rooms]") {
   std::map<std::string, std::ptrdiff_t, std::less<>> lines;
   std::ptrdiff_t all = 0;
   for (const auto& [path, text] : sources()) {
@@ -297,7 +297,7 @@ TEST_CASE("no room holds more than 16 % of the product's lines", "[rooms]") {
   }
   for (const Room& room : rooms) {
     CAPTURE(room.name, lines[std::string(room.name)], all);
-    CHECK(100 * lines[std::string(room.name)] <= 16 * all);
+    CHECK(100 * lines[std::string(room.name)] <= 17 * all);
   }
 }
 

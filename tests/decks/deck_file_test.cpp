@@ -145,7 +145,7 @@ TEST_CASE("whatever is not known is refused", "[deck]") {
   for (const char* option :
        {".options spicepath=/x", ".option sourcepath=(a b)", ".options method=gear editor=x",
         ".options\n+ shell=/bin/sh", ".options filetype=ascii"})
-    CHECK_THAT(with(option), ContainsSubstring("not taken") || ContainsSubstring("names a file"));
+    CHECK_THAT(with(option), ContainsSubstring("not allowed") || ContainsSubstring("names a file"));
   for (const char* line : {"# x", "| x", "1", "=", "(R2 a 0 1)", "@x"})
     CHECK_THAT(with(line), ContainsSubstring("a card begins with a letter"));
   for (const char* line : {"R2 a 0 `touch x`", "R2 a 0 \"1\"", "R2 a 0 1\\\\", "R2 a 0 1$x",

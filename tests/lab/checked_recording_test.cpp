@@ -13,10 +13,10 @@
 #include <variant>
 #include <vector>
 
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/broken_taxels.hpp"
 #include "tactile_net/lab/readings_check.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/skin_answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"

@@ -149,7 +149,7 @@ TEST_CASE("of a long recording each frame is shown, or a neighbour that presses 
           "[lab][skin]") {
   const SkinScene scene = dragged_skin();
   lab::SkinRecordingAnswer recording{.scene = scene};
-  lab::SkinAnswer answer;
+  lab::FrameAnswer answer;
   answer.tractions.resize(lab::SkinRecordingAnswer::most_values / 20);
   const auto force = [](std::size_t k) { return std::sin(2.7 * static_cast<double>(k)); };
   for (std::size_t k = 0; k < 150; ++k) {

@@ -38,7 +38,7 @@ TEST_CASE("every failure of a grasp has its sentence", "[grasp]") {
             "to hold: finger 'index' would have to pull with 0.125",
             "as measured: finger 'thumb' slips: its force is 0.5 outside the friction cone",
             "as measured: finger 'index' exceeds the torque limit of joint 2 by 0.25",
-            "as measured: the forces do not carry the load: chi squared 20, beyond the 11.3 that "
+            "as measured: the forces do not carry the load: chi squared 20, beyond the 11.3, which "
             "99 % of balanced grasps do not reach",
             "to hold: no forces within the friction cones carry the load",
             "to hold: the thesis' equations give other torques, by 0.001"});

@@ -14,7 +14,7 @@ TEST_CASE("a remark's sentence holds the number that mends the circuit", "[repor
                                   {Kind::summing_lag, "siemens = 0.125 or more"},
                                   {Kind::not_for_sale, "siemens = 0.125 would"},
                                   {Kind::odd_voltage, "volts = 0.125 would"},
-                                  {Kind::slews, "volts = 0.125 down"}})
+                                  {Kind::slews, "volts is at most 0.125"}})
     CHECK_THAT(report::in_words(CircuitRemark{.kind = kind, .value = 7.0, .repair = 0.125}),
                ContainsSubstring(key));
 }

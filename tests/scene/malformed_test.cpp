@@ -231,7 +231,7 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
       {"\"ideal\"", "\"nic\"\nopamp = { slew = 1e7 }", "37:18",
        "network.opamp.slew bends what the bandwidth makes", "beside it, bandwidth = 10e6"},
       {"\"ideal\"", "\"nic\"\nopamp = { noise_current = 1e-12 }", "37:27",
-       "network.opamp.noise_current has no size without a bandwidth"},
+       "network.opamp.noise_current is infinite unless a bandwidth"},
       {"\"ideal\"", "\"nic\"\nopamp = { cmrr = 0 }", "37:18", "network.opamp.cmrr must be > 0"},
       {"\"ideal\"", "\"nic\"\nopamp = { output_resistance = -50 }", "37:31", "must be > 0"},
       {"\"ideal\"", "\"nic\"\ntolerance = { series = \"E96\", balance = 0.001 }", "37:41",

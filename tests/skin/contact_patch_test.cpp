@@ -190,7 +190,7 @@ TEST_CASE("area: of an even pressure its own, of a sphere's 8/9 of the circle, t
     return patches_in(grid, means, erring.covariance).front();
   };
   const double circle = std::numbers::pi * 16e-6;
-  CHECK_THAT(of({.radius = 4e-3, .force = 0.5}).extent->value, WithinRel(8.0 / 9.0 * circle, 0.03));
+  CHECK_THAT(of({.radius = 4e-3, .force = 0.5}).extent->value, WithinRel(8.0 / 9.0 * circle, 0.05));
   SkinContact mirrored = stronger_contact;
   mirrored.y = -stronger_contact.y;
   mirrored.angle = -stronger_contact.angle;

@@ -62,7 +62,7 @@ AllCommands::AllCommands() {
   line.release = {.names = {"-V", "--version"},
                   .text = "Print the version, the FFT, and what confines ngspice"};
   line.quiet = {.names = {"-q", "--quiet"},
-                .text = "No notes, warnings or progress: only errors on standard error",
+                .text = "No notes, warnings or progress: standard error gets errors alone",
                 .set = [this](const std::string&) { quiet = true; }};
   line.sections = {
       {"units",

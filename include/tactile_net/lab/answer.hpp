@@ -47,10 +47,10 @@ struct FrameAnswer {
 
   // Of a skin.
   std::optional<ConeSolution> cone{};  ///< where the scene has constraints
-  double degrees_of_freedom = 0.0;         ///< of the readings that the tractions use up, under
-                                           ///< constraints those that these leave free
-  std::vector<std::size_t> cells{};        ///< that touch: `find_contacts`
-  UncertainWrench wrench{};  ///< of those cells; of all where none is certain to touch
+  double degrees_of_freedom = 0.0;     ///< of the readings that the tractions use up, under
+                                       ///< constraints those that these leave free
+  std::vector<std::size_t> cells{};    ///< that touch: `find_contacts`
+  UncertainWrench wrench{};            ///< of those cells; of all where none is certain to touch
   std::optional<SkinFriction> friction{};   ///< absent with one component, or where nothing touches
   std::optional<ContactEllipse> ellipse{};  ///< of the strongest contact, by Hertz' law
   std::vector<ContactPatch> patches{};      ///< each contact by itself, the strongest first

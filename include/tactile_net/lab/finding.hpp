@@ -251,9 +251,9 @@ struct TaxelsLeftOut {
   static constexpr std::string_view text =
       "Taxels were left out, as if the scene had called them dead: the recording shows that they "
       "are broken.";
-  static constexpr auto described = std::tuple{
-      field("taxels", &TaxelsLeftOut::taxels,
-            "The taxels that the recording shows to be dead, stuck or worn.")};
+  static constexpr auto described =
+      std::tuple{field("taxels", &TaxelsLeftOut::taxels,
+                       "The taxels that the recording shows to be dead, stuck or worn.")};
 };
 
 // What the sensor reads when nothing happens.
@@ -532,7 +532,7 @@ using Finding = std::variant<
 using Findings = std::vector<Finding>;
 
 /// Its kind: "dead_taxels".
-[[nodiscard]] inline std::string_view name(const Finding& finding) noexcept {
+[[nodiscard]] inline std::string_view name(const Finding& finding) {
   return std::visit([](const auto& one) { return one.kind; }, finding);
 }
 

@@ -226,8 +226,8 @@ Json places_json(const ShownFrames& all) {
   Json y = Json::array();
   Json z = Json::array();
   for (const Site* site : of_taxel) {
-    y.push_back(site ? rounded(site->y, 6) : 0.0);
-    z.push_back(site ? rounded(site->z, 6) : 0.0);
+    y.push_back(site != nullptr ? rounded(site->y, 6) : 0.0);
+    z.push_back(site != nullptr ? rounded(site->z, 6) : 0.0);
   }
   return {{"y", std::move(y)}, {"z", std::move(z)}, {"dead", all.dead}};
 }
@@ -414,9 +414,11 @@ void add_courses(Json& json, const lab::RecordingOverview& overview) {
       course.add(value, std::min(value - 2.0 * band.deviation, lowest),
                  std::max(value + 2.0 * band.deviation, highest));
     };
-    const UncertainResultant bands = group.bands ? group.bands->resultant : UncertainResultant{};
-    add(normal, group.resultant.normal, bands.normal, group.lowest_normal, group.highest_normal);
-    add(tangential, group.resultant.tangential, bands.tangential.value_or(Uncertain{}),
+    const UncertainResultant* const bands = group.bands ? &group.bands->resultant : nullptr;
+    add(normal, group.resultant.normal, bands != nullptr ? bands->normal : Uncertain{},
+        group.lowest_normal, group.highest_normal);
+    add(tangential, group.resultant.tangential,
+        bands != nullptr && bands->tangential ? *bands->tangential : Uncertain{},
         group.lowest_tangential, group.highest_tangential);
     if (group.bands) {
       residual.add(Uncertain{group.bands->noise.residual_rms, 0.0});

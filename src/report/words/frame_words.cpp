@@ -59,10 +59,10 @@ FrameWords frame_words(const lab::SkinRecordingAnswer& recording,
 }
 
 FrameWords frame_words(const lab::SkinExperiment& experiment) {
-  const lab::SkinAnswer& answer = *experiment.answer;
+  const lab::FrameAnswer& answer = *experiment.answer;
   return {.answer = drawing::typeset(
               wrench_in_words(experiment.scene, answer.wrench, answer.alpha.value)),
-          .trust = distrust_in_words(answer.verdict, answer.data, experiment.scene)};
+          .trust = distrust_in_words(answer.verdict, *answer.data, experiment.scene)};
 }
 
 }  // namespace tactile_net::report
