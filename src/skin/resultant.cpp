@@ -164,7 +164,8 @@ Result ratio_at(const Contact& contact, std::size_t cell) {
   return {drag / p, contact.at(cell, -drag / p / p, y * over, z * over)};
 }
 
-/// The cell at which the cells of smaller |q| / p bear 90 % of the force.
+/// The cell at which the cells of smaller |q| / p bear 90 % of the force. Of cells with the same
+/// |q| / p, as all that slide have, the one that bears most, whatever order rounding gives them.
 std::size_t ninety_percent(const Contact& contact) {
   std::vector<std::size_t> order;
   double all = 0.0;
@@ -178,10 +179,17 @@ std::size_t ninety_percent(const Contact& contact) {
   };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return ratio(a) < ratio(b); });
+  constexpr double same = 1.0 + 1e-6;
   double borne = 0.0;
-  for (const std::size_t cell : order)
-    if ((borne += contact.p(cell)) >= 0.9 * all) return cell;
-  return order.back();
+  auto at = order.begin();
+  while (at + 1 != order.end() && (borne += contact.p(*at)) < 0.9 * all) ++at;
+  const double found = ratio(*at);
+  const auto first = std::find_if(order.begin(), order.end(),
+                                  [&](std::size_t cell) { return ratio(cell) * same >= found; });
+  const auto last =
+      std::find_if(at, order.end(), [&](std::size_t cell) { return ratio(cell) > found * same; });
+  return *std::max_element(
+      first, last, [&](std::size_t a, std::size_t b) { return contact.p(a) < contact.p(b); });
 }
 
 /// The cells of the contact that needs the most friction, and how many it is one of.

@@ -268,6 +268,15 @@ TEST_CASE("friction: what slides is at its limit, what is twisted is too", "[ski
   CHECK_THAT(slides.least_limit.value, WithinRel(0.4, 1e-9));
   CHECK_THAT(slides.slip_margin->value, WithinAbs(0.0, 1e-3));
   for (const Uncertain& margin : slides.cell_margins) CHECK(margin.value >= -1e-9);
+  // All cells have the same |q| / p: none of them is chosen by rounding.
+  std::vector<double> means =
+      cell_means(std::vector<SkinLoad>{SkinContact{
+                     .radius = 4e-3, .force = 0.5, .friction = 0.4, .direction = 0.7}},
+                 grid);
+  for (std::size_t i = 0; i < means.size(); ++i)
+    means[i] *= 1.0 + 1e-12 * std::sin(static_cast<double>(i * i));
+  CHECK_THAT(friction_of(grid, means, cells, white, 1.0, 0.4)->least_limit.deviation,
+             WithinRel(slides.least_limit.deviation, 1e-6));
   // Full spin of a Hertz circle: mu F 3 pi a / 16.
   CHECK_THAT(slides.lever, WithinRel(0.5 * 3.0 * std::numbers::pi * 4e-3 / 16.0, 0.02));
   const SkinFriction rests = friction({.radius = 4e-3, .force = 0.5}, 0.4);
