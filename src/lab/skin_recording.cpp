@@ -9,8 +9,8 @@ namespace {
 
 constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
 
-std::size_t most_frames(std::size_t tractions) {
-  return std::clamp(SkinRecordingAnswer::most_values / std::max<std::size_t>(tractions, 1),
+std::size_t most_frames(std::size_t values) {
+  return std::clamp(SkinRecordingAnswer::most_values / std::max<std::size_t>(values, 1),
                     SkinRecordingAnswer::least_shown, SkinRecordingAnswer::most_shown);
 }
 
@@ -38,7 +38,9 @@ void show(SkinRecordingAnswer& recording, std::span<const double> frame_readings
     if (harder(frame, shown.back().frame)) shown.back() = shown_frame(count);
     shown.back().count = count;
   }
-  if (shown.size() <= most_frames(found.tractions.size())) return;
+  const std::size_t values = found.tractions.size() + frame_readings.size() +
+                             (found.deviations.empty() ? 0 : recording.grid.count());
+  if (shown.size() <= most_frames(values)) return;
   std::vector<SkinRecordingAnswer::Shown> merged;
   for (std::size_t i = 0; i + 1 < shown.size(); i += 2) {
     const std::size_t count = shown[i].count + shown[i + 1].count;

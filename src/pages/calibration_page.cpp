@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <variant>
 
 #include "pages/axis.hpp"
 #include "pages/parts.hpp"
-#include "pages/pixel_text.hpp"
 #include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -33,7 +33,10 @@ Figure press_figure(const lab::SceneCalibration& found, std::size_t p, std::size
   const PressFit& fit = found.fit;
   const Channel& channel = found.channels[c];
   const double noise = found.log.unloaded.rms[c];
-  std::vector<double> y, measured, before, after;
+  std::vector<double> y;
+  std::vector<double> measured;
+  std::vector<double> before;
+  std::vector<double> after;
   for (std::size_t j = 0; j < found.sites.size(); ++j) {
     if (found.sites[j].channel != c) continue;
     y.push_back(found.is_skin() ? static_cast<double>(found.sites[j].taxel) : found.sites[j].y);
@@ -56,7 +59,8 @@ Figure press_figure(const lab::SceneCalibration& found, std::size_t p, std::size
 Figure rms_figure(const lab::SceneCalibration& found) {
   Plot plot{"Residuals of each press", "press", "rms / noise", {}, {}};
   plot.from_zero = true;
-  Curve before{"nominal", {}, 2, true}, after{"calibrated", {}, 1, true};
+  Curve before{"nominal", {}, 2, true};
+  Curve after{"calibrated", {}, 1, true};
   for (const FittedPress& press : found.fit.presses) {
     plot.x.push_back(static_cast<double>(press.number));
     before.y.push_back(press.rms_before);
@@ -73,7 +77,8 @@ Figure profile_figure(const lab::SceneCalibration& found) {
   Plot plot{"Misfit over the depth", "depth / stated depth", "root of its rise", {}, {}};
   for (const ProfilePoint& point : found.fit.profile)
     plot.x.push_back(point.depth / found.fit.at(PadParameter::depth).nominal);
-  Curve root{"the log", {}, 1}, straight{"as its sd says", {}, 0};
+  Curve root{"the log", {}, 1};
+  Curve straight{"as its sd says", {}, 0};
   root.marks = true;
   straight.dashed = true;
   for (const ProfilePoint& point : found.fit.profile) {
@@ -90,65 +95,37 @@ Figure profile_figure(const lab::SceneCalibration& found) {
 /// Every gain with one standard deviation to each side, over what the scene states.
 Figure gains_figure(const lab::SceneCalibration& found) {
   const std::vector<FittedValue>& gains = found.fit.gain;
-  double low = 1.0, high = 1.0;
-  for (const FittedValue& gain : gains) {
-    const double sd = std::isfinite(gain.sd) ? gain.sd : 0.0;
-    low = std::min(low, gain.value - sd);
-    high = std::max(high, gain.value + sd);
-  }
-  const double room = 0.08 * (high - low) + 1e-3;
-  low -= room;
-  high += room;
-  const double width = 1000.0, height = 320.0, left = 70.0, bottom = 40.0;
-  const auto x = [&](double index) {
-    return left + (index + 0.5) * (width - left) / static_cast<double>(gains.size());
-  };
-  const auto y = [&](double gain) { return (height - bottom) * (high - gain) / (high - low); };
-  const double prior = gains.empty() ? 0.0 : gains.front().prior_sd;
-  std::string svg =
-      "<svg viewBox=\"0 0 1000 320\" style=\"height:auto\" role=\"img\" "
-      "aria-label=\"gains with their standard deviations\">\n";
-  if (std::isfinite(prior)) {
-    const double top = std::max(0.0, y(1.0 + prior));
-    const double end = std::min(height - bottom, y(1.0 - prior));
-    svg += "<rect x=\"" + px(left) + "\" y=\"" + px(top) + "\" width=\"" + px(width - left) +
-           "\" height=\"" + px(end - top) + "\" style=\"fill:var(--rule);opacity:.5\"/>\n";
-  }
-  const double step = high - low > 0.5 ? 0.2 : high - low > 0.2 ? 0.1 : 0.05;
-  for (double tick = std::ceil(low / step) * step; tick < high; tick += step)
-    svg += "<line x1=\"" + px(left) + "\" x2=\"1000\" y1=\"" + px(y(tick)) + "\" y2=\"" +
-           px(y(tick)) + "\" style=\"stroke:var(--rule);stroke-width:1\"/><text x=\"60\" y=\"" +
-           px(y(tick) + 7.0) +
-           "\" style=\"font:20px system-ui,sans-serif;fill:var(--quiet);text-anchor:end\">" +
-           fixed(tick, 2) + "</text>\n";
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> nothing(gains.size(), none);
+  Curve told{.label = "found", .y = nothing, .colour = 1, .dots = true, .half_width = nothing};
+  Curve untold = told;
+  untold.label = "the presses say no more than the scene";
+  untold.colour = 2;
+  double low = 1.0;
+  double high = 1.0;
+  Plot plot{"", "reading", "gain", {}, {}};
   for (std::size_t j = 0; j < gains.size(); ++j) {
-    const FittedValue& gain = gains[j];
-    const bool solid = is_found(found.fit.gain_about_mean[j]);
-    const double at = x(static_cast<double>(j));
-    if (std::isfinite(gain.sd))
-      svg += "<line x1=\"" + px(at) + "\" x2=\"" + px(at) + "\" y1=\"" +
-             px(y(gain.value + gain.sd)) + "\" y2=\"" + px(y(gain.value - gain.sd)) +
-             "\" style=\"stroke:var(--blue);stroke-width:2.5\"/>";
-    svg += "<circle cx=\"" + px(at) + "\" cy=\"" + px(y(gain.value)) +
-           "\" r=\"6\" style=\"stroke:var(--blue);stroke-width:2;fill:" +
-           (solid ? "var(--blue)" : "var(--paper)") + "\"><title>reading " + std::to_string(j) +
-           ": " + drawing::escaped(drawing::typeset(plus_minus(gain.value, gain.sd))) +
-           "</title></circle>\n";
+    Curve& curve = is_found(found.fit.gain_about_mean[j]) ? told : untold;
+    const double sd = std::isfinite(gains[j].sd) ? gains[j].sd : 0.0;
+    plot.x.push_back(static_cast<double>(j));
+    curve.y[j] = gains[j].value;
+    curve.half_width[j] = sd;
+    low = std::min(low, gains[j].value - sd);
+    high = std::max(high, gains[j].value + sd);
   }
-  for (std::size_t j = 0; j < gains.size(); j += std::max<std::size_t>(1, gains.size() / 8))
-    svg += "<text x=\"" + px(x(static_cast<double>(j))) +
-           "\" y=\"310\" style=\"font:20px system-ui,sans-serif;fill:var(--quiet);"
-           "text-anchor:middle\">" +
-           std::to_string(j) + "</text>\n";
-  return {.name = "gains",
-          .section = "gains",
-          .caption =
-              "The gain of every reading over the one that the scene states, and one standard "
-              "deviation to each side; the grey band is what the scene states. Hollow: the "
-              "presses say no more than that.",
-          .plot = {},
-          .picture = svg + "</svg>\n",
-          .data = "result.json"};
+  const double prior = gains.empty() ? none : gains.front().prior_sd;
+  Curve stated{.label = "as the scene states", .y = std::vector<double>(gains.size(), 1.0)};
+  stated.dashed = true;
+  if (std::isfinite(prior)) {
+    stated.label += ": 1 +- " + brief(prior);
+    // A band far wider than the gains' range would leave them a line.
+    if (prior < 2.0 * (high - low)) stated.half_width.assign(gains.size(), prior);
+  }
+  plot.curves = {std::move(stated), std::move(told), std::move(untold)};
+  plot.band_label = "one standard deviation";
+  plot.wide = true;
+  return {"gains", "gains", "The gain of every reading over the one that the scene states.",
+          std::move(plot)};
 }
 
 std::vector<Figure> figures_of(const lab::SceneCalibration& found) {

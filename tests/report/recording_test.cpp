@@ -1,10 +1,14 @@
 #include "tactile_net/lab/recording.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <random>
+#include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "pages/pad_drawing.hpp"
@@ -20,9 +24,9 @@ namespace tactile_net::report {
 namespace {
 
 /// A press of `frames` frames in the middle, the strongest in the middle of time; the last frame's
-/// verdict is `last`.
+/// verdict is `last`. Before the frame `gap`, if it is above 0, three have no answer.
 lab::RecordingOverview press(std::size_t frames, lab::Verdict last = lab::Verdict::ok,
-                             const std::string& title = "a press") {
+                             const std::string& title = "a press", std::size_t gap = 0) {
   const lab::SceneProblem problem(
       parse_scene("title = \"" + title +
                       "\"\n[sensor]\ncount = 21\npitch = 0.5\ndepth = 1.0\nreads = [\"stress_x\", "
@@ -34,6 +38,7 @@ lab::RecordingOverview press(std::size_t frames, lab::Verdict last = lab::Verdic
   std::vector<double> readings(42);
   std::vector<double> tractions(42);
   for (std::size_t k = 0; k < frames; ++k) {
+    for (int i = 0; i < 3 && gap > 0 && k == gap; ++i) recording.skip();
     const double size =
         std::sin(3.1 * static_cast<double>(k + 1) / static_cast<double>(frames + 1));
     for (std::size_t i = 0; i < 21; ++i)
@@ -43,6 +48,16 @@ lab::RecordingOverview press(std::size_t frames, lab::Verdict last = lab::Verdic
     recording.add(0.01 * static_cast<double>(k), problem, readings, tractions, result);
   }
   return recording.overview();
+}
+
+constexpr std::size_t readings_of_skin = 3 * 16 * 16;
+
+SkinScene skin() {
+  return std::get<SkinScene>(
+      parse_any_scene("[sensor]\nrows = 16\ncolumns = 16\npitch = 1.0\ndepth = 1.0\n"
+                      "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+                      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n",
+                      "skin.toml"));
 }
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -171,6 +186,72 @@ TEST_CASE("a picture along the array has the array's own ends below it, wherever
       CHECK_THAT(centre[i], WithinAbs(before[i], 1e-3));  // rounded to five digits
     before = centre;
   }
+}
+
+TEST_CASE("a thousand frames of a skin are a page below 2.7 MB, whatever its cells and components",
+          "[report][recording]") {
+  const std::size_t cells_across = GENERATE(std::size_t{18}, std::size_t{35});
+  const std::size_t components = GENERATE(std::size_t{1}, std::size_t{3});
+  CAPTURE(cells_across, components);
+  lab::SkinRecordingAnswer recording{
+      .scene = skin(),
+      .grid = {.rows = cells_across, .columns = cells_across, .spacing_y = 1.0, .spacing_z = 1.0}};
+  const std::size_t cells = recording.grid.count();
+  const std::size_t count = components * cells;
+  std::mt19937 generator(1);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  std::vector<double> noise(std::max(count, readings_of_skin) + 1000);
+  for (double& value : noise) value = normal(generator);
+  lab::FrameAnswer answer;
+  for (std::size_t i = 0; i < cells; ++i)
+    if (i % cells_across > 3 && i % cells_across < 12) answer.cells.push_back(i);
+  for (std::size_t k = 0; k < 1000; ++k) {
+    const std::span<const double> from = std::span<const double>(noise).subspan(k);
+    const std::span<const double> part = from.first(count);
+    answer.tractions.assign(part.begin(), part.end());
+    answer.deviations.clear();
+    for (const double value : part) answer.deviations.push_back(1.0 + 0.1 * std::abs(value));
+    answer.wrench.normal = {1.0 + 0.01 * noise[k], 0.0123};
+    answer.wrench.tangential_y = answer.wrench.tangential_z = answer.wrench.centre_y =
+        answer.wrench.centre_z = answer.wrench.torsion = Uncertain{noise[k], 0.0123};
+    recording.add(0.01 * static_cast<double>(k), from.first(readings_of_skin), answer);
+  }
+  REQUIRE(recording.shown.size() >= 200);
+  constexpr std::size_t scripts_and_style = 160'000;
+  CHECK(frames_json(recording).size() + scripts_and_style < 2'700'000);
+}
+
+TEST_CASE("pictures over time have a gap where frames have no answer, and there only",
+          "[report][recording]") {
+  using Gaps = std::vector<std::size_t>;
+  const auto gaps_of = [](const auto& recording) {
+    return nlohmann::json::parse(frames_json(recording))["frames"]["gaps"].template get<Gaps>();
+  };
+  lab::SkinRecordingAnswer recording{
+      .scene = skin(), .grid = {.rows = 4, .columns = 4, .spacing_y = 1.0, .spacing_z = 1.0}};
+  const std::vector<double> readings(readings_of_skin, 1.0);
+  lab::FrameAnswer answer;
+  answer.tractions.assign(16, 1.0);
+  const auto add = [&](std::size_t frames) {
+    for (std::size_t k = 0; k < frames; ++k) recording.add({}, readings, answer);
+  };
+  add(3);
+  CHECK(gaps_of(recording).empty());
+  recording.skip({});
+  add(2);
+  CHECK(gaps_of(recording) == Gaps{3});
+  // So many that one that is shown stands for several: a single frame that is missing is no gap.
+  add(2 * lab::SkinRecordingAnswer::most_shown);
+  recording.skip({});
+  add(100);
+  REQUIRE(recording.per_shown > 1);
+  CHECK(gaps_of(recording).empty());
+  for (std::size_t k = 0; k < 3 * recording.per_shown; ++k) recording.skip({});
+  add(100);
+  CHECK(gaps_of(recording).size() == 1);
+
+  CHECK(gaps_of(press(6)).empty());
+  CHECK(gaps_of(press(6, lab::Verdict::ok, "a press", 4)) == Gaps{4});
 }
 
 TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {

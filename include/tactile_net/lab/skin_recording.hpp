@@ -38,9 +38,9 @@ struct SkinRecordingAnswer {
     std::vector<double> readings{};
     std::vector<std::size_t> cells{};  ///< that touch
   };
-  /// Frames that are shown: as many as have so many tractions together, but no more than this, and
-  /// no fewer than that.
-  static constexpr std::size_t most_values = 1'200'000;
+  /// Frames that are shown: as many as have so many tractions, deviations of pressures and readings
+  /// together, but no more than this, and no fewer than that.
+  static constexpr std::size_t most_values = 1'500'000;
   static constexpr std::size_t most_shown = 1500;
   static constexpr std::size_t least_shown = 16;
 

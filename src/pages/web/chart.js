@@ -52,6 +52,10 @@ function axisRange(axis, lists, within) {
   return [axis.from_zero && low === 0 ? 0 : low - room, high + room];
 }
 
+/** Distances of ticks that are whole numbers. */
+const wholeSteps =
+    Array.from({length: 10}, (_, power) => [1, 2, 5].map((digit) => digit * 10 ** power)).flat();
+
 /** Ticks of a logarithmic axis: powers of ten, or 1, 2 and 5 of these where they are few. */
 function logarithmicTicks(low, high) {
   const first = Math.floor(Math.log10(low)), last = Math.ceil(Math.log10(high));
@@ -60,7 +64,14 @@ function logarithmicTicks(low, high) {
   const ticks = [];
   for (let power = first; power <= last; power += step)
     for (const digit of digits) ticks.push(digit * 10 ** power);
-  return ticks.filter((tick) => tick >= low && tick <= high);
+  const within = ticks.filter((tick) => tick >= low && tick <= high);
+  if (within.length > 1) return within;
+  // Less than a step of these lies between: even ticks.
+  const power = 10 ** Math.floor(Math.log10(high - low));
+  const even = power * [0.2, 0.5, 1, 2].find((size) => (high - low) / (size * power) <= 5);
+  return Array.from(
+      {length: Math.floor(high / even) - Math.ceil(low / even) + 1},
+      (_, i) => Number(((Math.ceil(low / even) + i) * even).toPrecision(9)));
 }
 
 /** Ticks of an axis that is linear within a range and logarithmic on both sides of it. */
@@ -79,20 +90,21 @@ function bothSidedTicks(low, high, within) {
  * A chart in `place`.
  *
  * @param spec {x: {label, log, ...}, y: {...}, curves: [{label, colour, x, y, band, dots, marks,
- *   dashed, width, quiet, names}], linear_within, quiet_label, band_label, height}
+ *   dashed, width, quiet, names}], linear_within, quiet_label, band_label, height, gaps}; `gaps`:
+ *   indices before which the curves are broken; bands of dots are bars
  * @param behind  draws on the canvas before the curves: (uPlot, context)
  */
 function makeChart(place, spec, {behind = null, linked = null} = {}) {
   // Rows of a map are no curves.
   const {map, curves: rows} = spec;
   if (map) {
-    const edge = edgesOf(spec.xs), count = spec.xs.length;
+    const column = columnsOf(spec.xs), count = spec.xs.length;
     spec.curves = [];
-    spec.x.range = [edge(0), edge(count)];
+    spec.x.range = [column(0)[0], column(count - 1)[1]];
     spec.value = spec.y.label;
     spec.y = {label: map.label, range: [map.low, map.high]};
     behind = heatMap(
-        {count, edge}, rows.length, (column, row) => rows[row].y[column] ?? NaN, map.most, 'signed',
+        {count, column}, rows.length, (at, row) => rows[row].y[at] ?? NaN, map.most, 'signed',
         map.low, map.high);
   }
   /** The value of a map under the pointer. */
@@ -129,6 +141,7 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
   const legend = element('p', {class: 'legend'});
   place.append(plotBox, readout, legend);
 
+  const broken = (i) => spec.gaps?.has(i) ?? false;
   let plot = null, marked = null;
   const marker = element('i', {class: 'marker', hidden: ''});
 
@@ -144,18 +157,29 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
     const [low, high] = curve.edges;
     const {at, known} = stroke(context, plotted, curve, low);
     const top = stroke(context, plotted, curve, high);
-    context.fillStyle = colourOf(curve);
-    context.globalAlpha = 0.2;
+    context.fillStyle = context.strokeStyle = colourOf(curve);
     const path = new Path2D();
+    if (curve.dots) {
+      context.lineWidth = 1.5 * (devicePixelRatio || 1);
+      for (let i = 0; i < low.length; ++i) {
+        if (!known(i) || !top.known(i)) continue;
+        path.moveTo(...at(i));
+        path.lineTo(...top.at(i));
+      }
+      context.stroke(path);
+      return;
+    }
+    context.globalAlpha = 0.2;
     for (let first = 0; first < low.length; ++first) {
       let end = first;
-      while (end < low.length && known(end) && top.known(end)) ++end;
+      while (end < low.length && known(end) && top.known(end) && (end === first || !broken(end)))
+        ++end;
       if (end === first) continue;
       for (let i = first; i < end; ++i)
         i === first ? path.moveTo(...top.at(i)) : path.lineTo(...top.at(i));
       for (let i = end; i-- > first;) path.lineTo(...at(i));
       path.closePath();
-      first = end;
+      first = end - 1;
     }
     context.fill(path);
     context.globalAlpha = 1;
@@ -171,13 +195,14 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
     const line = new Path2D(), dots = new Path2D();
     const radius = fine * (curve.quiet ? 1.8 : curve.dots ? 2.5 : 3);
     for (let i = 0, pen = false; i < curve.y.length; ++i) {
+      if (broken(i)) pen = false;
       if (!known(i)) {
         pen = false;
         continue;
       }
       const [x, y] = at(i);
       pen ? line.lineTo(x, y) : line.moveTo(x, y);
-      const lone = !pen && (i + 1 === curve.y.length || !known(i + 1));
+      const lone = !pen && (i + 1 === curve.y.length || !known(i + 1) || broken(i + 1));
       if (curve.dots || curve.marks || curve.quiet || lone) {
         dots.moveTo(x + radius, y);
         dots.arc(x, y, radius, 0, 7);
@@ -290,6 +315,7 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
     return {
       scale: side,
       ...(splits ? {splits, filter: (_, all) => all} : {}),
+      ...(axis.whole ? {incrs: wholeSteps} : {}),
       stroke: () => ink('--quiet'),
       font: '12px system-ui, sans-serif',
       labelFont: '12px system-ui, sans-serif',
@@ -320,7 +346,7 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
         {
           width: Math.max(plotBox.clientWidth, 200),
           height: spec.height ?? 300,
-          padding: [8, 12, 0, 0],
+          padding: [8, linked ? 24 : 12, 0, 0],  // "0.065 s" at the end of an axis
           legend: {show: false},
           cursor: {drag, points: {show: false}, ...(linked ? {sync: {key: linked.key}} : {})},
           scales: {x: scaleOf(spec.x, 'x'), y: scaleOf(spec.y, 'y')},

@@ -224,6 +224,7 @@ function showFrames(root, d) {
   if (!skin)
     for (const channel of readings) {
       const place = element('div');
+      place.append(element('p', {class: 'map-title'}, channel.name));
       find('readings').append(place);
       const xs = scaled(channel.y, d.length.factor);
       const curves = () => [{
@@ -234,17 +235,16 @@ function showFrames(root, d) {
         x: xs,
         y: scaled(channel.values.of(frame), channel.unit.factor)
       }];
-      const most = channel.largest * channel.unit.factor;
+      const everyFrame = Array.from({length: count}, (_, k) => channel.values.of(k));
+      const [least, most] = rangeOf([[0], ...everyFrame]).map((x) => x * channel.unit.factor);
+      const room = 0.05 * (most - least || 1);
       lines.push({
         curves,
         chart: makeChart(place, {
           name: channel.name,
           height: 220,
           x: {label: lengthLabel('y')},
-          y: {
-            label: channel.name + unitOf(channel.unit),
-            range: channel.positive ? [-0.05 * most, 1.05 * most] : [-1.05 * most, 1.05 * most]
-          },
+          y: {label: `reading${unitOf(channel.unit)}`, range: [least - room, most + room]},
           curves: curves()
         })
       });

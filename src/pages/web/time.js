@@ -10,8 +10,9 @@ function makeTimeline(d) {
   const xs = rises ? d.frames.time.map((t) => t - zero) : d.frames.number;
   const label = rises ? zero ? `seconds after ${zero} s` : 'time' : 'frame';
   const charts = [], listeners = [];
-  const edge = edgesOf(xs);
-  const range = [edge(0), edge(count)];
+  const gaps = new Set(d.frames.gaps);
+  const column = columnsOf(xs, gaps);
+  const range = [column(0)[0], column(count - 1)[1]];
   const near = (x) => {
     let low = 0, high = count - 1;
     while (high - low > 1) {
@@ -29,16 +30,20 @@ function makeTimeline(d) {
     },
   };
   return {
-    xs,
-    edge,
-    range,
+    column,
     count,
     label,
     onPick: null,
     /** A chart over the frames. @param say  words for a frame */
     chart(place, spec, say, behind) {
       const chart = makeChart(
-          place, {height: 190, ...spec, xs, x: {label: '', suffix: rises ? ' s' : '', range}},
+          place, {
+            height: 190,
+            ...spec,
+            xs,
+            gaps,
+            x: {label: '', suffix: rises ? ' s' : '', whole: !rises, range}
+          },
           {behind, linked: {...linked, say}});
       chart.onPick = (x) => this.onPick?.(near(x));
       charts.push(chart);
@@ -57,8 +62,8 @@ function makeTimeline(d) {
         const at = (x) => width * (x - view[0]) / (view[1] - view[0]);
         for (let i = 0; i < count; ++i) {
           context.fillStyle = ink(d.frames.distrusted[i] ? '--red' : '--trusted');
-          const left = Math.floor(at(edge(i)));
-          context.fillRect(left, 0, Math.max(1, Math.floor(at(edge(i + 1))) - left), 1);
+          const [left, right] = column(i).map((x) => Math.floor(at(x)));
+          context.fillRect(left, 0, Math.max(1, right - left), 1);
         }
       };
       listeners.push((low, high) => {
@@ -78,12 +83,18 @@ function makeTimeline(d) {
   };
 }
 
-/** Where the column of each x begins: half way from the one before. */
-function edgesOf(xs) {
-  const last = xs.length - 1;
-  return (i) => i <= 0 ? xs[0] - (xs[1] - xs[0] || 1) / 2 :
-      i > last         ? xs[last] + (xs[last] - xs[last - 1] || 1) / 2 :
-                         (xs[i - 1] + xs[i]) / 2;
+/**
+ * Where the column of each x begins and ends: half way to its neighbours, or at an end or a gap as
+ * far as on the other side. @param gaps  indices before which something is missing
+ */
+function columnsOf(xs, gaps = new Set()) {
+  const least = xs.reduce((most, x, i) => i ? Math.min(most, x - xs[i - 1]) : most, Infinity);
+  const apart = (i) => i > 0 && i < xs.length && !gaps.has(i) ? xs[i] - xs[i - 1] : NaN;
+  return (i) => {
+    const before = apart(i), after = apart(i + 1), alone = Number.isFinite(least) ? least : 1;
+    const or = (one, other) => Number.isNaN(one) ? Number.isNaN(other) ? alone : other : one;
+    return [xs[i] - or(before, after) / 2, xs[i] + or(after, before) / 2];
+  };
 }
 
 /** Draws a column of colours a frame, between the edges of its time. */
@@ -104,8 +115,9 @@ function heatMap(time, rows, value, most, palette, low, high) {
     const y = plot.valToPos(high, 'y', true), tall = plot.valToPos(low, 'y', true) - y;
     context.imageSmoothingEnabled = false;
     for (let frame = 0; frame < time.count; ++frame) {
-      const x = Math.floor(plot.valToPos(time.edge(frame), 'x', true));
-      const wide = Math.ceil(plot.valToPos(time.edge(frame + 1), 'x', true)) - x;
+      const [left, right] = time.column(frame);
+      const x = Math.floor(plot.valToPos(left, 'x', true));
+      const wide = Math.ceil(plot.valToPos(right, 'x', true)) - x;
       if (x + wide >= plot.bbox.left && x <= plot.bbox.left + plot.bbox.width)
         context.drawImage(canvas, frame, 0, 1, rows, x, y, wide, tall);
     }

@@ -44,7 +44,8 @@ struct ShownFrames {
   bool is_line = false;
   std::string title{};  ///< of the tractions' map
   std::vector<ShownFrame> frames{};
-  std::size_t start = 0;  ///< index of the frame that is shown first
+  std::size_t per_frame = 1;  ///< frames that one of these stands for, at least
+  std::size_t start = 0;      ///< index of the frame that is shown first
 
   [[nodiscard]] FrameValues component(FrameValues values, std::size_t which) const {
     return values.empty() ? values : values.subspan(which * grid.count(), grid.count());
@@ -232,6 +233,15 @@ Json places_json(const ShownFrames& all) {
   return {{"y", std::move(y)}, {"z", std::move(z)}, {"dead", all.dead}};
 }
 
+/// Indices of frames before which some have no answer. One that stands for others is any of these,
+/// so that two which follow each other may be nearly two such stretches apart.
+Json gaps_json(const ShownFrames& all) {
+  Json gaps = Json::array();
+  for (std::size_t i = 1; i < all.frames.size(); ++i)
+    if (all.frames[i].number - all.frames[i - 1].number > 2 * all.per_frame - 1) gaps.push_back(i);
+  return gaps;
+}
+
 Json frame_list_json(const ShownFrames& all) {
   const auto list = [&](const auto& of) {
     Json json = Json::array();
@@ -242,6 +252,7 @@ Json frame_list_json(const ShownFrames& all) {
     return list([which](const ShownFrame& frame) { return frame.words.*which; });
   };
   return {{"start", all.start},
+          {"gaps", gaps_json(all)},
           {"time", list([](const ShownFrame& frame) { return finite_or_null(frame.time); })},
           {"number", list([](const ShownFrame& frame) { return frame.number; })},
           {"distrusted", list([](const ShownFrame& frame) { return frame.distrusted ? 1 : 0; })},
@@ -381,6 +392,10 @@ ShownFrames shown_of(const lab::RecordingOverview& overview) {
          .time = group.time,
          .distrusted = group.distrusted > 0 || group.doubted > 0,
          .words = frame_words(overview, group)});
+  // The last group may be short.
+  all.per_frame = overview.groups.front().count;
+  for (std::size_t i = 0; i + 1 < overview.groups.size(); ++i)
+    all.per_frame = std::min(all.per_frame, overview.groups[i].count);
   return all;
 }
 
@@ -478,6 +493,7 @@ std::string frames_json(const lab::SkinRecordingAnswer& recording) {
   ShownFrames all =
       skin_frames(recording.scene, recording.grid, recording.shown.front().tractions.size());
   all.title = all.components > 1 ? "Pressure and drag" : "Pressure";
+  all.per_frame = recording.per_shown;
   for (const lab::SkinRecordingAnswer::Shown& shown : recording.shown) {
     const lab::SkinRecordingAnswer::Frame& frame = recording.frames[shown.frame];
     if (shown.frame == recording.hardest) all.start = all.frames.size();
