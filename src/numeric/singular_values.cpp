@@ -39,6 +39,13 @@ bool holds(const Svd& svd, const Eigen::MatrixXd& a) {
   return left.cwiseAbs().maxCoeff() <= limit * svd.values(0) && overlap.isIdentity(limit);
 }
 
+/// Reflections and rotations square entries: a power of two scales them without a rounding.
+double power_of_two(const Eigen::MatrixXd& a) {
+  int exponent = 0;
+  std::frexp(a.cwiseAbs().maxCoeff(), &exponent);
+  return std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
+}
+
 }  // namespace
 
 /// Eigen's divide and conquer reports success with vectors, and values, that are wrong by as much
@@ -56,10 +63,7 @@ Svd long_singular_value_decomposition(const Eigen::MatrixXd& a) {
     std::swap(svd.u, svd.v);
     return svd;
   }
-  // Reflections square entries; a power of two scales them without a rounding.
-  int exponent = 0;
-  std::frexp(a.cwiseAbs().maxCoeff(), &exponent);
-  const double size = std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
+  const double size = power_of_two(a);
   const HouseholderQr qr(a / size);
   Svd svd = singular_value_decomposition(qr.triangle());
   svd.values *= size;
@@ -77,9 +81,7 @@ Eigen::VectorXd singular_values(const Eigen::MatrixXd& a) {
   const Eigen::Index n = a.cols();
   if (n == 0) return {};
   if (!a.allFinite()) return Eigen::VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN());
-  int exponent = 0;
-  std::frexp(a.cwiseAbs().maxCoeff(), &exponent);
-  const double size = std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
+  const double size = power_of_two(a);
   const Eigen::internal::UpperBidiagonalization<Eigen::MatrixXd> bidiagonal(a / size);
   const Eigen::MatrixXd b = bidiagonal.bidiagonal().toDenseMatrix();
   Eigen::VectorXd beside(2 * n - 1);  // b11, b12, b22, b23 ...

@@ -303,6 +303,14 @@ function showFrames(root, d) {
     time.strip(titled(`Which frames to trust, over ${time.label}: red ones are not`));
   }
 
+  /** A chart below its title, made once; later its curves alone are changed. */
+  function drawOrChange(part, spec, say) {
+    if (part.chart)
+      part.chart.setCurves(spec.curves);
+    else
+      part.chart = time.chart(part.title, spec, say);
+  }
+
   /** What belongs to the cell that is chosen, or else to the one that presses hardest. */
   function showPlace() {
     const cell = cellShown();
@@ -340,17 +348,14 @@ function showFrames(root, d) {
                (one) => `${one.sign} ` +
                    stress(one.values.of(k)[cellShown()], one.deviations?.of(k)[cellShown()]))
             .join(', ');
-    if (course.chart)
-      course.chart.setCurves(curves);
-    else
-      course.chart = time.chart(
-          course.title, {
-            name: 'Tractions of one cell over time',
-            y: {label: `traction${unitOf(d.stress)}`},
-            curves,
-            band_label: normal.deviations ? 'two standard deviations' : ''
-          },
-          sayPlace);
+    drawOrChange(
+        course, {
+          name: 'Tractions of one cell over time',
+          y: {label: `traction${unitOf(d.stress)}`},
+          curves,
+          band_label: normal.deviations ? 'two standard deviations' : ''
+        },
+        sayPlace);
     if (traces) showTraces(placeOf(cell));
   }
 
@@ -378,16 +383,13 @@ function showFrames(root, d) {
                 (one) => `${one.name} ${
                     withUnit(one.values.of(k)[nearest(one, traces.at)], 0, one.unit)}`)
             .join(', ');
-    if (traces.chart)
-      traces.chart.setCurves(curves);
-    else
-      traces.chart = time.chart(
-          traces.title, {
-            name: 'Readings of one taxel over time',
-            y: {label: `reading${unitOf(same[0].unit)}`},
-            curves
-          },
-          say);
+    drawOrChange(
+        traces, {
+          name: 'Readings of one taxel over time',
+          y: {label: `reading${unitOf(same[0].unit)}`},
+          curves
+        },
+        say);
   }
 
   const slider = find('slider'), where = find('where'), answered = find('answer'),
