@@ -181,8 +181,7 @@ class Matching {
     if (match_.time_unit && !match_.time_unit->is_si())
       match_.notes.push_back("times of " + quoted(header_[*best]) + " are in " +
                              std::string(match_.time_unit->name) +
-                             ": they are turned into seconds, but for files of tractions, which "
-                             "copy them as they stand");
+                             ": they become seconds; files of tractions copy them unchanged");
   }
 
   /// Units behind the names of what is read.
@@ -210,7 +209,7 @@ class Matching {
                                  "]: values are converted to " +
                                  std::string(given_.units[wanted].unit.name) + ", the scene's");
       } else if (!found.understood && is_new) {
-        say_unit(unit, "it is none that is known");
+        say_unit(unit, "it is not a known unit");
       }
     }
   }
@@ -257,7 +256,7 @@ class Matching {
   }
   void say_unit(const std::string& unit, const std::string& why) {
     match_.notes.push_back("the header gives the unit [" + unit.substr(0, 20) +
-                           "]: values are taken as they stand, in the unit of the scene; " + why);
+                           "]: values are not converted, and count as in the scene's unit; " + why);
   }
   void take_nanoseconds(std::size_t field) {
     match_.target[field] = ColumnMatch::nanoseconds_field;

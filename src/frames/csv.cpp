@@ -131,8 +131,8 @@ class CsvFrames::Reader {
                       std::to_string(line_backwards_) + ")");
     if (rollovers_ > 0)
       notes.push_back(
-          "a counter of 32 bits begins anew after 4294967295 = 2^32 - 1 there: add 2^32 "
-          "to the times behind");
+          "a counter of 32 bits begins anew after 4294967295 = 2^32 - 1 there: add 2^32 to all "
+          "later times");
     return notes;
   }
 

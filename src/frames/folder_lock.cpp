@@ -30,9 +30,9 @@ FolderLock::FolderLock(const fs::path& folder) {
   const std::string who =
       (owner->process == 0 ? "another process" : "process " + std::to_string(owner->process)) +
       (owner->host.empty() ? "" : " on " + owner->host);
-  throw CannotCreate(folder.string() + ": error: " + who +
-                     " is writing results into this folder: wait for its end, or name another "
-                     "folder");
+  throw CannotCreate(
+      folder.string() + ": error: " + who +
+      " is writing results into this folder: wait until it ends, or name another folder");
 }
 
 }  // namespace tactile_net::frames

@@ -45,12 +45,11 @@ HeaderUnit header_unit(std::string_view stated, const WantedUnit& wanted) {
                                  : "a " + std::string(name(wanted.dimension));
     return {.problem = "the header gives the unit [" + std::string(stated) +
                        "], and this reading is " + kind + ", " + in_scene(wanted),
-            .what_to_do =
-                other == Dimension::point_force && wanted.dimension == Dimension::stress
-                    ? "readings are stresses: the area of a taxel makes newtons into them. Under "
-                      "[calibration], gain = 1 / area: 1 N on 16 mm^2 is 62.5 kPa"
-                    : "under [calibration], gain says what one [" + std::string(stated) +
-                          "] is; or correct the header"};
+            .what_to_do = other == Dimension::point_force && wanted.dimension == Dimension::stress
+                              ? "readings are stresses: divide newtons by the area of a taxel. "
+                                "Under [calibration], gain = 1 / area: 1 N on 16 mm^2 is 62.5 kPa"
+                              : "under [calibration], gain says what one [" + std::string(stated) +
+                                    "] is; or correct the header"};
   }
   const Unit factor{"", unit->multiplier * wanted.unit.divisor,
                     unit->divisor * wanted.unit.multiplier};
@@ -61,7 +60,7 @@ HeaderUnit header_unit(std::string_view stated, const WantedUnit& wanted) {
   return {.problem = "the header gives the unit [" + std::string(stated) +
                      "], and by calibration.gain one is " + brief(gain) + ' ' +
                      std::string(wanted.unit.name),
-          .what_to_do = "take the unit out of the header if numbers are raw ones, or correct gain"};
+          .what_to_do = "remove the unit from the header if its numbers are raw, or correct gain"};
 }
 
 }  // namespace tactile_net::frames

@@ -92,9 +92,9 @@ bool LogSensor::set_shape(std::string_view text, Press& press) const {
 
 std::string_view LogSensor::shapes() const noexcept {
   return is_skin
-             ? "sphere, punch, cone; none: unloaded. Rods that are longer than the skin are not "
-               "taken"
-             : "cylinder, punch, wedge; none: unloaded. A ball is not a load of a line of taxels";
+             ? "sphere, punch, cone; none: unloaded. Rods longer than the skin are not supported"
+             : "cylinder, punch, wedge; none: unloaded. A ball does not press evenly across a line "
+               "of taxels";
 }
 
 std::string_view LogSensor::round_shape() const noexcept { return is_skin ? "sphere" : "cylinder"; }

@@ -68,7 +68,7 @@ NpyFrames::NpyFrames(std::istream& in, std::string file, WantedColumns wanted)
     for (std::size_t k = 0; k < at_.size(); ++k) at_[k] = k * block_ * width_;
     in_.seekg(static_cast<std::streamoff>(header_));
     if (!in_)
-      fail("is in Fortran's order, column after column, and cannot be read that way from a pipe",
+      fail("is in Fortran's order, column after column, which cannot be read from a pipe",
            "pass the file by its name, or save numpy.ascontiguousarray(frames)");
   } else {
     bytes_.resize(columns_ * width_);

@@ -155,7 +155,7 @@ class Reader {
     result.sd = number(row, name + "_sd", not_negative, unit).value_or(0.0);
     const auto column = columns_.find(name);
     if (result.sd > 0.0 && (column == columns_.end() || row.fields[column->second].empty()))
-      problem(row.line, name + "_sd stands without " + name, "give both, or neither");
+      problem(row.line, name + "_sd is given without " + name, "give both, or neither");
     return result;
   }
 
@@ -229,7 +229,7 @@ class Reader {
     press.position = {number(row, "position_y", any_number, length), sd};
     press.position_z = {number(row, "position_z", any_number, length), sd};
     if (sd > 0.0 && !press.position.value && !press.position_z.value)
-      problem(row.line, "position_sd stands without a position", "give both, or neither");
+      problem(row.line, "position_sd is given without a position", "give both, or neither");
   }
 
   /// On a skin with the direction of the drag; one sd for both of its parts.
@@ -239,14 +239,14 @@ class Reader {
     const std::optional<double> direction =
         sensor_.is_skin ? number(row, "direction", any_number, degrees) : std::nullopt;
     if (direction && !friction.value)
-      problem(row.line, "direction stands without friction", "give both, or neither");
+      problem(row.line, "direction is given without friction", "give both, or neither");
     if (!friction.value) return;
     press.friction = friction;
     if (!sensor_.is_skin) return;
     if (*friction.value != 0.0 && !direction) {
-      problem(row.line, "friction stands without its direction",
-              "a column direction: of the drag, from y towards z, in degrees; or friction 0 with "
-              "friction_sd where neither is known");
+      problem(row.line, "friction is given without its direction",
+              "add a column direction: of the drag, from y towards z, in degrees; or give friction "
+              "0 with friction_sd if neither is known");
       return;
     }
     const double angle = direction.value_or(0.0);
@@ -332,7 +332,7 @@ class Reader {
         result_.log.unloaded.rms[c] = rms;
         result_.notes.push_back(sensor_.channels[c] + " has steps of " + brief(of_channel[c]) +
                                 ", wider than its noise: " + brief(rms) +
-                                " is taken for it, a step over the root of 12");
+                                " is taken for the noise: a step over the square root of 12");
       }
   }
 
@@ -367,7 +367,7 @@ class Reader {
     if (rows < unknowns)
       result_.notes.push_back("fewer readings (" + std::to_string(rows) +
                               ") than unknowns (up to " + std::to_string(unknowns) +
-                              "): what the scene states holds the rest; press more often");
+                              "): the rest stays as the scene states it; press more often");
     const UnloadedFrames& frames = result_.log.unloaded;
     const double limit =
         4.0 / std::sqrt(static_cast<double>(frames.frames) * static_cast<double>(readings_.size()));

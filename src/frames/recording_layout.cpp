@@ -95,8 +95,7 @@ class HeaderLayout {
         fail(path_,
              "has " + std::to_string(taxels) + " columns of " + groups.front().stem + ", and " +
                  std::to_string(group.field_of.size()) + " of " + group.stem,
-             "name the quantities that are to be read: " +
-                 option(Option::quantity, groups.front().stem));
+             "name the quantities to read: " + option(Option::quantity, groups.front().stem));
       const Quantity quantity = quantity_of(group);
       if (std::find(layout_.reads.begin(), layout_.reads.end(), quantity) == layout_.reads.end())
         layout_.reads.push_back(quantity);
@@ -127,10 +126,10 @@ class HeaderLayout {
     const bool one_for_all = groups.size() == 1 && most >= 2;
     if (!groups.empty() && is_of_skin(groups.front()))
       fail(path_,
-           "is of a skin: its columns have a row and a column each, '" + groups.front().stem +
-               "_0' first, and scenes of skins are not sketched",
-           "write a scene whose [sensor] has rows, columns, pitch, depth and reads, as those in "
-           "scenes/skins, and solve this file with it");
+           "is a recording of a skin: its columns have a row and a column each, '" +
+               groups.front().stem + "_0' first, and this writes scenes of lines of taxels only",
+           "write a scene whose [sensor] has rows, columns, pitch, depth and reads, such as those "
+           "in scenes/skins, and solve this file with it");
     if (!one_for_all && (groups.size() != quantities || most < 2))
       fail(path_,
            groups.empty() || most < 2

@@ -8,7 +8,6 @@
 
 #include "scene/document.hpp"
 #include "scene/sections.hpp"
-#include "scene/skin_sections.hpp"
 #include "tactile_net/scene/calibrated_scene.hpp"
 
 namespace tactile_net {
@@ -62,7 +61,7 @@ CalibrationOptions read_calibrate(Table table, const Units& units, bool has_laye
   if (const auto value = table.value("at_base")) {
     options.at_base = value->boolean().value_or(false);
     if (options.at_base && !has_layer)
-      value->problem("puts the taxels at the base of a layer, and the material has none",
+      value->problem("puts the taxels at the base of a layer, and the material has no layer",
                      "layer = { thickness = 3.0, base = \"bonded\" } under [material]");
   }
   if (const auto value = table.value("fixed"))

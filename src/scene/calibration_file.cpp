@@ -40,7 +40,7 @@ CalibrationColumns read_calibration_file(const std::filesystem::path& path,
       double number = 0.0;
       if (name == reading_column) {
         if (fields[k] != readings[i])
-          throw error_in_line(line, "this row is that of " + readings[i]);
+          throw error_in_line(line, "this row belongs to " + readings[i]);
       } else if (!read_number(fields[k], number) || !std::isfinite(number)) {
         throw error_in_line(line, name + " is not a finite number");
       } else {

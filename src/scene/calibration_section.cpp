@@ -198,22 +198,13 @@ std::vector<double> missing_codes(const Value& value) {
 /// Coefficients in the columns of a file beside the scene.
 CalibrationColumns columns_of(const Value& value, const std::filesystem::path& folder,
                               std::span<const std::string> readings) {
-  const References references{folder.empty() ? "." : folder};
-  const std::string file = value.text().value_or("");
-  if (file.empty()) {
-    if (value.is_text()) value.problem("must name a file", "file = \"pad-calibration.csv\"");
-    return {};
-  }
-  if (!references.allow(file)) {
-    value.misfit("must name a file beside the scene's or below its folder",
-                 "a scene from somewhere else could have any file read");
-    return {};
-  }
+  const auto path = path_beside(value, folder, "file = \"pad-calibration.csv\"");
+  if (!path) return {};
   std::array<std::string_view, coefficients.size()> names;
   std::transform(coefficients.begin(), coefficients.end(), names.begin(),
                  [](const Coefficient& coefficient) { return coefficient.name; });
   try {
-    return read_calibration_file(references.folder / file, names, readings);
+    return read_calibration_file(*path, names, readings);
   } catch (const std::runtime_error& error) {
     value.problem("names a file that is not in order: " + std::string(error.what()),
                   "a header with gain, baseline, offset, or some of them, then a row per reading");
@@ -240,7 +231,7 @@ std::optional<Calibration> read_calibration(const std::optional<Table>& given,
     const auto value = table.value(coefficient.name);
     if (!value) continue;
     if (from.contains(coefficient.name))
-      value->problem("stands in calibration.file too", "keep one of the two");
+      value->problem("is given in calibration.file too", "keep one of the two");
     else if (reader.known())
       reader.read(*value, coefficient, calibration.*coefficient.member);
   }

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/common_sections.hpp"
+#include "scene/sections.hpp"
 #include "tactile_net/sensing/calibration.hpp"
 #include "tactile_net/sensing/effects/signal_layout.hpp"
 

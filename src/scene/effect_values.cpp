@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scene/common_sections.hpp"
+#include "scene/sections.hpp"
 
 namespace tactile_net {
 namespace {
@@ -25,7 +25,7 @@ std::optional<Range> range(const Value& value, const Unit& unit) {
 std::optional<std::size_t> taxel_at(const SkinArray& skin, const Value& item) {
   const auto both = item.list("a taxel's row and column").value_or(std::vector<Value>{});
   if (!is_even(skin)) {
-    item.problem("is a row and a column, and these taxels are in none", "taxels by their names");
+    item.problem("is a row and a column, and these taxels have none", "taxels by their names");
     return std::nullopt;
   }
   if (both.size() != 2) {

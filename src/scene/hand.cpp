@@ -9,23 +9,22 @@
 #include <span>
 #include <utility>
 
-#include "scene/document.hpp"
-#include "scene/hand_parts.hpp"
-#include "scene/space_hand_tables.hpp"
+#include "scene/hand_tables.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/bounded_text.hpp"
+#include "tactile_net/scene/option_words.hpp"
 #include "tactile_net/scene/space_hand.hpp"
 
 namespace tactile_net {
 
 namespace {
 
-using namespace hand_parts;
-
 constexpr FileKind hand_file{"hand",
                              "the smallest hand is one [[finger]] with base, links, angles, pad = "
                              "{ center, half_width } and "
                              "contact = { normal, tangential, center }"};
+
+// --- hands of the plane -------------------------------------------------------------------------
 
 Vector2 plane_vector_of(const std::optional<Value>& value) {
   if (!value) return {};
@@ -67,18 +66,15 @@ TractionFile read_traction_file(Table& table, const Value& tractions,
 
 FingertipForce read_resultant(Table& table, const Value& normal, const ContactPlace& place) {
   FingertipForce force;
-  if (const auto value = normal.number(any_number)) {
-    force.normal = *value;
-    if (!(*value > 0.0)) normal.misfit("must be > 0", "a finger pushes: F_v points into its pad");
-  }
+  force.normal = read_push(normal);
   force.tangential =
       number_or(table.required("tangential", "the force along the pad's y: tangential = 0.0"),
                 any_number, 0.0);
   force.centre = place.centre;
-  const double n = number_or(table.value("normal_deviation"), not_negative, 0.0);
-  const double t = number_or(table.value("tangential_deviation"), not_negative, 0.0);
-  force.covariance(ContactValue::normal, ContactValue::normal) = n * n;
-  force.covariance(ContactValue::tangential, ContactValue::tangential) = t * t;
+  force.covariance(ContactValue::normal, ContactValue::normal) =
+      read_variance(table, "normal_deviation");
+  force.covariance(ContactValue::tangential, ContactValue::tangential) =
+      read_variance(table, "tangential_deviation");
   force.covariance(ContactValue::centre, ContactValue::centre) = place.deviation * place.deviation;
   return force;
 }
@@ -92,18 +88,15 @@ ContactSource read_place(Table& table, std::optional<double> half_width) {
   place.centre = read_center(table, half_width);
   place.deviation = number_or(table.value("center_deviation"), not_negative, 0.0);
   if (const auto normal = table.value("normal")) return read_resultant(table, *normal, place);
-  for (const std::string_view key : {"tangential", "normal_deviation", "tangential_deviation"})
-    table.not_here(key, "has no place without contact.normal",
-                   "a resultant is normal, tangential and center");
+  refuse_without_normal(table, {"tangential", "normal_deviation", "tangential_deviation"});
   return place;
 }
 
 ContactSource read_contact(Table table, std::optional<double> half_width,
                            const References& references) {
   ContactSource source;
-  if (const auto scene = table.value("scene")) {
-    source = read_fingertip_scene(table, *scene, references);
-    refuse_others(table, "contact.scene", resultant_keys, contact_kinds);
+  if (auto scene = read_scene_contact(table, references, resultant_keys, contact_kinds)) {
+    source = std::move(*scene);
     refuse_others(table, "contact.scene", {"tractions", "pitch"}, contact_kinds);
   } else if (const auto tractions = table.value("tractions")) {
     source = read_traction_file(table, *tractions, references);
@@ -180,17 +173,11 @@ void refuse_straight(const HandFinger& result, const Value& angles) {
                    "bend finger '" + finger.name + "'");
 }
 
-std::vector<std::string> finger_names(std::span<const HandFinger> fingers) {
-  std::vector<std::string> names;
-  for (const HandFinger& finger : fingers) names.push_back(finger.finger.name);
-  return names;
-}
-
 HandFinger read_finger(Table table, double radian, const References& references,
                        std::span<const HandFinger> before) {
   HandFinger result;
   Finger& finger = result.finger;
-  finger.name = read_name(table, finger_names(before));
+  finger.name = read_name(table, before);
   finger.base =
       plane_vector_of(table.required("base", "the first joint's place: base = [-0.03, 0.0]"));
   finger.direction = radian * number_or(table.value("direction"), any_number, 0.0);
@@ -198,9 +185,7 @@ HandFinger read_finger(Table table, double radian, const References& references,
   const auto angles = table.required(
       "angles", "of each link from the one before, counter-clockwise: angles = [0.5, -1.0]");
   if (angles) finger.angles = read_angles(*angles, radian, finger.links.size());
-  if (const auto limits = table.value("torque_limits"))
-    result.torque_limits = read_for_each(*limits, positive, finger.links.size(), "link");
-  if (const auto friction = table.value("friction")) result.friction = friction->number(positive);
+  (void)read_bounds(table, finger.links.size(), "link", result);
   auto contact = table_of(table.required(
       "contact",
       "what the fingertip feels: contact = { normal = 10.0, tangential = 1.0, center = 0.0 }"));
@@ -243,12 +228,9 @@ void read_hand_tables(Table& root, const References& references, Hand& hand) {
   double radian = 1.0;
   if (const auto unit = root.value("angles_in"))
     if (unit->one_of("unit of angles", units) == std::size_t{1}) radian = std::numbers::pi / 180.0;
-  if (const auto fingers = root.required("finger", "one [[finger]] for each finger"))
-    if (auto tables = fingers->tables()) {
-      if (tables->empty()) fingers->problem("must name at least one finger", "[[finger]]");
-      for (Table& table : *tables)
-        hand.fingers.push_back(read_finger(std::move(table), radian, references, hand.fingers));
-    }
+  read_fingers(root, hand.fingers, [&](Table table) {
+    return read_finger(std::move(table), radian, references, hand.fingers);
+  });
   if (const auto load = table_of(root.value("load")))
     hand.load = read_load<ExternalLoad>(
         *load, "where the force acts: point = [0.0, 0.08]", plane_vector_of,
@@ -256,6 +238,8 @@ void read_hand_tables(Table& root, const References& references, Hand& hand) {
   if (const auto grasp = table_of(root.value("grasp"))) read_grasp(*grasp, hand);
   root.finish();
 }
+
+// --- a file -------------------------------------------------------------------------------------
 
 /// A hand in space says where its pads' normals point; one of the plane has links.
 bool is_in_space(const toml::table& toml) {
@@ -275,16 +259,14 @@ AnyHand parse_named(std::string_view text, const std::string& file,
   const std::string name = path.filename().string();
   // never "-", standard input
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  AnyHand any;
-  if (is_in_space(toml)) {
-    SpaceHand hand{.file = name, .folder = folder};
-    read_space_hand(root, {folder, options.allow_outside}, hand);
-    any = std::move(hand);
-  } else {
-    Hand hand{.file = name, .folder = folder};
-    read_hand_tables(root, {folder, options.allow_outside}, hand);
-    any = std::move(hand);
-  }
+  AnyHand any = is_in_space(toml) ? AnyHand(SpaceHand{}) : AnyHand(Hand{});
+  std::visit(
+      [&](auto& hand) {
+        hand.file = name;
+        hand.folder = folder;
+        read_hand_tables(root, {folder, options.allow_outside}, hand);
+      },
+      any);
   problems.throw_if_any();
   return any;
 }
@@ -292,7 +274,7 @@ AnyHand parse_named(std::string_view text, const std::string& file,
 Hand of_the_plane(AnyHand any, const std::string& file) {
   if (auto* hand = std::get_if<Hand>(&any)) return std::move(*hand);
   throw InputError({{.file = file,
-                     .message = "is of a hand in space",
+                     .message = "describes a hand in space",
                      .hint = "read_any_hand (scene/space_hand.hpp) reads both"}});
 }
 

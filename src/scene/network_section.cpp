@@ -1,7 +1,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "scene/common_sections.hpp"
+#include "scene/sections.hpp"
 #include "tactile_net/scene/scale_units.hpp"
 
 namespace tactile_net {
@@ -39,7 +39,7 @@ constexpr OpAmpKey opamp_keys[] = {
     {"noise_current", &OpAmp::noise_current, positive, {}, noise_needs},
     {"bias_current", &OpAmp::bias_current, any_number, {}},
     {"cmrr", &OpAmp::common_mode_rejection},
-    {"slew", &OpAmp::slew, positive, {}, "bends what the bandwidth makes"},
+    {"slew", &OpAmp::slew, positive, {}, "limits the rate that a bandwidth gives"},
     {"output_resistance", &OpAmp::output_resistance},
     {"output_current", &OpAmp::output_current},
     {"rail", &OpAmp::rail, above_diodes, in_volts}};
@@ -63,8 +63,9 @@ OpAmp read_opamp(Table table) {
       value->problem(std::string(key.needs_bandwidth), "beside it, bandwidth = 10e6");
   }
   if (const auto corner = table.value("noise_corner"); corner && !opamp.noise_voltage)
-    corner->problem("is where 1/f noise exceeds the white one, and there is none",
-                    "beside it, noise_voltage = 5e-9");
+    corner->problem(
+        "is the frequency below which 1/f noise exceeds white noise, and no white noise is given",
+        "beside it, noise_voltage = 5e-9");
   if (opamp.is_nullor()) opamp.gain = opamp.dc_gain();
   table.finish();
   return opamp;
@@ -75,8 +76,9 @@ void read_arrays(Table& table, const NetworkOptions& network, ToleranceOptions& 
   const RealizationTraits& realization = traits(network.realization);
   const auto of_arrays = [&](const Value& value) {
     if (!realization.drives_nodes)
-      value.problem("is of arrays, which " + std::string(realization.name) + " does not have",
-                    "under [network], realization = \"least_squares\"");
+      value.problem(
+          "is of arrays, which " + std::string(name(network.realization)) + " does not have",
+          "under [network], realization = \"least_squares\"");
   };
   const auto bits = table.value("bits");
   const auto noise = table.value("cell_noise");

@@ -16,4 +16,20 @@ bool References::allow(const std::filesystem::path& path) const {
   return !relative.empty() && *relative.begin() != "..";
 }
 
+std::optional<std::filesystem::path> path_beside(const Value& value,
+                                                 const std::filesystem::path& folder,
+                                                 std::string_view example) {
+  const References references{folder.empty() ? "." : folder};
+  const std::string file = value.text().value_or("");
+  if (file.empty()) {
+    if (value.is_text()) value.problem("must name a file", std::string(example));
+  } else if (references.allow(file)) {
+    return references.folder / file;
+  } else {
+    value.misfit("must name a file beside the scene's or below its folder",
+                 "or else a scene that you did not write could read any of your files");
+  }
+  return std::nullopt;
+}
+
 }  // namespace tactile_net

@@ -6,47 +6,59 @@
 
 #include "numeric/named.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
+#include "tactile_net/skin/signal_layout.hpp"
 
 namespace tactile_net {
-
-bool any_friction(const Scene& scene) {
-  const auto drags = [](const ContactTrajectory& trajectory) {
-    return std::any_of(trajectory.begin(), trajectory.end(),
-                       [](const ContactKnot& knot) { return has_friction(knot.contact); });
-  };
-  return std::any_of(scene.contacts.begin(), scene.contacts.end(),
-                     [](const Contact& contact) { return has_friction(contact); }) ||
-         std::any_of(scene.trajectories.begin(), scene.trajectories.end(), drags);
-}
 
 namespace {
 
 constexpr Named<ForwardModel> forward_models[] = {{ForwardModel::sampled, "sampled"},
                                                   {ForwardModel::exact, "exact"}};
-constexpr Named<Method> method_names[] = {{Method::dft, "dft"},
-                                          {Method::tikhonov, "tikhonov"},
-                                          {Method::closed_form, "closed_form"},
-                                          {Method::network, "network"}};
+
+/// A contact is such at any time.
+bool any_contact(const SceneKind auto& scene, const auto& is_such) {
+  return std::any_of(scene.contacts.begin(), scene.contacts.end(), is_such) ||
+         std::any_of(scene.trajectories.begin(), scene.trajectories.end(),
+                     [&](const auto& trajectory) {
+                       return std::any_of(trajectory.begin(), trajectory.end(),
+                                          [&](const auto& knot) { return is_such(knot.contact); });
+                     });
+}
+
+/// Whether the tangential traction is solved for too. @param dragged  by a contact, at any time
+bool solves_tangential(const SceneKind auto& scene, bool dragged) {
+  if (channel_count(scene.sensor) < 2) return false;
+  const SharedReconstructOptions& options = scene.reconstruct;
+  if (options.friction_limit) return true;
+  return options.tangential.value_or(scene.contacts.empty() || dragged);
+}
 
 }  // namespace
 
+bool any_friction(const Scene& scene) { return any_contact(scene, has_friction); }
+
+bool any_drag(const SkinScene& scene) { return any_contact(scene, drags); }
+
 std::string_view name(ForwardModel model) noexcept { return name_in<forward_models>(model); }
 
-std::string_view name(Method method) noexcept { return name_in<method_names>(method); }
+std::string_view name(Method method) noexcept { return name_in<Enumerators<Method>::all>(method); }
 
 std::optional<Method> method_named(std::string_view text) noexcept {
-  return named_in<method_names>(text);
+  return named_in<Enumerators<Method>::all>(text);
 }
 
 std::size_t unknowns(const Scene& scene) {
-  if (channel_count(scene.sensor) < 2) return 1;
-  const ReconstructOptions& options = scene.reconstruct;
-  if (options.friction_limit) return 2;
-  if (options.tangential) return *options.tangential ? 2 : 1;
-  return scene.contacts.empty() || any_friction(scene) ? 2 : 1;
+  return solves_tangential(scene, any_friction(scene)) ? 2 : 1;
+}
+
+std::size_t components(const SkinScene& scene) {
+  return solves_tangential(scene, any_drag(scene)) ? 3 : 1;
 }
 
 Surface surface(const Scene& scene) { return surface_of(scene.sensor, scene.reconstruct.surface); }
+
+SurfaceGrid grid(const SkinScene& scene) { return grid_of(scene.sensor, scene.reconstruct.grid); }
 
 Scene of_circuit(Scene scene) {
   std::optional<double>& spacing = scene.network.spacing;
@@ -59,33 +71,21 @@ Scene of_circuit(Scene scene) {
   return scene;
 }
 
-std::vector<double> raw_numbers(const Scene& scene, std::span<const double> readings) {
+SkinScene of_circuit(SkinScene scene) {
+  if (scene.network.spacing) scene.reconstruct.grid.spacing = scene.network.spacing;
+  return scene;
+}
+
+std::vector<double> raw_numbers(const SharedScene& scene, std::span<const double> readings) {
   std::vector<double> raw(readings.begin(), readings.end());
   if (scene.calibration) uncalibrate(*scene.calibration, raw);
   return raw;
 }
 
-std::vector<Contact> contacts_at(const Scene& scene, double t) {
-  std::vector<Contact> contacts = scene.contacts;
-  for (std::size_t i = 0; i < scene.trajectories.size(); ++i)
-    if (!scene.trajectories[i].empty()) contacts[i] = contact_at(scene.trajectories[i], t);
-  return contacts;
-}
-
-Scene at_frame(Scene scene, std::size_t frame) {
-  check_frame(scene.time, frame);
-  scene.frame = frame;
-  if (scene.time) scene.contacts = contacts_at(scene, scene.time->time(frame));
-  return scene;
-}
-
 SignalPath signal_path(const Scene& scene) { return signal_path(scene, scene.sensor); }
 
-std::vector<Instant> instants(const Scene& scene) {
-  std::vector<double> knots;
-  for (const ContactTrajectory& trajectory : scene.trajectories)
-    for (const ContactKnot& knot : trajectory) knots.push_back(knot.time);
-  return instants(scene, signal_path(scene), scene.time, scene.frame, knots);
+SignalPath signal_path(const SkinScene& scene) {
+  return signal_path(scene, signal_layout(scene.sensor));
 }
 
 }  // namespace tactile_net

@@ -9,8 +9,6 @@
 
 #include "scene/document.hpp"
 #include "scene/sections.hpp"
-#include "scene/skin_sections.hpp"
-#include "scene/table.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 
@@ -84,15 +82,6 @@ std::string without_indices(std::string_view key) {
   return join(names, ".");
 }
 
-template <class Kind, class Sections>
-Kind read_as(toml::table& toml, const SceneTemplate& base, Problems& problems, Sections read) {
-  Kind scene;
-  scene.file = base.file().filename().string();
-  Table root{toml, "", problems};
-  if (problems.none()) read(root, base.file().parent_path(), scene);
-  return scene;
-}
-
 AnyScene scene_of(const SceneTemplate& base, std::span<const Setting> settings,
                   Problems& problems) {
   const std::string file = base.file().string();
@@ -107,9 +96,7 @@ AnyScene scene_of(const SceneTemplate& base, std::span<const Setting> settings,
       problems.add({}, std::string(setting.key) + ": " + in_quotes(setting.value) + " is not TOML");
     }
   }
-  if (is_skin(toml, base.file().parent_path()))
-    return read_as<SkinScene>(toml, base, problems, read_skin_sections);
-  return read_as<Scene>(toml, base, problems, read_sections);
+  return scene_in(toml, base.file(), problems);
 }
 
 }  // namespace

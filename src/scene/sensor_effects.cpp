@@ -16,6 +16,30 @@ namespace {
 constexpr Rule weight_range{"must be > 0 and at most 1",
                             [](double x) noexcept { return x > 0.0 && x <= 1.0; }};
 
+/// The knots of a temperature that changes.
+///
+/// @param timed  the scene has a table [time]; a problem where it has none
+PiecewiseLinear read_trajectory(const Value& trajectory, bool timed) {
+  PiecewiseLinear result;
+  if (!timed)
+    trajectory.problem("changes over time, and this scene has none",
+                       "add [time], or give one change = 10.0");
+  auto knots = trajectory.tables();
+  if (knots && knots->empty())
+    trajectory.problem("must hold at least one knot", "trajectory = [{ t = 0.0, change = 0.0 }]");
+  for (Table& knot : knots.value_or(std::vector<Table>{})) {
+    const auto t = knot.required("t", "when, in seconds from the first frame: t = 0.5");
+    const auto change = knot.required("change", "in kelvin: change = 10.0");
+    const double time = t ? t->number(not_negative, in_seconds).value_or(0.0) : 0.0;
+    if (t && !result.times.empty() && time <= result.times.back())
+      t->misfit("must be later than the knot before");
+    result.times.push_back(time);
+    result.values.push_back(change ? change->number(any_number, in_kelvin).value_or(0.0) : 0.0);
+    knot.finish();
+  }
+  return result;
+}
+
 /// Reads the tables of one scene's sensor effects.
 class EffectReader : private EffectValues {
  public:
@@ -200,7 +224,7 @@ class EffectReader : private EffectValues {
     if (const auto bits = table.required("bits", "the converter's resolution: bits = 12"))
       result.bits = static_cast<int>(bits->integer(1, 32).value_or(result.bits));
     if (const auto value = table.required(
-            "range", "the lowest and the highest reading it can tell: range = [-1.0, 1.0]")) {
+            "range", "the lowest and the highest reading that it can show: range = [-1.0, 1.0]")) {
       require_one_unit(*value);
       result.range = ranges_per_quantity(*value);
     }
@@ -210,7 +234,8 @@ class EffectReader : private EffectValues {
 
   StuckTaxels stuck_taxels(Table table) const {
     StuckTaxels result;
-    const auto indices = table.required("indices", "which taxels, from 0: indices = [3, 17]");
+    const auto indices =
+        table.required("indices", "the numbers of the taxels, from 0: indices = [3, 17]");
     if (indices) result.indices = taxels(*indices);
     if (const auto values = table.required(
             "values", "what each of them reads, in the unit of the readings: values = [0.1, 0.0]"))
@@ -223,7 +248,8 @@ class EffectReader : private EffectValues {
 
   std::vector<std::size_t> dead_taxels(Table table) const {
     std::vector<std::size_t> dead;
-    if (const auto indices = table.required("indices", "which taxels, from 0: indices = [3, 17]")) {
+    if (const auto indices =
+            table.required("indices", "the numbers of the taxels, from 0: indices = [3, 17]")) {
       dead = taxels(*indices);
       if (sensor_.taxels > 0 && dead.size() == sensor_.taxels)
         indices->problem("leaves no taxel alive", "at least one taxel must read something");

@@ -1,11 +1,14 @@
+// The table [sensor], of a line or of a skin.
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "scene/references.hpp"
 #include "scene/sections.hpp"
 #include "scene/taxel_file.hpp"
 #include "tactile_net/sensing/aperture.hpp"
@@ -13,6 +16,86 @@
 
 namespace tactile_net {
 namespace {
+
+// --- lines and skins ----------------------------------------------------------------------------
+
+constexpr std::size_t most_depths = 64;
+
+std::vector<double> read_depths(const std::optional<Value>& one,
+                                const std::optional<Value>& several, const Unit& length) {
+  std::vector<double> result;
+  if (one && several) {
+    several->problem("and sensor.depth exclude each other", "keep one of the two");
+  } else if (one) {
+    if (const auto depth = one->number(below_surface, length)) result = {*depth};
+  } else if (several) {
+    const auto items = several->list("numbers");
+    const auto depths = several->numbers(below_surface, length);
+    if (!items || !depths) return {};
+    if (depths->size() > most_depths) {
+      several->problem("must hold at most 64 depths (got " + std::to_string(depths->size()) + ')');
+      return {};
+    }
+    if (depths->empty()) several->problem("must hold at least one depth", "depths = [1.0, 1.5]");
+    for (std::size_t i = 0; i < depths->size(); ++i) {
+      const double depth = (*depths)[i];
+      if (std::find(result.begin(), result.end(), depth) == result.end())
+        result.push_back(depth);
+      else
+        (*items)[i].misfit("names a depth twice", "remove one");
+    }
+  }
+  return result;
+}
+
+/// What every taxel reads, in even arrays.
+void read_reads(Table& table, const char* example, std::span<const Quantity> all, Read& read,
+                std::vector<Quantity>& reads) {
+  read.reads =
+      table.required("reads", "what each taxel reads: reads = [\"" + std::string(example) + "\"]");
+  if (read.reads) read.reads_complete = read_quantities(*read.reads, all, reads);
+}
+
+/// The depths of even arrays.
+void read_even_depths(Table& table, Read& read, std::vector<double>& depths) {
+  const auto depth =
+      table.required("depth", "how far below the surface the taxels are: depth = 1.5", {"depths"});
+  depths = read_depths(depth, table.value("depths"), read.units.length);
+  read.depths_complete = !depths.empty();
+}
+
+/// The taxels of a file that the scene names; none: a problem, which has been said.
+///
+/// @param missing  what the scene says of all
+/// @param hint     how such a file looks
+std::vector<Taxel> taxels_of_file(const Value& value, const std::filesystem::path& folder,
+                                  const TaxelFileKind& kind, const Taxel& missing,
+                                  const Unit& length, const char* hint) {
+  const auto path = path_beside(value, folder, "taxels = \"palm.csv\"");
+  if (!path) return {};
+  try {
+    return read_taxel_file(*path, kind, missing, length);
+  } catch (const std::runtime_error& error) {
+    value.problem("names a file that is not in order: " + std::string(error.what()), hint);
+    return {};
+  }
+}
+
+/// @param make  an uneven array of taxels
+template <typename Array>
+void put_uneven(std::vector<Taxel> taxels, const Value& at, const char* what,
+                Array (*make)(std::vector<Taxel>), Read& read, Array& array) {
+  if (taxels.empty()) return;
+  try {
+    array = make(std::move(taxels));
+    if (!read.reads) read.reads = at;
+    read.reads_complete = read.depths_complete = true;
+  } catch (const std::invalid_argument& error) {
+    at.problem("is not " + std::string(what) + ": " + error.what());
+  }
+}
+
+// --- lines --------------------------------------------------------------------------------------
 
 constexpr std::string_view which_taxels =
     "the matrices are dense: 4096 taxels already take 128 MiB for each";
@@ -34,7 +117,7 @@ std::optional<std::vector<double>> one_or_each(const Value& value, std::size_t c
 }
 
 /// Equally far apart.
-void read_even(Table& table, SensorArray& array, Read& read) {
+void read_even_line(Table& table, Read& read, SensorArray& array) {
   if (const auto count = table.required(
           "count", "the number of taxels along the surface: count = 81", {"positions", "taxels"})) {
     const auto taxels = count->integer(2, most_taxels, which_taxels);
@@ -42,17 +125,13 @@ void read_even(Table& table, SensorArray& array, Read& read) {
   }
   if (const auto pitch = table.required("pitch", "the distance from taxel to taxel: pitch = 0.25"))
     array.pitch = pitch->number(positive, read.units.length).value_or(0.0);
-  const auto depth =
-      table.required("depth", "how far below the surface the taxels are: depth = 1.5", {"depths"});
-  array.depths = read_depths(depth, table.value("depths"), read.units.length);
-  read.depths_complete = !array.depths.empty();
+  read_even_depths(table, read, array.depths);
   if (const auto width = table.value("width")) {
     array.width = width->number(not_negative, read.units.length).value_or(0.0);
     if (read.depths_complete && array.width > Aperture::most_depths * least_depth(array))
       width->misfit("must be at most 10000 depths");
   }
-  read.reads = table.required("reads", "what each taxel reads: reads = [\"strain_x\"]");
-  if (read.reads) read.reads_complete = read_quantities(*read.reads, line_quantities, array.reads);
+  read_reads(table, "strain_x", line_quantities, read, array.reads);
 }
 
 /// What the table says of every taxel of a list or a file.
@@ -64,7 +143,7 @@ struct Common {
 };
 
 /// One list for all taxels, or one for each. @return  it was understood as a whole
-bool read_reads(const Value& value, bool may_differ, Common& common) {
+bool read_common_reads(const Value& value, bool may_differ, Common& common) {
   const auto list = value.list("quantities, such as \"strain_x\"");
   const bool differ = may_differ && list && !list->empty() && list->front().is_list();
   if (!differ) return read_quantities(value, line_quantities, common.reads);
@@ -119,27 +198,10 @@ std::vector<Taxel> read_positions(const Value& positions, const Common& common,
   return misfits == 0 ? taxels : std::vector<Taxel>{};
 }
 
-std::vector<Taxel> read_file(const Value& value, const std::filesystem::path& folder,
-                             const Common& common, const Unit& length) {
-  const auto path = read_taxel_path(value, folder);
-  if (!path) return {};
-  Taxel missing{.reads = common.reads};
-  if (common.width) missing.width = common.width->number(not_negative, length).value_or(0.0);
-  if (common.depth) missing.depth = common.depth->number(below_surface, length).value_or(0.0);
-  try {
-    return read_taxel_file(*path, missing, length, static_cast<std::size_t>(most_taxels));
-  } catch (const std::runtime_error& error) {
-    value.problem("names a file that is not in order: " + std::string(error.what()),
-                  "a header \"y,depth,reads\", then a row for each taxel, from the lowest y: "
-                  "-3.0,1.5,stress_x shear_xy");
-    return {};
-  }
-}
-
 /// Wherever they are.
-SensorArray read_uneven(Table& table, const std::optional<Value>& positions,
-                        const std::optional<Value>& file, const std::filesystem::path& folder,
-                        Read& read) {
+void read_uneven_line(Table& table, const std::optional<Value>& positions,
+                      const std::optional<Value>& file, const std::filesystem::path& folder,
+                      Read& read, SensorArray& array) {
   for (const std::string_view key : {"count", "pitch"})
     table.not_here(key,
                    "applies to taxels that are equally far apart; these have places of their own",
@@ -155,39 +217,139 @@ SensorArray read_uneven(Table& table, const std::optional<Value>& positions,
                 .reads_of_each = {}};
   read.reads = positions ? table.required("reads", "what each taxel reads: reads = [\"strain_x\"]")
                          : table.value("reads");
-  if (read.reads) read.reads_complete = read_reads(*read.reads, positions.has_value(), common);
-  if (read.reads && !read.reads_complete) return {};
-  if (positions && (!read.reads || file)) {
-    if (file) file->problem("and sensor.positions exclude each other", "keep one of the two");
-    return {};
-  }
+  if (read.reads)
+    read.reads_complete = read_common_reads(*read.reads, positions.has_value(), common);
+  if (read.reads && !read.reads_complete) return;
+  if (positions && file)
+    file->problem("and sensor.positions exclude each other", "keep one of the two");
+  if (positions && (!read.reads || file)) return;
   const Unit& length = read.units.length;
-  std::vector<Taxel> taxels = positions ? read_positions(*positions, common, length)
-                                        : read_file(*file, folder, common, length);
-  if (taxels.empty()) return {};
-  if (!read.reads) read.reads = file;
-  try {
-    SensorArray array = uneven_array(std::move(taxels));
-    read.reads_complete = read.depths_complete = true;
-    return array;
-  } catch (const std::invalid_argument& error) {
-    (positions ? *positions : *file).problem("is not an array: " + std::string(error.what()));
-    return {};
+  if (positions)
+    return put_uneven(read_positions(*positions, common, length), *positions, "an array",
+                      uneven_array, read, array);
+  constexpr std::array<std::string_view, 4> columns = {"y", "depth", "reads", "width"};
+  const Taxel missing{.depth = number_or(common.depth, below_surface, 0.0, length),
+                      .reads = common.reads,
+                      .width = number_or(common.width, not_negative, 0.0, length)};
+  put_uneven(taxels_of_file(*file, folder,
+                            {columns, line_quantities, 2, static_cast<std::size_t>(most_taxels)},
+                            missing, length,
+                            "a header \"y,depth,reads\", then a row for each taxel, from the "
+                            "lowest y: -3.0,1.5,stress_x shear_xy"),
+             *file, "an array", uneven_array, read, array);
+}
+
+// --- skins --------------------------------------------------------------------------------------
+
+/// In rows and columns: what is more than dense matrices take is solved without them.
+constexpr std::int64_t most_even_taxels = std::int64_t{1} << 18;
+constexpr const char* fewer_taxels = "262144 taxels at most, 512 x 512";
+
+std::size_t read_taxel_count(Table& table, std::string_view key, std::string_view hint) {
+  const auto value = table.required(key, hint);
+  const auto count = value ? value->integer(1, most_even_taxels, fewer_taxels) : std::nullopt;
+  return static_cast<std::size_t>(count.value_or(0));
+}
+
+/// rows x columns, equally far apart.
+void read_even_skin(Table& table, Read& read, SkinArray& skin) {
+  SkinArray array;
+  array.rows = read_taxel_count(table, "rows", "the number of taxels along y: rows = 8");
+  array.columns = read_taxel_count(table, "columns", "the number of taxels along z: columns = 8");
+  constexpr std::string_view example = "pitch = 2.0, or pitch = [2.0, 1.5]";
+  if (const auto pitch = table.required(
+          "pitch", "the distance from taxel to taxel, or two along y and z: pitch = 2.0")) {
+    if (!pitch->is_list()) {
+      array.pitch_y = array.pitch_z =
+          pitch->number(positive, read.units.length).value_or(array.pitch_y);
+    } else if (const auto both = read_two(*pitch, positive, read.units.length, example)) {
+      array.pitch_y = both->front();
+      array.pitch_z = both->back();
+    }
   }
+  read_even_depths(table, read, array.depths);
+  read_reads(table, "stress_x", skin_quantities, read, array.reads);
+  const bool too_many = array.rows * array.columns > static_cast<std::size_t>(most_even_taxels);
+  if (too_many) {
+    if (const auto rows = table.value("rows"))
+      rows->problem("times columns makes " + std::to_string(array.rows * array.columns) +
+                        " taxels, more than " + std::to_string(most_even_taxels),
+                    fewer_taxels);
+  }
+  const bool complete = !too_many && array.rows > 0 && array.columns > 0 && array.pitch_y > 0.0 &&
+                        array.pitch_z > 0.0 && read.depths_complete && read.reads_complete;
+  if (complete) skin = std::move(array);
+}
+
+/// Wherever they are.
+void read_uneven_skin(Table& table, const Value& file, const std::filesystem::path& folder,
+                      Read& read, SkinArray& skin) {
+  for (const std::string_view key : {"rows", "columns", "pitch", "depths"})
+    table.not_here(key, "applies to taxels on a lattice; these have places of their own",
+                   "remove it");
+  Taxel missing{.depth = number_or(table.value("depth"), positive, 0.0, read.units.length)};
+  const double depth_factor = number_or(table.value("depth_factor"), positive, 1.0);
+  read.reads = table.value("reads");
+  if (read.reads && !read_quantities(*read.reads, skin_quantities, missing.reads)) return;
+  constexpr std::array<std::string_view, 5> columns = {"name", "y", "z", "depth", "reads"};
+  std::vector<Taxel> taxels = taxels_of_file(
+      file, folder, {columns, skin_quantities, 1, static_cast<std::size_t>(most_taxels)}, missing,
+      read.units.length,
+      "a header \"name,y,z,depth,reads\", then a row for each taxel: "
+      "thumb_1,-3.0,1.0,1.5,stress_x shear_xy shear_xz");
+  for (Taxel& taxel : taxels) taxel.depth *= depth_factor;
+  put_uneven(std::move(taxels), file, "a skin", uneven_skin, read, skin);
 }
 
 }  // namespace
 
-SensorArray read_sensor(Table table, const std::filesystem::path& folder, Read& read) {
+bool read_quantities(const Value& value, std::span<const Quantity> all,
+                     std::vector<Quantity>& reads) {
+  const auto list = value.list("quantities, such as " + in_quotes(name(all.front())));
+  if (!list) return false;
+  if (list->empty()) value.problem("must name at least one quantity", "reads = [\"stress_x\"]");
+  bool complete = !list->empty();
+  std::vector<std::string_view> names;
+  for (const Quantity quantity : all) names.push_back(name(quantity));
+  for (const Value& item : *list) {
+    const auto index = item.one_of("quantity", names);
+    complete = complete && index;
+    if (!index) continue;
+    if (std::find(reads.begin(), reads.end(), all[*index]) == reads.end())
+      reads.push_back(all[*index]);
+    else
+      item.problem("names " + in_quotes(names[*index]) + " twice", "remove one");
+  }
+  return complete;
+}
+
+std::optional<std::array<double, 2>> read_two(const Value& value, const Rule& rule,
+                                              const Unit& unit, std::string_view example) {
+  const auto numbers = value.numbers(rule, unit);
+  if (!numbers) return std::nullopt;
+  if (numbers->size() == 2) return std::array{numbers->front(), numbers->back()};
+  value.problem("must be two numbers, along y and z (got " + std::to_string(numbers->size()) + ')',
+                std::string(example));
+  return std::nullopt;
+}
+
+void read_sensor(Table table, const std::filesystem::path& folder, Read& read,
+                 SensorArray& sensor) {
   const auto positions = table.value("positions");
   const auto file = table.value("taxels");
-  SensorArray array;
   if (positions || file)
-    array = read_uneven(table, positions, file, folder, read);
+    read_uneven_line(table, positions, file, folder, read, sensor);
   else
-    read_even(table, array, read);
+    read_even_line(table, read, sensor);
   table.finish();
-  return array;
+}
+
+void read_sensor(Table table, const std::filesystem::path& folder, Read& read, SkinArray& sensor) {
+  if (const auto file = table.value("taxels"))
+    read_uneven_skin(table, *file, folder, read, sensor);
+  else
+    read_even_skin(table, read, sensor);
+  table.finish();
 }
 
 }  // namespace tactile_net

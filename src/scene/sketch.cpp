@@ -78,7 +78,8 @@ std::string material_section(const SceneSketch& sketch) {
   };
   if (sketch.layer)
     return text +
-           "# A pad so thick on a rigid base, to which it is \"bonded\" or on which it slips,\n"
+           "# A pad of this thickness on a rigid base, to which it is \"bonded\" or on which it "
+           "slips,\n"
            "# \"frictionless\".\n" +
            layer(shortest(sketch.layer->thickness), sketch.layer->base);
   return text +

@@ -216,11 +216,7 @@ StudyFile read_study(const std::filesystem::path& path, const StudyOptions& opti
   StudyFile study{.file = path.filename().string(),
                   .scene = scene ? *std::move(scene) : SceneTemplate("title = \"\"", "none")};
   const bool has_scene = study.scene.file() != "none";
-  if (const auto title = root.value("title")) {
-    study.title = title->text().value_or("");
-    if (study.title.find_first_of("\r\n") != std::string::npos)
-      title->problem("must be one line", "say more in comments");
-  }
+  study.title = read_title(root);
   if (const auto seed = root.value("seed"))
     study.seed = static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1));
   if (const auto repeats = root.value("repeats"))

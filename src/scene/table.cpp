@@ -52,7 +52,7 @@ void Table::missing(std::string_view key, Place where, std::string message, std:
 
 void Table::not_here(std::string_view key, std::string_view why, std::string_view hint) {
   const auto found = value(key);
-  on_offer_.pop_back();
+  std::erase(on_offer_, key);
   if (found) found->problem(why, std::string{hint});
 }
 

@@ -1,9 +1,11 @@
 /// @file
-/// An uneven array as CSV: a row per taxel. Private.
+/// Taxels as CSV, of an uneven line or skin: a row per taxel. Private.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "tactile_net/scene/units.hpp"
@@ -11,14 +13,25 @@
 
 namespace tactile_net {
 
-/// Columns y, depth and reads in any order, the last a list with blanks between; the header may
-/// give the unit of a length, "y [mm]".
+/// What a file of taxels may hold.
+struct TaxelFileKind {
+  std::span<const std::string_view> columns{};  ///< their names
+  std::span<const Quantity> quantities{};       ///< that taxels may read
+  std::size_t least = 1;                        ///< taxels
+  std::size_t most = 1;
+};
+
+/// Columns in any order; `reads` is a list with blanks between, and the header may give the unit of
+/// a length, "y [mm]". Without a column z, y must rise.
 ///
 /// @param missing  depth and reads of every taxel where there is no such column; 0, none: required
 /// @param length   the unit of the scene's lengths
 /// @throw std::runtime_error  what is wrong, and in which line
 [[nodiscard]] std::vector<Taxel> read_taxel_file(const std::filesystem::path& path,
-                                                 const Taxel& missing, const Unit& length,
-                                                 std::size_t most);
+                                                 const TaxelFileKind& kind, const Taxel& missing,
+                                                 const Unit& length);
+
+/// Whether the header of a CSV has such a column, whatever its unit; false of a file without one.
+[[nodiscard]] bool has_column(const std::filesystem::path& path, std::string_view name) noexcept;
 
 }  // namespace tactile_net

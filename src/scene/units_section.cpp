@@ -64,12 +64,4 @@ Units read_units(Table table, Dimension force) {
   return units;
 }
 
-Unit alpha_unit(const Units& units, const Scene& scene) noexcept {
-  const auto& reads = scene.sensor.reads;
-  const bool weighted = scene.noise && scene.noise->weights_rows;
-  if (!weighted && std::none_of(reads.begin(), reads.end(), is_strain)) return {};
-  const Unit one = inverse(units.stress);
-  return {"", one.multiplier * one.multiplier, one.divisor * one.divisor};
-}
-
 }  // namespace tactile_net

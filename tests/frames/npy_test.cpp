@@ -18,14 +18,18 @@ namespace {
 using Names = std::vector<std::string>;
 using Frames = std::vector<std::vector<double>>;
 
-/// A .npy of version 1 by hand.
+/// A .npy by hand.
 std::string npy(const std::string& type, bool fortran, const std::string& shape,
-                const std::string& bytes) {
+                const std::string& bytes, char version = 1) {
   const std::string header = "{'descr': " + type +
                              ", 'fortran_order': " + (fortran ? "True" : "False") +
                              ", 'shape': " + shape + ", }\n";
-  return std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(header.size() & 255) +
-         static_cast<char>(header.size() >> 8) + header + bytes;
+  std::string file = "\x93NUMPY";
+  file += version;
+  file += '\0';
+  for (std::size_t i = 0, size = header.size(); i < (version == 1 ? 2U : 4U); ++i, size >>= 8)
+    file += static_cast<char>(size & 255);
+  return file + header + bytes;
 }
 
 template <typename Word>
@@ -200,6 +204,18 @@ TEST_CASE("an array that does not fit is refused with the line that mends it", "
   CAPTURE(type, shape);
   CHECK_THAT(npy_refusal(npy(type, false, shape, "")),
              StartsWith("f.npy: error: ") && ContainsSubstring(message) && ContainsSubstring(hint));
+}
+
+TEST_CASE("versions 1 to 3 are read, and what is none of them is refused", "[frames][npy]") {
+  const Frames frames = counting(2, 6);
+  const std::string bytes = bytes_of(flat(frames, false), "f8", false);
+  for (const char version : {'\1', '\2', '\3'})
+    CHECK(read_npy(npy("'<f8'", false, "(2, 6)", bytes, version)) == frames);
+  const std::string later = npy("'<f8'", false, "(2, 6)", bytes, 9);
+  CHECK_THAT(npy_refusal(later), ContainsSubstring("version 9, not 1 to 3"));
+  CHECK_THAT(npy_refusal(later.substr(0, 3)), ContainsSubstring("is not a .npy file"));
+  CHECK_THAT(npy_refusal(npy("'<f8'", false, "(2, 6)", bytes).substr(0, 30)),
+             ContainsSubstring("header that is cut off"));
 }
 
 TEST_CASE("an array that ends early is told so, in either order", "[frames][npy]") {

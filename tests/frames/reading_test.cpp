@@ -426,5 +426,6 @@ TEST_CASE("a header alone is no frames", "[frames][reading]") {
   CHECK(read_csv(plain.substr(0, 44)).frames.empty());
   CHECK(read_csv("# stress_x_0,stress_x_1,stress_x_2,stress_x_3\n").frames.empty());
   CHECK_THAT(csv_refusal(""), ContainsSubstring("the file is empty"));
+  CHECK_THAT(csv_refusal(std::string(2'000'000, 'x')), ContainsSubstring("longer than"));
   CHECK_THAT(csv_refusal("\xef\xbb\xbf"), ContainsSubstring("the file is empty"));
 }

@@ -176,7 +176,7 @@ TEST_CASE("a file beside the scene has a row per reading", "[calibration]") {
   CHECK(calibration_of("[calibration]\nfile = \"below/c.csv\"\n", folder.scene()).baseline ==
         Numbers{1, 2, 3, 4, 5, 6});
   CHECK_THAT(line_refusal("[calibration]\nfile = \"c.csv\"\ngain = 1\n", folder.scene()),
-             ContainsSubstring("calibration.gain stands in calibration.file too"));
+             ContainsSubstring("calibration.gain is given in calibration.file too"));
   CHECK_THAT(
       line_refusal("[calibration]\nfile = \"c.csv\"\nbaseline_frames = [0, 9]\n", folder.scene()),
       ContainsSubstring("exclude each other"));
@@ -194,7 +194,7 @@ TEST_CASE("what is wrong in a calibration's file is said by its line, and not qu
        {"gain\n1\ninf\n", "line 3: gain is not a finite number"},
        {"gain,baseline\n1\n", "line 2: it has 1 fields, the header 2"},
        {"gain\n1\n1\n0\n1\n1\n1\n", "whose gain of reading 2 must not be 0"},
-       {"reading,gain\nstress_x_1,1\n", "line 2: this row is that of stress_x_0"},
+       {"reading,gain\nstress_x_1,1\n", "line 2: this row belongs to stress_x_0"},
        {"", "it has 0 rows"}}));
   folder.write("c.csv", text);
   const std::string error = line_refusal("[calibration]\nfile = \"c.csv\"\n", folder.scene());
@@ -304,5 +304,5 @@ TEST_CASE("a skin's file of calibration names its readings by row and column",
              ContainsSubstring("it has 14 rows, the array 12 readings"));
   folder.write("c.csv", "reading,gain\nstress_x_0_1,1\n");
   CHECK_THAT(skin_refusal(table, folder.scene()),
-             ContainsSubstring("line 2: this row is that of stress_x_0_0"));
+             ContainsSubstring("line 2: this row belongs to stress_x_0_0"));
 }

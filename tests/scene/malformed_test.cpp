@@ -113,6 +113,8 @@ TEST_CASE("a wrong [[contact]] is reported", "[scene]") {
       {"shape = \"punch\"", "", "11:1", "contact.shape is missing", "\"cylinder\""},
       {"\"punch\"", "\"Punsch\"", "12:9", "names an unknown shape \"Punsch\"", "\"punch\"?"},
       {"\"punch\"", "5", "12:9", "contact.shape must be the name of a shape (got 5)"},
+      {"\"punch\"", "\"sphere\"", "12:9", "is a shape for skins", "\"cylinder\""},
+      {"\"punch\"", "\"cone\"", "12:9", "is a shape for skins", "\"wedge\""},
       {"half_width = 1.0", "", "11:1", "contact.half_width is missing"},
       {"half_width = 1.0", "half_width = 0", "13:14", "contact.half_width must be > 0 (got 0)"},
       {"half_width = 1.0", "half_width = 1.26", "13:14", "wider than the array", "more taxels"},
@@ -197,7 +199,7 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
       {alpha, "alpha = 1e-3\ntangential_weight = 2", "34:21",
        "weighs the tangential traction, which one quantity at one depth cannot tell", "shear_xy"},
       {alpha, "alpha = 1e-3\noffset = 1", "34:10", "must be true or false (got 1)"},
-      {alpha, "alpha = 1e-3\noffset = true", "34:10", "leaves the mean of the readings open",
+      {alpha, "alpha = 1e-3\noffset = true", "34:10", "makes the mean of the readings unknown",
        "methods without \"dft\""},
       {"[1]\n\n[forward]\nmodel = \"exact\"\n\n[reconstruct]\nmethods = [\"dft\", \"tikhonov\"]",
        "[1, 2, 3, 4]\n[reconstruct]\noffset = true", "28:10", "no channel has two living taxels",
@@ -229,7 +231,7 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
       {"\"ideal\"", "\"nic\"\nopamp = \"presicion\"", "37:9", "unknown class \"presicion\""},
       {"\"ideal\"", "\"nic\"\nopamp = { class = \"cheap\" }", "37:19", "unknown class \"cheap\""},
       {"\"ideal\"", "\"nic\"\nopamp = { slew = 1e7 }", "37:18",
-       "network.opamp.slew bends what the bandwidth makes", "beside it, bandwidth = 10e6"},
+       "network.opamp.slew limits the rate that a bandwidth gives", "beside it, bandwidth = 10e6"},
       {"\"ideal\"", "\"nic\"\nopamp = { noise_current = 1e-12 }", "37:27",
        "network.opamp.noise_current is infinite unless a bandwidth"},
       {"\"ideal\"", "\"nic\"\nopamp = { cmrr = 0 }", "37:18", "network.opamp.cmrr must be > 0"},
@@ -237,7 +239,7 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
       {"\"ideal\"", "\"nic\"\ntolerance = { series = \"E96\", balance = 0.001 }", "37:41",
        "network.tolerance.balance needs the other parts' tolerance"},
       {"\"ideal\"", "\"nic\"\nopamp = { bandwidth = 1e6, noise_corner = 10 }", "37:43",
-       "network.opamp.noise_corner is where 1/f noise exceeds the white one", "noise_voltage"},
+       "network.opamp.noise_corner is the frequency below which 1/f noise", "noise_voltage"},
       {"\"ideal\"", "\"nic\"\nopamp = { output_current = 0 }", "37:28", "must be > 0"},
       {"\"ideal\"", "\"nic\"\ntolerance = { bits = 8 }", "37:22",
        "network.tolerance.bits is of arrays, which nic does not have", "least_squares"},
@@ -322,6 +324,28 @@ TEST_CASE("dots in comments, texts and lists of numbers are no key parts", "[sce
   CHECK(line_problems("# ............\ntitle = \"1.2.3.4.5.6.7.8.9.\\\".\"\n" +
                       std::string{good_scene} + "volts = 1.0 # . . . . . . . . .\n")
             .empty());
+}
+
+TEST_CASE("a line and a skin of one channel refuse the same keys with the same words", "[scene]") {
+  const std::string rest =
+      "depth = 1\nreads = [\"stress_x\"]\n[material]\nyoungs_modulus = 1\npoisson_ratio = 0.4\n"
+      "[reconstruct]\n";
+  const auto messages = [&](const std::string& sensor, const std::string& keys) {
+    std::vector<std::string> texts;
+    for (const Diagnostic& one : test::diagnostics_of(
+             [&] { return parse_any_scene("[sensor]\n" + sensor + rest + keys, "scene.toml"); }))
+      texts.push_back(one.message);
+    return texts;
+  };
+  for (const char* keys :
+       {"friction_limit = 0.8\n", "tangential_weight = 2\n", "tangential = true\n",
+        "friction_limit = 0.8\nnonnegative = false\n", "alpha = \"evidence\"\n", "alpha = 0\n",
+        "nonnegative = 1\n", "smoothing_length = -1\n", "margin = -1\nspacing = 0\n"}) {
+    CAPTURE(keys);
+    const auto line = messages("count = 5\npitch = 2\n", keys);
+    CHECK_FALSE(line.empty());
+    CHECK(messages("rows = 5\ncolumns = 1\npitch = 2\n", keys) == line);
+  }
 }
 
 TEST_CASE("every problem is reported at once, in the file's order, and none twice", "[scene]") {

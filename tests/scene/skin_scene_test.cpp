@@ -150,7 +150,7 @@ TEST_CASE("who knows lines alone says so of a skin, once", "[scene]") {
   } catch (const InputError& error) {
     REQUIRE(error.diagnostics().size() == 1);
     CHECK(error.diagnostics()[0].line == 6);
-    CHECK_THAT(error.diagnostics()[0].message, ContainsSubstring("is of a skin"));
+    CHECK_THAT(error.diagnostics()[0].message, ContainsSubstring("describes a skin"));
   }
 }
 
@@ -185,7 +185,9 @@ TEST_CASE("what is wrong with a skin's scene is said at its place", "[scene]") {
       {"pitch = [2.0, 1.5]", "pitch = nan", "9:9", "must be a finite number"},
       {"depth = 2.0", "depth = 5.0", "15:23", "must be at least the sensors' depth"},
       {"\"shear_xz\"]", "\"shear_yx\"]", "11:34", "unknown quantity"},
-      {"shape = \"ellipsoid\"", "shape = \"cylinder\"", "20:9", "unknown shape"},
+      {"shape = \"ellipsoid\"", "shape = \"cylnder\"", "20:9", "unknown shape"},
+      {"shape = \"ellipsoid\"", "shape = \"cylinder\"", "20:9", "for lines of taxels", "sphere"},
+      {"shape = \"ellipsoid\"", "shape = \"wedge\"", "20:9", "for lines of taxels", "cone"},
       {"radii = [2.0, 1.0]", "radii = [2.0, -1.0]", "22:15", "must be > 0"},
       {"stick = 0.5", "stick = 1.0", "26:9", "must be >= 0 and < 1"},
       {"place = [1.5, 0.5]", "place = [15.0, 0.5]", "28:60", "trajectory.place puts the contact"},

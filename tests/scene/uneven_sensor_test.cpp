@@ -166,7 +166,8 @@ TEST_CASE("a file of taxels that is not in order is refused with its line", "[sc
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n-1,1,stress_x\n"),
              ContainsSubstring("line 3: y is below"));
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n0,1,stress_x\n"),
-             ContainsSubstring("and read the same, stress_x"));
+             ContainsSubstring("line 3: the taxel is at the place of that in line 2") &&
+                 ContainsSubstring("and reads the same, stress_x"));
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,nan,stress_x\n"),
              ContainsSubstring("line 3: depth is not a finite number"));
   CHECK_THAT(said("y,depth,reads\n0,1,stress_x\n1,0,stress_x\n"),

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/numeric/fields.hpp"
+
 namespace tactile_net {
 
 /// In the order of the columns.
@@ -24,6 +26,24 @@ enum class Kept {
   readings,  ///< lists of numbers from here on
   truth,
   tractions
+};
+
+template <>
+struct Enumerators<Kept> {
+  static constexpr Enumerator<Kept> all[] = {
+      {Kept::alpha, "alpha", "The regularisation."},
+      {Kept::error, "error", "|f - truth|_2 / |truth|_2."},
+      {Kept::error_tangential, "error_tangential", "The same of the tangential traction."},
+      {Kept::mean_error, "mean_error", "The mean of |f - truth|."},
+      {Kept::force, "force", "The normal force."},
+      {Kept::tangential_force, "tangential_force", "The tangential force."},
+      {Kept::centre_y, "centre_y", "The force's centre, along y."},
+      {Kept::centre_z, "centre_z", "The force's centre, along z."},
+      {Kept::condition, "condition", "The condition number."},
+      {Kept::error_bound, "error_bound", "What rounding may have done, relative."},
+      {Kept::readings, "readings", "Every reading."},
+      {Kept::truth, "truth", "Every traction of the contacts."},
+      {Kept::tractions, "tractions", "Every traction found."}};
 };
 
 /// "alpha", "error", ...: also the column's name.

@@ -2,6 +2,7 @@
 /// A scene as plain data: what the TOML file says, defaults filled in.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,28 +30,40 @@ namespace tactile_net {
 enum class ForwardModel { sampled, exact };
 enum class Method { dft, tikhonov, closed_form, network };
 
+template <>
+struct Enumerators<Method> {
+  static constexpr Enumerator<Method> all[] = {
+      {Method::dft, "dft", "Division by the kernel's discrete Fourier transform."},
+      {Method::tikhonov, "tikhonov", "Regularised least squares, by an orthogonal decomposition."},
+      {Method::closed_form, "closed_form", "The same by an explicit inverse."},
+      {Method::network, "network", "The same by an analog circuit, in the simulator."}};
+};
+
 [[nodiscard]] std::string_view name(ForwardModel model) noexcept;
 [[nodiscard]] std::string_view name(Method method) noexcept;
 [[nodiscard]] std::optional<Method> method_named(std::string_view name) noexcept;
 
-struct ReconstructOptions {
-  std::vector<Method> methods{Method::tikhonov};
+/// What the reconstructions of lines and of skins have in common.
+struct SharedReconstructOptions {
   std::optional<double> alpha{};          ///< absent: a rule chooses it
-  std::optional<AlphaRule> alpha_rule{};  ///< absent: by taxels and noise, lab/scene_problem.hpp
-  SurfaceOptions surface{};               ///< where the tractions lie; the reader's: see is_dense
-  double smoothing_length = 0.0;          ///< l [m]; default: the first depth
+  std::optional<AlphaRule> alpha_rule{};  ///< absent: by readings and noise, `default_rule`
   /// How much heavier the tangential traction's stabiliser is, > 0; absent: as each frame's
   /// readings have it, by `tangential_weights` (inverse/tangential_weight.hpp).
   std::optional<double> tangential_weight = 1.0;
-  double noise_gain_limit = 1e8;           ///< dft: largest noise gain that is accepted
-  bool nonnegative = false;                ///< tikhonov: f_v >= 0
-  std::optional<double> friction_limit{};  ///< tikhonov: |f_t| <= limit f_v; implies f_v >= 0
-  /// Under constraints a rule chooses alpha for the tractions that they leave free.
-  bool alpha_on_active_set = false;
-  /// tikhonov, closed_form and network: each channel's readings have a constant that is not known.
-  bool offset = false;
+  std::optional<bool> tangential{};  ///< solve for it too; absent: see `unknowns`, `components`
+  bool nonnegative = false;          ///< f_v >= 0
+  std::optional<double> friction_limit{};  ///< |f_t| <= limit f_v; implies f_v >= 0
+  bool offset = false;  ///< each channel's readings have a constant that is not known
+};
+
+/// Constraints and offsets are for tikhonov, closed_form and network: dft knows neither.
+struct ReconstructOptions : SharedReconstructOptions {
+  std::vector<Method> methods{Method::tikhonov};
+  SurfaceOptions surface{};          ///< where the tractions lie; the reader's: see is_dense
+  double smoothing_length = 0.0;     ///< l [m]; default: the first depth
+  double noise_gain_limit = 1e8;     ///< dft: largest noise gain that is accepted
+  bool alpha_on_active_set = false;  ///< a rule chooses alpha for what constraints leave free
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
-  std::optional<bool> tangential{};          ///< solve for it too; absent: see `unknowns`
 };
 
 struct NetworkOptions {
@@ -64,26 +77,34 @@ struct NetworkOptions {
   std::optional<double> settling_accuracy{};    ///< absent: only the operating point
 };
 
-/// `SensorEffects` lie between the pad and the file.
-struct Scene : SensorEffects {
-  std::string file;   ///< name of the file, without its folder
-  std::string title;  ///< optional `title` at the top of the file
+/// What scenes of lines and of skins have in common. `SensorEffects` lie between the pad and the
+/// file.
+struct SharedScene : SensorEffects {
+  std::string file{};   ///< name of the file, without its folder
+  std::string title{};  ///< optional `title` at the top of the file
   /// Present: every number below is in SI, whatever the file has. Absent: any consistent set, as
   /// the file has it.
-  std::optional<Units> units;
-  SensorArray sensor;
+  std::optional<Units> units{};
   /// What the numbers in a file of readings mean: [calibration] and [units] in one. Absent: they
   /// are the readings.
-  std::optional<Calibration> calibration;
-  Material material;
-  std::optional<Timing> time;  ///< absent: one frame, of loads that have always been there
+  std::optional<Calibration> calibration{};
+  Material material{};
+  std::optional<Timing> time{};  ///< absent: one frame, of loads that have always been there
   std::size_t frame = 0;  ///< that `run` reconstructs: the reader sets the last, `at_frame` another
-  std::vector<Contact> contacts;                ///< as they are at that frame
-  std::vector<ContactTrajectory> trajectories;  ///< one per contact, empty where it stands still
   ForwardModel forward = ForwardModel::exact;
-  ReconstructOptions reconstruct;
-  NetworkOptions network;
+  NetworkOptions network{};
 };
+
+struct Scene : SharedScene {
+  SensorArray sensor{};
+  std::vector<Contact> contacts{};                ///< as they are at that frame
+  std::vector<ContactTrajectory> trajectories{};  ///< one per contact, empty where it stands still
+  ReconstructOptions reconstruct{};
+};
+
+/// A scene of a line or of a skin.
+template <typename Kind>
+concept SceneKind = std::derived_from<Kind, SharedScene>;
 
 /// How many tractions a scene solves for: 2, normal and tangential, if the array reads more than
 /// one channel and the scene calls for it: by `tangential`, by a friction limit, by a contact with
@@ -104,15 +125,27 @@ inline constexpr std::size_t most_circuit_nodes = 1024;
 
 /// Readings as a file of this scene has them: in its units, before its calibration. What
 /// `frames::ReadingsFile` makes of them is the readings again.
-[[nodiscard]] std::vector<double> raw_numbers(const Scene& scene, std::span<const double> readings);
+[[nodiscard]] std::vector<double> raw_numbers(const SharedScene& scene,
+                                              std::span<const double> readings);
 
 /// Every contact at time t [s], those that stand still as they are.
-[[nodiscard]] std::vector<Contact> contacts_at(const Scene& scene, double t);
+[[nodiscard]] auto contacts_at(const SceneKind auto& scene, double t) {
+  auto contacts = scene.contacts;
+  for (std::size_t i = 0; i < scene.trajectories.size(); ++i)
+    if (!scene.trajectories[i].empty()) contacts[i] = contact_at(scene.trajectories[i], t);
+  return contacts;
+}
 
 /// The same scene with another frame to be reconstructed: its contacts are those of that moment.
 ///
 /// @throw std::invalid_argument  there is no such frame
-[[nodiscard]] Scene at_frame(Scene scene, std::size_t frame);
+template <SceneKind Kind>
+[[nodiscard]] Kind at_frame(Kind scene, std::size_t frame) {
+  check_frame(scene.time, frame);
+  scene.frame = frame;
+  if (scene.time) scene.contacts = contacts_at(scene, scene.time->time(frame));
+  return scene;
+}
 
 /// The effects a scene may name, in the order of the signal path, which is that of the JSON:
 /// friction, layer, viscoelasticity, hysteresis, crosstalk, gain_error, offset_error, temperature,
@@ -125,6 +158,11 @@ inline constexpr std::size_t most_circuit_nodes = 1024;
 
 /// The moments at which the sensor is gone through up to the scene's frame: its frames; and where
 /// an effect remembers, the knots of trajectories and the begins of sampling windows between them.
-[[nodiscard]] std::vector<Instant> instants(const Scene& scene);
+[[nodiscard]] std::vector<Instant> instants(const SceneKind auto& scene) {
+  std::vector<double> knots;
+  for (const auto& trajectory : scene.trajectories)
+    for (const auto& knot : trajectory) knots.push_back(knot.time);
+  return instants(scene, signal_path(scene), scene.time, scene.frame, knots);
+}
 
 }  // namespace tactile_net

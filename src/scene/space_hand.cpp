@@ -1,16 +1,17 @@
-#include "scene/space_hand_tables.hpp"
+#include "tactile_net/scene/space_hand.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <utility>
 
-#include "scene/hand_parts.hpp"
+#include "scene/hand_tables.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
-
-using namespace hand_parts;
 
 constexpr std::string_view space_contact_kinds =
     "a contact is a scene, a resultant, or a center alone";
@@ -101,11 +102,6 @@ void read_joints(Table& table, SpaceFinger& finger) {
       if (auto one = joint.table()) finger.joints.push_back(read_joint(std::move(*one)));
 }
 
-double variance(Table& table, std::string_view key) {
-  const double deviation = number_or(table.value(key), not_negative, 0.0);
-  return deviation * deviation;
-}
-
 constexpr Keys space_resultant_keys = {
     "normal",           "tangential",           "torsion",           "center",
     "normal_deviation", "tangential_deviation", "torsion_deviation", "center_deviation"};
@@ -116,22 +112,16 @@ SpaceContactSource read_place(Table& table, const SpaceHandFinger& finger) {
   const auto [y, z] = numbers_of<2>(
       table.required("center", "of the contact, along the pad's y and z: center = [0.0, 0.0]"),
       "two numbers, y and z");
-  const double moved = variance(table, "center_deviation");
+  const double moved = read_variance(table, "center_deviation");
   SpaceContactPlace place{.y = y, .z = z, .covariance = {moved, 0.0, 0.0, moved}};
   if (finger.soft) place.torsion_radius = finger.torsion_radius;
   const auto normal = table.value("normal");
   if (!normal) {
-    for (const std::string_view key :
-         {"tangential", "torsion", "normal_deviation", "tangential_deviation", "torsion_deviation"})
-      table.not_here(key, "has no place without contact.normal",
-                     "a resultant is normal, tangential and center");
+    refuse_without_normal(table, {"tangential", "torsion", "normal_deviation",
+                                  "tangential_deviation", "torsion_deviation"});
     return place;
   }
-  SpaceFingertipForce force{.place = place};
-  if (const auto value = normal->number(any_number)) {
-    force.normal = *value;
-    if (!(*value > 0.0)) normal->misfit("must be > 0", "a finger pushes: it points into its pad");
-  }
+  SpaceFingertipForce force{.normal = read_push(*normal), .place = place};
   const auto [t_y, t_z] = numbers_of<2>(
       table.required("tangential", "the forces along the pad's y and z: tangential = [0.0, 0.0]"),
       "two numbers, along y and z");
@@ -139,13 +129,13 @@ SpaceContactSource read_place(Table& table, const SpaceHandFinger& finger) {
   force.tangential_z = t_z;
   if (finger.soft) {
     force.torsion = number_or(table.value("torsion"), any_number, 0.0);
-    force.covariance[35] = variance(table, "torsion_deviation");
+    force.covariance[35] = read_variance(table, "torsion_deviation");
   } else {
     for (const std::string_view key : {"torsion", "torsion_deviation"})
       table.not_here(key, "does not apply to a hard finger", "torsion_radius makes it a soft one");
   }
-  force.covariance[0] = variance(table, "normal_deviation");
-  force.covariance[7] = force.covariance[14] = variance(table, "tangential_deviation");
+  force.covariance[0] = read_variance(table, "normal_deviation");
+  force.covariance[7] = force.covariance[14] = read_variance(table, "tangential_deviation");
   force.covariance[21] = force.covariance[28] = moved;
   return force;
 }
@@ -153,12 +143,10 @@ SpaceContactSource read_place(Table& table, const SpaceHandFinger& finger) {
 SpaceContactSource read_contact(Table table, const SpaceHandFinger& finger,
                                 const References& references) {
   SpaceContactSource source;
-  if (const auto scene = table.value("scene")) {
-    source = read_fingertip_scene(table, *scene, references);
-    refuse_others(table, "contact.scene", space_resultant_keys, space_contact_kinds);
-  } else {
+  if (auto scene = read_scene_contact(table, references, space_resultant_keys, space_contact_kinds))
+    source = std::move(*scene);
+  else
     source = read_place(table, finger);
-  }
   table.finish();
   return source;
 }
@@ -182,7 +170,7 @@ void read_softness(Table& table, bool has_field, SpaceHandFinger& result) {
 }
 
 SpaceHandFinger read_finger(Table table, const References& references,
-                            const std::vector<std::string>& before) {
+                            std::span<const SpaceHandFinger> before) {
   SpaceHandFinger result;
   SpaceFinger& finger = result.finger;
   finger.name = read_name(table, before);
@@ -200,12 +188,9 @@ SpaceHandFinger read_finger(Table table, const References& references,
     finger.tangent = cross(finger.normal, {finger.normal.y, finger.normal.z, -finger.normal.x});
   }
   read_joints(table, finger);
-  if (const auto limits = table.value("torque_limits")) {
-    result.torque_limits = read_for_each(*limits, positive, joint_count(finger), "joint");
-    if (joint_count(finger) == 0)
-      limits->problem("needs joints", "joints = [{ place = ..., axis = ... }]");
-  }
-  if (const auto friction = table.value("friction")) result.friction = friction->number(positive);
+  const auto limits = read_bounds(table, joint_count(finger), "joint", result);
+  if (limits && joint_count(finger) == 0)
+    limits->problem("needs joints", "joints = [{ place = ..., axis = ... }]");
   auto contact = table_of(table.required(
       "contact",
       "what the fingertip feels: contact = { scene = \"tip.toml\" }, or { normal = 10.0, "
@@ -246,16 +231,12 @@ void read_grasp(Table table, SpaceHand& hand) {
 
 }  // namespace
 
-void read_space_hand(Table& root, const References& references, SpaceHand& hand) {
+void read_hand_tables(Table& root, const References& references, SpaceHand& hand) {
   read_heading(root, hand.title, hand.si);
   root.not_here("angles_in", "does not apply to a hand in space", "its directions are vectors");
-  std::vector<std::string> names;
-  if (const auto fingers = root.required("finger", "one [[finger]] for each finger"))
-    if (auto tables = fingers->tables())
-      for (Table& table : *tables) {
-        hand.fingers.push_back(read_finger(std::move(table), references, names));
-        names.push_back(hand.fingers.back().finger.name);
-      }
+  read_fingers(root, hand.fingers, [&](Table table) {
+    return read_finger(std::move(table), references, hand.fingers);
+  });
   hand.least = usual(hand);
   if (const auto load = table_of(root.value("load")))
     hand.load = read_load<SpaceLoad>(*load, "where the force acts: point = [0, 0, 0.1]",
