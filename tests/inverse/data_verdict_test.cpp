@@ -216,19 +216,6 @@ TEST_CASE("the mirrored frame has the mirrored verdict", "[data_verdict][propert
   CHECK(mirrored.taxel == bench.array.count - 1 - *one.taxel);
 }
 
-TEST_CASE("what a dead taxel reads does not matter", "[data_verdict]") {
-  const Bench bench;
-  const LinearProblem p = make_problem(
-      bench.array, bench.pad,
-      {.smoothing_length = 1.5, .dead_taxels = {10}, .surface = {.basis = SurfaceBasis::hats}});
-  const DataJudge judge(p, bench.limits());
-  std::vector<double> readings = bench.frame(contact_at(0.4), 8);
-  for (const double value : {0.0, 0.5, 1e6}) {
-    readings[10] = value;
-    CHECK(judge.judge(readings, tikhonov_solve(p, 1e-5, readings)).consistent());
-  }
-}
-
 TEST_CASE("contacts narrower than the tractions' grid are sought on a finer one",
           "[data_verdict]") {
   Bench bench;

@@ -80,14 +80,6 @@ TEST_CASE("the prior's deviation of a sum is by waves what it is by the stabilis
   }
 }
 
-TEST_CASE("a dead taxel's reading does not matter", "[problem]") {
-  const LinearProblem problem = make_problem(stress_array, pad, {.dead_taxels = {4}});
-  std::vector<double> readings = random_values(21, 3);
-  const std::vector<double> before = normal_right_side(problem, readings);
-  readings[4] = 1e9;
-  CHECK(normal_right_side(problem, readings) == before);
-}
-
 TEST_CASE("without a smoothing length tractions are kept small, not smooth", "[problem]") {
   CHECK(make_problem(stress_array, pad).smoothing_length == 0.0);
 }

@@ -69,16 +69,18 @@ TEST_CASE("a search that looks on ends where it is told to", "[skin][cone]") {
   std::size_t looks = 0;
   const auto look = [&](std::size_t last) {
     looks = 0;
-    return search.solve(frame.readings, 5000, 1e-15, [&, last](std::span<const double> seen) {
-      CHECK(seen.size() == frame.problem.kernel.columns);
-      return ++looks == last;
-    });
+    return search.solve(frame.readings, 5000, 1e-15,
+                        [&, last](std::span<const double> seen, std::size_t steps) {
+                          CHECK(seen.size() == frame.problem.kernel.columns);
+                          CHECK(steps == std::size_t{25} << looks);
+                          return ++looks == last;
+                        });
   };
-  CHECK(look(1).iterations == 100);
-  CHECK(look(3).iterations == 400);
+  CHECK(look(1).iterations == 25);
+  CHECK(look(3).iterations == 100);
   CHECK(look(3).verdict == ConstrainedVerdict::iteration_limit);
   const ConeSolution watched = look(1000);
   CHECK(watched.iterations == 5000);
-  CHECK(looks == 6);  // 100 to 3200
+  CHECK(looks == 8);  // 25 to 3200
   CHECK(watched.tractions == search.solve(frame.readings, 5000, 1e-15).tractions);
 }

@@ -259,6 +259,39 @@ TEST_CASE("a lie that a narrow contact takes up is told of a skin, and by no hon
   }
 }
 
+TEST_CASE("what a search meets on its way decides as its end does, wherever it begins",
+          "[skin][data]") {
+  // From tractions that are nearly a contact's, from none, and on a finer grid: what is said of a
+  // frame is one and the same, and where no doubt is said some contact leaves no more than noise.
+  const PressedSkin sensor;
+  const DataLimits limits{.noise_rms = sensor.rms};
+  const DataJudge on_own(sensor.problem, limits);
+  const DataJudge on_finer(
+      sensor.problem, make_problem(sensor.skin, silicone, {.grid = {.spacing = 0.7e-3}}), limits);
+  std::mt19937 random(29);
+  std::normal_distribution<double> noise(0.0, sensor.rms);
+  const std::vector<double> cold(sensor.problem.kernel.columns);
+  for (int i = 0; i < 6; ++i) {
+    std::vector<double> readings =
+        exact_readings(sensor.skin, silicone, random_contacts(random, 3e-3));
+    for (double& reading : readings) reading += noise(random);
+    for (const DataJudge* judge : {&on_own, &on_finer})
+      for (const std::vector<double>& from : {sensor.solved(readings), cold}) {
+        const DataVerdict found = judge->judge(readings, from);
+        CAPTURE(i, found.residual_rms, found.residual_limit);
+        CHECK(found.consistent());
+        CHECK(found.residual_rms <= found.residual_limit);
+      }
+  }
+  std::vector<double> lies = sensor.readings;
+  lies[14] += 40.0 * sensor.rms;
+  for (const std::vector<double>& from : {sensor.solved(lies), cold}) {
+    const DataVerdict found = on_own.judge(lies, from);
+    CHECK(found.doubts == std::vector{DataDoubt::bad_taxel});
+    CHECK(found.taxel == 14U);
+  }
+}
+
 TEST_CASE("a skin's limit of friction that is too low is doubted, and no taxel", "[skin][data]") {
   const SkinArray skin = square_skin(8, 2e-3);
   const LinearProblem problem = make_problem(skin, silicone);

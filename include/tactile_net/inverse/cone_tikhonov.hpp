@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -59,13 +60,19 @@ class ConeTikhonov {
   /// @throw std::invalid_argument  alpha is not > 0 and finite
   [[nodiscard]] ConeTikhonov with_alpha(double alpha) const;
 
+  /// Called after 25, 50, 100, 200 ... steps with the tractions found so far [Pa], which obey the
+  /// constraints, and their number; true: stop, more steps are not needed or in vain.
+  using EarlyStop = std::function<bool(std::span<const double> tractions, std::size_t steps)>;
+
   /// One frame, starting from 0: some 30 to 300 steps, each the price of two products with K by
   /// classes. Allocates. `too_large` if any weighted reading or traction would not be finite.
   ///
   /// @param iteration_limit  steps after which the best so far is returned
   /// @param enough           `ConeSolution::residual` at which the iteration ends
+  /// @param stop_early       absent: never; where it stops the verdict is `iteration_limit`
   [[nodiscard]] ConeSolution solve(std::span<const double> readings,
-                                   std::size_t iteration_limit = 2000, double enough = 1e-6) const;
+                                   std::size_t iteration_limit = 2000, double enough = 1e-6,
+                                   const EarlyStop& stop_early = {}) const;
 
  private:
   struct System;

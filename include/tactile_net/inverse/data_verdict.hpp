@@ -24,8 +24,10 @@
 /// Lines and skins are judged alike, by contacts that are found in two ways. On a line a
 /// non-negative least squares finds the nearest contact of all. On a skin friction's cones are
 /// searched with less and less smoothing (inverse/cone_tikhonov.hpp), which bounds that distance
-/// from above: first among the tractions found, and no further than the verdict needs. Constants
-/// added to a channel are not looked for there, and nothing is kept from frame to frame.
+/// from above: first among the tractions found, then near them on their own grid, and no further
+/// than the verdict needs: a contact that is met on the way is one as good as that at the end, so
+/// the first that explains the frame and leaves no reading odd is enough. Constants added to a
+/// channel are not looked for there, and nothing is kept from frame to frame.
 ///
 ///     const DataJudge judge(problem, {.noise_rms = 1.0, .largest_traction = pad.youngs_modulus});
 ///     const DataVerdict data = judge.judge(readings, tractions);

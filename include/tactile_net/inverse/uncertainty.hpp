@@ -13,9 +13,11 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
+#include "tactile_net/numeric/fields.hpp"
 #include "tactile_net/sensing/surface.hpp"
 
 namespace tactile_net {
@@ -58,6 +60,10 @@ struct NoiseEstimate {
 struct Uncertain {
   double value = 0.0;
   double deviation = 0.0;
+
+  static constexpr auto described =
+      std::tuple{field("value", &Uncertain::value, "What was found."),
+                 field("deviation", &Uncertain::deviation, "One standard deviation of it.")};
 };
 
 /// The contact's force, by first-order propagation of the covariance.

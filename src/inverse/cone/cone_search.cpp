@@ -16,7 +16,7 @@ using Eigen::Index;
 
 constexpr double relaxation = 1.6;
 constexpr std::size_t steps_between_checks = 5;
-constexpr std::size_t first_look = 100;
+constexpr std::size_t first_look = 25;
 static_assert(first_look % steps_between_checks == 0);
 
 }  // namespace
@@ -148,7 +148,8 @@ ConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t ite
       if (!stop_early || solution.iterations != next_look) continue;
       next_look *= 2;
       const Eigen::VectorXd now = in_units(z);
-      if (stop_early(std::span(now.data(), static_cast<std::size_t>(now.size())))) break;
+      const std::span tractions(now.data(), static_cast<std::size_t>(now.size()));
+      if (stop_early(tractions, solution.iterations)) break;
     }
     solution.residual = residual();
     Eigen::VectorXd before = z + u;  // whose projection z is

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <span>
 
@@ -33,12 +32,9 @@ class ConeSearch {
   /// @pre  limit > 0 and finite, and there are tangential tractions
   [[nodiscard]] ConeSearch with_friction(double limit) const;
 
-  /// Called after 100, 200, 400, 800 ... steps with the tractions found so far [Pa]; true: stop,
-  /// more steps are in vain.
-  using EarlyStop = std::function<bool(std::span<const double> tractions)>;
+  using EarlyStop = ConeTikhonov::EarlyStop;
 
   /// As `ConeTikhonov::solve`.
-  /// @param stop_early  absent: never; where it stops the verdict is `iteration_limit`
   /// @param nearby      tractions [Pa] that obey the constraints, from which fewer steps lead to
   ///                    the same solution; none: steps begin with nothing pressed
   [[nodiscard]] ConeSolution solve(std::span<const double> readings, std::size_t iteration_limit,

@@ -27,8 +27,8 @@ ConeTikhonov ConeTikhonov::with_alpha(double alpha) const {
 }
 
 ConeSolution ConeTikhonov::solve(std::span<const double> readings, std::size_t iteration_limit,
-                                 double enough) const {
-  return system_->search.solve(readings, iteration_limit, enough);
+                                 double enough, const EarlyStop& stop_early) const {
+  return system_->search.solve(readings, iteration_limit, enough, stop_early);
 }
 
 }  // namespace tactile_net

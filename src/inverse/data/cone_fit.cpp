@@ -8,6 +8,7 @@
 #include "inverse/cone/cone_search.hpp"
 #include "inverse/cone/rest_of_rows.hpp"
 #include "inverse/data/contact_fit.hpp"
+#include "inverse/data/single_liar.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 
@@ -23,6 +24,10 @@ constexpr std::array smoothings = {1e-4, 1e-6, 1e-8};
 /// leave this share no contact is near, and finding the nearest one would take a thousand times
 /// three.
 constexpr double far_share = 0.3;
+constexpr std::size_t steps_to_far = 100;
+/// Steps of a search on the tractions' own grid, each a fraction of one on a finer grid: from
+/// tractions that are nearly a contact's, all that honest frames need.
+constexpr std::size_t steps_near = 50;
 /// A search ends where twice the steps, or a hundredth of the smoothing, have gained less than this
 /// share of what is still missing: it would take ten times as many again.
 constexpr double least_progress = 0.1;
@@ -85,8 +90,10 @@ class ConeFit final : public ContactFit {
  public:
   ConeFit(const JudgedProblem& judged,
           std::function<std::shared_ptr<const LinearProblem>()> contacts)
-      : ContactFit(judged), make_contacts_(std::move(contacts)) {}
+      : ContactFit(judged), make_contacts_(std::move(contacts)), liars_(judged.rows) {}
 
+  std::optional<Unexplained> settled_near(const JudgedFrame& frame,
+                                          std::span<const double> pressing) const override;
   std::optional<Unexplained> contact(const JudgedFrame& frame, Friction friction,
                                      double enough) const override;
   std::size_t steps() const noexcept override { return 2; }
@@ -120,15 +127,35 @@ class ConeFit final : public ContactFit {
     if (!made_) {
       std::shared_ptr<const LinearProblem> sought = make_contacts_();
       check_contacts(p.problem, *sought);
-      made_ = std::make_unique<Cones>(std::move(sought),
-                                      Constraints{.friction_limit = p.limit_of(Friction::likely)});
+      made_ = cones_of(std::move(sought));
     }
     return *made_;
   }
-  [[nodiscard]] ConeSearch cone(std::size_t smoothing, Friction friction) const {
-    const ConeSearch& all = contacts().cone(smoothing);
+  /// The same on the grid of the tractions that are judged. Null: it saves too little to be worth
+  /// factors of its own.
+  [[nodiscard]] Cones* own() const {
+    Cones& sought = contacts();
+    if (&sought.problem() == &p.problem) return &sought;
+    if (2 * p.problem.grid.count() > sought.problem().grid.count()) return nullptr;
+    const std::lock_guard lock(mutex_);
+    if (!own_) own_ = cones_of({std::shared_ptr<void>(), &p.problem});  // kept by the judge
+    return own_.get();
+  }
+  [[nodiscard]] std::unique_ptr<Cones> cones_of(
+      std::shared_ptr<const LinearProblem> problem) const {
+    return std::make_unique<Cones>(std::move(problem),
+                                   Constraints{.friction_limit = p.limit_of(Friction::likely)});
+  }
+  [[nodiscard]] ConeSearch cone(Cones& of, std::size_t smoothing, Friction friction) const {
+    const ConeSearch& all = of.cone(smoothing);
     const std::optional<double> limit = p.limit_of(friction);
     return limit ? all.with_friction(*limit) : all;
+  }
+  /// Whether a contact that leaves this ends every search: noise explains the frame, and no
+  /// reading is odd. Tractions on the way obey the cones as those at the end do, so one that leaves
+  /// this is a contact as good as any: more steps would change what is left, and no doubt.
+  [[nodiscard]] bool settles(const Unexplained& left) const {
+    return p.limits.noise_rms && left.norm <= p.most && !liars_.may_be_in(left.residual);
   }
   [[nodiscard]] Unexplained left_by_contact(const JudgedFrame& frame, Friction friction,
                                             std::span<const double> tractions) const {
@@ -144,8 +171,27 @@ class ConeFit final : public ContactFit {
 
   std::function<std::shared_ptr<const LinearProblem>()> make_contacts_;
   mutable std::mutex mutex_{};
-  mutable std::unique_ptr<Cones> made_{};
+  mutable std::unique_ptr<Cones> made_{}, own_{};
+  SingleLiar liars_;
 };
+
+std::optional<Unexplained> ConeFit::settled_near(const JudgedFrame& frame,
+                                                 std::span<const double> pressing) const {
+  Cones* const on = own();
+  if (on == nullptr || !on->are_read()) return std::nullopt;
+  Unexplained left;
+  bool settled = false;
+  const auto look = [&](std::span<const double> tractions, std::size_t) {
+    left = left_by(frame, tractions);
+    settled = settles(left);
+    return settled;
+  };
+  const ConeSolution found =
+      cone(*on, 0, Friction::stated).solve(frame.readings, steps_near, near_enough, look, pressing);
+  if (!settled && found.status == FrameStatus::ok) (void)look(found.tractions, found.iterations);
+  if (!settled) return std::nullopt;
+  return left;
+}
 
 std::optional<Unexplained> ConeFit::contact(const JudgedFrame& frame, Friction friction,
                                             double enough) const {
@@ -154,21 +200,24 @@ std::optional<Unexplained> ConeFit::contact(const JudgedFrame& frame, Friction f
   const double all = nothing.norm;
   std::optional<Unexplained> best;
   for (std::size_t i = 0; i < smoothings.size(); ++i) {
-    bool first = i == 0;
-    bool in_vain = false;
+    bool asked = i != 0;  // whether a contact is near
+    bool ended = false;
     Unexplained left;
-    const auto look = [&](std::span<const double> tractions) {
-      if (!std::exchange(first, false)) return false;
+    const auto look = [&](std::span<const double> tractions, std::size_t steps) {
       left = left_by_contact(frame, friction, tractions);
-      in_vain = is_far_from_contacts(left.norm, all, enough);
-      return in_vain;
+      ended = settles(left);
+      if (steps < steps_to_far || std::exchange(asked, true)) return ended;
+      ended = ended || is_far_from_contacts(left.norm, all, enough);
+      return ended;
     };
-    const ConeSolution found =
-        cone(i, friction).solve(frame.readings, most_steps, near_enough, look);
+    ConeSolution found =
+        cone(contacts(), i, friction).solve(frame.readings, most_steps, near_enough, look);
     if (found.status != FrameStatus::ok) continue;
-    if (first) (void)look(found.tractions);  // they came before a hundred steps
-    if (in_vain) return left;
+    if (!asked && !ended) (void)look(found.tractions, steps_to_far);  // they came before
+    if (ended) return left;
     left = left_by_contact(frame, friction, found.tractions);
+    left.tractions = std::move(found.tractions);
+    left.step = i;
     if (!best || left.norm < best->norm) best = std::move(left);
     if (best->norm <= enough) break;
   }
@@ -177,10 +226,21 @@ std::optional<Unexplained> ConeFit::contact(const JudgedFrame& frame, Friction f
 
 std::optional<Unexplained> ConeFit::all_left(const JudgedFrame& frame, std::size_t step,
                                              const Unexplained& found) const {
+  if (found.step == step) return found;
   if (!contacts().are_read()) return std::nullopt;
-  ConeSolution nearest = cone(step, found.friction).solve(frame.readings, most_steps, near_enough);
+  Unexplained left;
+  bool settled = false;
+  const auto look = [&](std::span<const double> tractions, std::size_t) {
+    left = left_by_contact(frame, found.friction, tractions);
+    settled = settles(left);
+    return settled;
+  };
+  ConeSolution nearest = cone(contacts(), step, found.friction)
+                             .solve(frame.readings, most_steps, near_enough,
+                                    p.limits.noise_rms ? look : ConeSearch::EarlyStop{});
   if (nearest.status != FrameStatus::ok) return std::nullopt;
-  Unexplained left = left_by_contact(frame, found.friction, nearest.tractions);
+  if (settled) return left;
+  left = left_by_contact(frame, found.friction, nearest.tractions);
   left.tractions = std::move(nearest.tractions);
   return left;
 }
@@ -189,7 +249,7 @@ std::optional<Unexplained> ConeFit::all_left(const JudgedFrame& frame, std::size
 std::optional<Unexplained> ConeFit::rest_left(const JudgedFrame& frame, std::size_t step,
                                               std::size_t taxel, const Unexplained& all) const {
   const std::span<const std::size_t> only(&taxel, 1);
-  const ConeSolution found = cone(step, all.friction)
+  const ConeSolution found = cone(contacts(), step, all.friction)
                                  .without(only)
                                  .solve(frame.readings, most_steps, near_enough, {}, all.tractions);
   if (found.status != FrameStatus::ok) return std::nullopt;
@@ -214,7 +274,8 @@ double ConeFit::least_left(const JudgedFrame& frame, double enough,
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < smoothings.size(); ++i) {
     std::optional<double> before;
-    const auto is_vain = [&](std::span<const double> tractions) {
+    const auto is_vain = [&](std::span<const double> tractions, std::size_t steps) {
+      if (steps < steps_to_far) return false;
       const double now = norm(tractions);
       const bool vain = before ? now > enough && *before - now < least_progress * (now - enough)
                                : i == 0 && is_far_from_contacts(now, all, enough);

@@ -88,6 +88,7 @@ struct Unexplained {
   double fitted = 0.0;  ///< how many numbers the contact took; 0: the fit does not count them
   std::vector<std::ptrdiff_t> pressed{};  ///< places that press, as the fit numbers them
   std::vector<double> tractions{};        ///< the contact's [Pa], where the fit hands them on
+  std::optional<std::size_t> step{};      ///< the one whose search found the contact to its end
 };
 
 /// Of one frame, and of the same with its sign turned round.
@@ -127,6 +128,15 @@ class ContactFit {
   [[nodiscard]] virtual std::optional<Unexplained> contact(const JudgedFrame& frame,
                                                            Friction friction,
                                                            double enough) const = 0;
+
+  /// What a contact near these tractions leaves, if it explains the frame and leaves no reading
+  /// odd: the frame is a contact's then, whatever a longer search finds. Absent: none is found
+  /// soon.
+  /// @param pressing  tractions that a contact may have
+  [[nodiscard]] virtual std::optional<Unexplained> settled_near(
+      const JudgedFrame&, std::span<const double> /*pressing*/) const {
+    return std::nullopt;
+  }
 
   // One taxel of a frame that contacts explain. A search takes steps, each of which comes nearer.
 

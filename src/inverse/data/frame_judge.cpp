@@ -101,6 +101,9 @@ void FrameJudge::explain(const Frame& frame, KeptContacts* memory, DataVerdict& 
   }
   const std::vector<double> pressing = p_.pressing(Friction::stated, frame.tractions);
   Unexplained left = fit.left_by(frame, pressing);
+  if (!(left.norm <= p_.most) || liars_.may_be_in(left.residual))
+    if (std::optional<Unexplained> settled = fit.settled_near(frame, pressing))
+      left = *std::move(settled);
   if (memory != nullptr || !(left.norm <= p_.most)) {  // the memory keeps what the fit finds
     std::optional<Unexplained> best = fit.contact(frame, Friction::stated, p_.most);
     if (best && (memory != nullptr || !(left.norm <= best->norm))) left = *std::move(best);
