@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
 
 namespace tactile_net::python {
@@ -39,6 +41,31 @@ class BadFrame : public std::invalid_argument {
     text += ": " + std::string(name(status));
   }
   return {text, frame};
+}
+
+/// @return  whether values are missing
+/// @throw BadFrame  a reading is not finite, and not one that may miss
+inline bool check_finite(std::span<const double> readings, std::size_t frame, bool may_miss) {
+  bool incomplete = false;
+  for (const double reading : readings) {
+    if (std::isfinite(reading)) continue;
+    incomplete = true;
+    if (!may_miss || !std::isnan(reading))
+      throw bad_frame(FrameStatus::not_finite, readings, frame);
+  }
+  return incomplete;
+}
+
+/// As the solver does. @throw BadFrame  the tractions overflow
+[[nodiscard]] inline std::optional<lab::FrameAnswer> solved_frame(lab::RecordingSolver& solver,
+                                                                  std::span<double> readings,
+                                                                  std::optional<double> time,
+                                                                  std::size_t frame) {
+  try {
+    return solver.solve(readings, time);
+  } catch (const lab::FrameOverflow&) {
+    throw bad_frame(FrameStatus::too_large, readings, frame);
+  }
 }
 
 }  // namespace tactile_net::python

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -18,6 +19,7 @@
 
 #include "read_frames.hpp"
 #include "simulated_frames.hpp"
+#include "tactile_net/report/words/workload_words.hpp"
 
 namespace tactile_net::python {
 
@@ -61,6 +63,23 @@ Array kernel_matrix(const Any& self) {
   return as_array(std::move(kernel));
 }
 
+/// Name, whether it is simulated, and what it does or its absence saves.
+template <class Any>
+std::vector<std::tuple<std::string, bool, std::string>> effects_of(const Any& self) {
+  std::vector<std::tuple<std::string, bool, std::string>> all;
+  for (const lab::Workload::Effect& effect : lab::workload(self.scene()).effects)
+    all.emplace_back(effect.row->name, effect.simulated,
+                     report::effect_in_words(effect, self.scene()));
+  return all;
+}
+
+template <class Any>
+std::string explain(const Any& self) {
+  std::ostringstream text;
+  report::print_workload(text, self.scene(), lab::workload(self.scene()));
+  return text.str();
+}
+
 /// @tparam Any  `SharedScene` or `SharedSkin`
 template <class Any>
 void bind_what_scenes_share(nb::class_<Any>& scene) {
@@ -89,7 +108,9 @@ void bind_what_scenes_share(nb::class_<Any>& scene) {
       .def("raw_numbers", &raw<Any>, nb::arg("readings").noconvert())
       .def("simulate", &simulate<Any>, nb::arg("progress").none())
       .def("kernel_matrix", &kernel_matrix<Any>)
-      .def("normal_matrix", &normal_matrix_of<Any>, nb::arg("alpha"));
+      .def("normal_matrix", &normal_matrix_of<Any>, nb::arg("alpha"))
+      .def("effects", &effects_of<Any>)
+      .def("explain", &explain<Any>);
 }
 
 }  // namespace tactile_net::python

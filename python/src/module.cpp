@@ -13,11 +13,11 @@ NB_MODULE(_core, module) {
   bind_files(module);
   bind_skin(module);
   bind_scene(module);
+  bind_report(module);
   bind_skin_solving(module);
   bind_solving(module);
   bind_check(module);
   bind_run(module);
-  bind_skin_run(module);
   bind_survey(module);
   bind_sweep(module);
   bind_circuit(module);

@@ -9,15 +9,12 @@
 #include <nanobind/stl/vector.h>
 
 #include <map>
-#include <sstream>
 
 #include "bound_scene.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/lab/method.hpp"
-#include "tactile_net/report/json/workload_json.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
-#include "tactile_net/report/words/workload_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 #include "tactile_net/scene/units.hpp"
@@ -64,21 +61,6 @@ std::vector<std::string> scene_words(const SharedScene& self) {
   return all;
 }
 
-/// Name, whether it is simulated, and what it does or its absence saves.
-std::vector<std::tuple<std::string, bool, std::string>> effects_of(const SharedScene& self) {
-  std::vector<std::tuple<std::string, bool, std::string>> all;
-  for (const lab::Workload::Effect& effect : lab::workload(self.scene()).effects)
-    all.emplace_back(effect.row->name, effect.simulated,
-                     report::effect_in_words(effect, self.scene()));
-  return all;
-}
-
-std::string explain(const SharedScene& self) {
-  std::ostringstream text;
-  report::print_workload(text, self.scene(), lab::workload(self.scene()));
-  return text.str();
-}
-
 /// By name, what to multiply and what to divide by for the unit in SI.
 std::map<std::string, std::pair<double, double>> units_by_name(Dimension dimension) {
   std::map<std::string, std::pair<double, double>> units;
@@ -106,12 +88,7 @@ void bind_scene(nb::module_& module) {
       .def("y", [](const SharedScene& self) { return owned(positions(surface(self.scene()))); })
       .def("taxels", [](const SharedScene& self) { return owned(positions(self.scene().sensor)); })
       .def("sites", &sites_of)
-      .def("words", &scene_words)
-      .def("effects", &effects_of)
-      .def("explain", &explain)
-      .def("workload_json", [](const SharedScene& self) {
-        return report::workload_json(self.scene(), lab::workload(self.scene()));
-      });
+      .def("words", &scene_words);
   module.def("parse", &parse, nb::arg("text"), nb::arg("file"));
   module.def("stress_units", [] { return units_by_name(Dimension::stress); });
   module.def("length_units", [] { return units_by_name(Dimension::length); });

@@ -51,9 +51,9 @@ Array touching_of(Answers answers, const SurfaceGrid& grid) {
   return owned(std::move(all), {answers.size(), grid.count()});
 }
 
-/// The columns of `report::wrench_columns`.
+/// The columns of `report::resultant_columns`.
 Array wrenches_of(Answers answers) {
-  return rows_of(answers, report::wrench_columns().size(), &report::wrench_values);
+  return rows_of(answers, report::resultant_columns().size(), &report::resultant_values);
 }
 
 Array covariances_of(Answers answers) {

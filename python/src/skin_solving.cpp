@@ -14,7 +14,6 @@
 #include "rooms.hpp"
 #include "skin_fields.hpp"
 #include "solved_skin.hpp"
-#include "tactile_net/report/csv/skin_csv.hpp"
 
 namespace tactile_net::python {
 namespace {
@@ -131,6 +130,7 @@ void bind_skin_solving(nb::module_& module) {
            })
       .def("notes", &SolvedSkin::notes)
       .def("json", &SolvedSkin::json, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())
+      .def("row", &SolvedSkin::row, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())
       .def("html", &SolvedSkin::html, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())
       .def(
           "report",
@@ -141,7 +141,6 @@ void bind_skin_solving(nb::module_& module) {
   module.def("solve_skin", &solve_skin, nb::arg("scene"), nb::arg("missing"),
              nb::arg("share_alpha").none(), nb::arg("times"), nb::arg("readings").noconvert(),
              nb::arg("progress").none());
-  module.def("wrench_columns", &report::wrench_columns);
 }
 
 }  // namespace tactile_net::python

@@ -47,6 +47,16 @@ lab::RecordingSolver solver_of(SharedScene& shared, const lab::SceneProblem& pro
   return lab::RecordingSolver(problem, method, options);
 }
 
+/// What is kept of an answer beside its tractions.
+lab::FrameResult kept_of(lab::FrameAnswer&& answer) {
+  return {.alpha = answer.alpha.value > 0.0 ? std::optional(answer.alpha) : std::nullopt,
+          .verdict = answer.verdict,
+          .condition = answer.condition,
+          .remarks = std::move(answer.remarks),
+          .constrained = std::move(answer.constrained),
+          .data = std::move(answer.data)};
+}
+
 }  // namespace
 
 SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
@@ -68,15 +78,18 @@ SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
   for (std::size_t i = 0; i < readings.shape(0); ++i) {
     watcher.frame();
     const std::span frame(readings_.data() + i * size, size);
-    const std::span answer(tractions_.data() + i * width_, width_);
-    const auto result = solver_.solve(frame, answer, time(i));
-    if (result && result->status != FrameStatus::ok) throw bad_frame(result->status, frame, i);
-    results_.push_back(result);
-    problems_.push_back(solver_.problem());
-    if (result)
-      recording_.add(time(i), solver_.problem(), frame, answer, *result);
-    else
-      recording_.skip();
+    const bool incomplete = check_finite(frame, i, options.missing != lab::Missing::fail);
+    std::optional<lab::FrameAnswer> answer = solved_frame(solver_, frame, time(i), i);
+    problems_.push_back(std::get<lab::SceneProblem>(solver_.problem()));
+    if (!answer) {
+      recording_.skip(time(i));
+      results_.emplace_back();
+      continue;
+    }
+    recording_.add(time(i), solver_.problem(), frame, *answer, incomplete);
+    std::copy(answer->tractions.begin(), answer->tractions.end(),
+              tractions_.begin() + static_cast<std::ptrdiff_t>(i * width_));
+    results_.emplace_back(kept_of(*std::move(answer)));
   }
   if (const auto taken = lab::noise_taken(locked.problem, problem_))
     first_found_.emplace_back(*taken);
@@ -147,6 +160,12 @@ std::string SolvedRecording::json(const lab::RecordingOverview& overview,
 
 std::string SolvedRecording::json(const std::string& name, Watcher& watcher) {
   return json(overview(watcher), name);
+}
+
+lab::RecordingRow SolvedRecording::row(const std::string& name, Watcher& watcher) const {
+  lab::RecordingRow row = lab::row_of(overview(watcher));
+  row.name = name;
+  return row;
 }
 
 std::string SolvedRecording::tractions_csv() const {

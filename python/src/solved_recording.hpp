@@ -10,6 +10,7 @@
 #include "page_folder.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/lab/recording.hpp"
+#include "tactile_net/lab/recording_row.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "watcher.hpp"
@@ -52,6 +53,8 @@ class SolvedRecording {
   [[nodiscard]] Bands bands(Watcher& watcher);
 
   [[nodiscard]] std::string json(const std::string& name, Watcher& watcher);
+  /// What it amounts to beside others.
+  [[nodiscard]] lab::RecordingRow row(const std::string& name, Watcher& watcher) const;
   /// As `solve --out` writes it.
   void report(const PageFolder& folder, const std::string& name, Watcher& watcher);
 

@@ -8,9 +8,9 @@
 #include "first_look.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/pages/skin_page.hpp"
+#include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
-#include "tactile_net/report/json/skin_json.hpp"
+#include "tactile_net/report/json/solve_json.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
@@ -18,12 +18,6 @@
 namespace tactile_net::python {
 
 namespace {
-
-void check_finite(std::span<const double> readings, std::size_t frame, bool may_miss) {
-  for (const double reading : readings)
-    if (!std::isfinite(reading) && !(may_miss && std::isnan(reading)))
-      throw bad_frame(FrameStatus::not_finite, readings, frame);
-}
 
 /// The scene's, without taxels that the recording shows to be broken.
 ///
@@ -35,10 +29,10 @@ lab::SkinSceneProblem problem_of(SharedSkin& shared, const Rows& readings, lab::
   return problem;
 }
 
-lab::SkinRecordingSolver solver_of(SharedSkin& shared, const lab::SkinSceneProblem& problem,
-                                   const lab::RecordingSolverOptions& options) {
+lab::RecordingSolver solver_of(SharedSkin& shared, const lab::SkinSceneProblem& problem,
+                               const lab::RecordingSolverOptions& options) {
   const auto locked = shared.lock();  // of which `problem` may be a copy
-  return lab::SkinRecordingSolver(problem, options);
+  return lab::RecordingSolver(problem, Method::tikhonov, options);
 }
 
 }  // namespace
@@ -49,6 +43,7 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
       times_(std::move(times)),
       readings_(readings.data(), readings.data() + readings.size()),
       size_(readings.shape(1)),
+      missing_(options.missing),
       problem_(problem_of(*shared_, readings, first_found_)),
       solver_(solver_of(*shared_, problem_, options)) {
   const auto locked = shared_->lock();
@@ -57,12 +52,8 @@ SolvedSkin::SolvedSkin(SkinPointer shared, const lab::RecordingSolverOptions& op
   for (std::size_t i = 0; i < readings.shape(0); ++i) {
     watcher.frame();
     const std::span frame(readings_.data() + i * size_, size_);
-    check_finite(frame, i, options.missing != lab::Missing::fail);
-    try {
-      answers_.push_back(solver_.solve(frame, time(i)));
-    } catch (const lab::FrameOverflow&) {
-      throw bad_frame(FrameStatus::too_large, frame, i);
-    }
+    incomplete_.push_back(check_finite(frame, i, options.missing != lab::Missing::fail));
+    answers_.push_back(solved_frame(solver_, frame, time(i), i));
   }
   doubts_ = solver_.doubts();
   doubts_.insert(doubts_.begin(), first_found_.begin(), first_found_.end());
@@ -83,18 +74,19 @@ std::optional<double> SolvedSkin::time(std::size_t frame) const {
   return times_[frame];
 }
 
-lab::SkinRecordingAnswer SolvedSkin::recording() const {
-  lab::SkinRecordingAnswer recording{.scene = problem_.scene(), .grid = grid_};
+lab::RecordingOverview SolvedSkin::recording() const {
+  lab::Recording recording(problem_);
   for (std::size_t i = 0; i < answers_.size(); ++i)
     if (answers_[i])
-      recording.add(time(i), std::span(readings_).subspan(i * size_, size_), *answers_[i]);
+      recording.add(time(i), problem_, std::span(readings_).subspan(i * size_, size_), *answers_[i],
+                    incomplete_[i]);
     else
       recording.skip(time(i));
-  return recording;
+  return recording.overview();
 }
 
-lab::SkinRecordingAnswer SolvedSkin::checked_recording() const {
-  lab::SkinRecordingAnswer all = recording();
+lab::RecordingOverview SolvedSkin::checked_recording() const {
+  lab::RecordingOverview all = recording();
   all.findings = solver_.findings();
   all.findings.insert(all.findings.begin(), first_found_.begin(), first_found_.end());
   return all;
@@ -106,23 +98,33 @@ std::vector<std::string> SolvedSkin::notes() const {
   std::vector<std::string> notes = report::in_words(solver_.solved(), scene());
   for (const lab::Finding& doubt : doubts_)
     notes.push_back(report::in_words(doubt, scene()) + "; " + report::advice(doubt, scene()));
-  const lab::SkinRecordingAnswer all = recording();
+  const lab::RecordingOverview all = recording();
   if (!all.answer) return notes;
-  const lab::SkinExperiment hardest{.scene = all.scene,
-                                    .grid = all.grid,
-                                    .frame = {.readings = all.readings},
-                                    .answer = all.answer};
-  for (std::string& sentence : report::remarks_in_words(hardest).all())
+  for (std::string& sentence : report::remarks_in_words(*all.answer).all())
     notes.push_back(std::move(sentence));
   return notes;
 }
 
+std::string SolvedSkin::json_of(const lab::RecordingOverview& recording,
+                                const std::string& name) const {
+  const lab::SolvedFrames& solved = solver_.solved();
+  return report::solve_json(
+      recording, solved,
+      {.readings = name, .missing = missing_, .remarks = solved.last.remarks, .seconds = unknown});
+}
+
 std::string SolvedSkin::json(const std::string& name) const {
-  return report::recording_json(checked_recording(), name);
+  return json_of(checked_recording(), name);
+}
+
+lab::RecordingRow SolvedSkin::row(const std::string& name) const {
+  lab::RecordingRow row = lab::row_of(checked_recording());
+  row.name = name;
+  return row;
 }
 
 std::string SolvedSkin::html(const std::string& name) const {
-  return pages::recording_page(checked_recording(), name, {}).html;
+  return pages::recording_page(checked_recording(), name, {}, {}).html;
 }
 
 std::string SolvedSkin::tractions_csv() const {
@@ -138,11 +140,11 @@ std::string SolvedSkin::tractions_csv() const {
 }
 
 void SolvedSkin::report(const PageFolder& folder, const std::string& name) const {
-  const lab::SkinRecordingAnswer all = checked_recording();
+  const lab::RecordingOverview all = checked_recording();
   drawing::Page page =
-      pages::recording_page(all, name, {.files = {"result.json", "tractions-of-frames.csv"}});
+      pages::recording_page(all, name, {}, {.files = {"result.json", "tractions-of-frames.csv"}});
   page.files.emplace_back("tractions-of-frames.csv", tractions_csv());
-  write_page(folder, page, "result.json", report::recording_json(all, name));
+  write_page(folder, page, "result.json", json_of(all, name));
 }
 
 }  // namespace tactile_net::python

@@ -11,8 +11,9 @@
 #include "arrays.hpp"
 #include "page_folder.hpp"
 #include "shared_scene.hpp"
-#include "tactile_net/lab/skin_recording.hpp"
-#include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/recording.hpp"
+#include "tactile_net/lab/recording_row.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "watcher.hpp"
 
 namespace tactile_net::python {
@@ -44,15 +45,19 @@ class SolvedSkin {
 
   /// As `solve --json` writes it. @param name  of the recording
   [[nodiscard]] std::string json(const std::string& name) const;
+  /// What it amounts to beside others. @param name  of the recording
+  [[nodiscard]] lab::RecordingRow row(const std::string& name) const;
   /// The page that `solve --out` writes.
   [[nodiscard]] std::string html(const std::string& name) const;
   /// The folder that `solve --out` writes.
   void report(const PageFolder& folder, const std::string& name) const;
 
  private:
-  [[nodiscard]] lab::SkinRecordingAnswer recording() const;
+  [[nodiscard]] lab::RecordingOverview recording() const;
   /// With what is suspicious about the readings; solves some frames for it.
-  [[nodiscard]] lab::SkinRecordingAnswer checked_recording() const;
+  [[nodiscard]] lab::RecordingOverview checked_recording() const;
+  [[nodiscard]] std::string json_of(const lab::RecordingOverview& recording,
+                                    const std::string& name) const;
   [[nodiscard]] std::string tractions_csv() const;
   [[nodiscard]] std::optional<double> time(std::size_t frame) const;
 
@@ -60,12 +65,14 @@ class SolvedSkin {
   std::vector<double> times_;
   std::vector<double> readings_;  // as they were solved: missing values of a frame are 0
   std::size_t size_;              // of a frame of them
+  lab::Missing missing_;
   SurfaceGrid grid_{};
   std::size_t width_ = 0;
   lab::Findings first_found_{};    // before any frame is solved
   lab::SkinSceneProblem problem_;  // without taxels that the recording shows to be broken
-  lab::SkinRecordingSolver solver_;
+  lab::RecordingSolver solver_;
   std::vector<std::optional<lab::FrameAnswer>> answers_{};
+  std::vector<bool> incomplete_{};  // per frame: readings were missing
   lab::Findings doubts_{};
 };
 

@@ -155,6 +155,14 @@ void bind_solving(nb::module_& module) {
       .def("notes", &SolvedRecording::notes)
       .def("bands", &bands_of)
       .def("json", &json_of, nb::arg("name"))
+      .def(
+          "row",
+          [](const SolvedRecording& self, const std::string& name) {
+            Watcher watcher;
+            const nb::gil_scoped_release released;
+            return self.row(name, watcher);
+          },
+          nb::arg("name"))
       .def("report", &write_recording_report, nb::arg("folder"), nb::arg("force"), nb::arg("name"));
   module.def("solve", &solve, nb::arg("scene"), nb::arg("method"), nb::arg("missing"),
              nb::arg("share_alpha").none(), nb::arg("times"), nb::arg("readings").noconvert(),

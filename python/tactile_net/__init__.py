@@ -10,12 +10,13 @@ else in those of the scene; arrays are float64.
 from . import datasets, errors, logs, mujoco, plot
 from ._calibration import Calibration, FittedValue, NextPress, calibrate
 from ._check import Finding, ReadingsCheck
-from ._circuit import Certification, Relaxation, SkinSurvey, Survey
+from ._circuit import Certification, Relaxation, Survey
 from ._contacts import ContactPatch
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
 from ._recording import Recording, Solution
+from ._report import Report, report
 from ._result import MethodResult, Result, run
 from ._scene import Scene, Sites
 from ._skin import Skin
@@ -71,6 +72,7 @@ __all__ = [
     "Reconstruct",
     "Recording",
     "Relaxation",
+    "Report",
     "Result",
     "SampledTractions",
     "Scene",
@@ -81,7 +83,6 @@ __all__ = [
     "SkinMethodResult",
     "SkinResult",
     "SkinSolution",
-    "SkinSurvey",
     "Solution",
     "Solver",
     "Sphere",
@@ -101,6 +102,7 @@ __all__ = [
     "merge",
     "mujoco",
     "plot",
+    "report",
     "run",
     "slurm_script",
     "sweep",

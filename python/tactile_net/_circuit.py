@@ -11,21 +11,25 @@ from ._progress import Progress, listening
 
 if TYPE_CHECKING:
     from ._scene import Scene
-    from ._skin import Skin
 
-__all__ = ["Certification", "Relaxation", "SkinSurvey", "Survey"]
+__all__ = ["Certification", "Relaxation", "Survey"]
 
 
 class Survey(PagedDocument):
-    """What a scene's sensors can tell, beside what others in their place could. Made by `Scene.identify`."""
+    """What a scene's sensors can tell, beside what others in their place could. Made by `Scene.identify`.
+
+    Of skins `normal` and `tangential` are of waves of every direction, along each axis and all between.
+    """
 
     scene: Scene
     normal: float | None
     """The shortest wavelength of normal traction that is told from noise [m]; None: none is."""
     tangential: float | None
-    """The same of tangential traction; None with one unknown too."""
+    """The same of tangential traction, of skins of the drag that is told worse; None with one unknown too."""
+    wavelengths: dict[str, float | None]
+    """By "normal", "drag_along" the wave and, of skins, "drag_across" it: the shortest that is told from noise [m]; None: none is."""
     hides: bool
-    """Whether a combination of tractions, or a traction's mean, shows in no reading."""
+    """Whether a combination of tractions, or one of a wave, as a traction's mean, shows in no reading."""
     words: tuple[str, ...]
     """The verdict, and what to read instead, a sentence each."""
 
@@ -35,22 +39,28 @@ class Survey(PagedDocument):
         core = self._identify(progress)
         self._core = core
         self.normal, self.tangential, self.hides = core.normal, core.tangential, core.hides
+        self.wavelengths = core.wavelengths()
         self.words = tuple(core.words())
         self._cells = core.cells()
+        self._shares = core.shares()
         self._json = core.json()
 
-    def _identify(self, progress: Progress = False) -> _core.Survey | _core.SkinSurvey:
+    def _identify(self, progress: Progress = False) -> _core.Survey:
         with listening(progress) as heard:
             return _core.identify(self.scene._core, *self._options, heard)
 
-    def _drawable(self) -> _core.Survey | _core.SkinSurvey:
+    def _drawable(self) -> _core.Survey:
         return self._core or self._identify()
 
     @property
     def table(self) -> list[dict[str, str]]:
         """The scene's sensors and the alternatives, a row each, by the names of the columns."""
-        head, *rows = self._cells
-        return [dict(zip(head, row)) for row in rows]
+        return _by_column(self._cells)
+
+    @property
+    def shares(self) -> list[dict[str, str]]:
+        """How many times its noise each quantity at each depth reads of one wave, of skins an oblique one, a row each."""
+        return _by_column(self._shares)
 
     def __str__(self) -> str:
         return "\n".join(self.words)
@@ -59,29 +69,9 @@ class Survey(PagedDocument):
         return _html.paragraphs(self.words) + _html.table(self._cells)
 
 
-class SkinSurvey(Survey):
-    """The same of a skin. Made by `Skin.identify`.
-
-    `normal` and `tangential` are of waves of every direction, along each axis and all between; `tangential` of the drag that
-    is told worse. `hides`: waves too, whose tractions show at the skin's ends alone.
-    """
-
-    _core: _core.SkinSurvey | None
-    wavelengths: dict[str, float | None]
-    """By "normal", "drag_along" the wave and "drag_across" it: the shortest that is told from noise [m]; None: none is."""
-
-    def __init__(self, scene: Skin, traction: float | None, noise: float | None, progress: Progress = False) -> None:
-        super().__init__(scene, traction, noise, progress)
-        core = self._core
-        assert core is not None
-        self.wavelengths = core.wavelengths()
-        self._shares = core.shares()
-
-    @property
-    def shares(self) -> list[dict[str, str]]:
-        """How many times its noise each quantity at each depth reads of one oblique wave, a row each."""
-        head, *rows = self._shares
-        return [dict(zip(head, row)) for row in rows]
+def _by_column(cells: list[list[str]]) -> list[dict[str, str]]:
+    head, *rows = cells
+    return [dict(zip(head, row)) for row in rows]
 
 
 class Certification(PagedDocument):

@@ -160,6 +160,10 @@ class Solution:
             self._core = self._solve()
         return self._core
 
+    def _row(self, name: str) -> _core.RecordingRow:
+        """What the recording amounts to beside others."""
+        return self._solved().row(name)
+
     def _shaped(self, rows: Floats) -> Floats:
         return rows.reshape(len(rows), rows.shape[1] // len(self.y), len(self.y))
 

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from . import _core, _html
+from . import _core
 from ._arrays import Floats, channels_first, frames_of, lattice_frames_of
-from ._circuit import SkinSurvey
 from ._progress import Progress
 from ._scene import _KINDS, Scene, Sites, _read_only
 from ._skin_result import SkinResult
@@ -192,19 +191,6 @@ class Skin(Scene):
         if compare_rules:
             raise ValueError("compare_rules compares rules for line arrays, and this scene is of a skin")
         return SkinResult(self._realized(realization), frame, realization is not None, progress)
-
-    def identify(
-        self, *, traction: float | None = None, noise: float | None = None, progress: Progress = False
-    ) -> SkinSurvey:
-        """As of a line array."""
-        return SkinSurvey(self, traction, noise, progress)
-
-    def explain(self) -> str:
-        """Counts the work for line arrays alone: raises ValueError."""
-        raise ValueError("explain counts the work for line arrays, and this scene is of a skin")
-
-    def _repr_html_(self) -> str:
-        return _html.paragraphs(str(self).splitlines())
 
 
 _KINDS[_core.Skin] = Skin

@@ -62,19 +62,27 @@ class SkinResult(Result):
         self._with_circuit = with_circuit
         core = self._run_skin(progress)
         self._core: Any = core
-        self.truth = core.truth().reshape(3, *scene.traction_shape)
+        truth = core.truth()
+        assert truth is not None, "a scene has a surface"
+        self.truth = truth
         self.readings = scene._framed(core.readings().reshape(1, -1), ())
         self.notes = ()
         self.succeeded = core.succeeded
         self._text = core.text()
         self._json = core.json()
-        self.skin = _answer(core, scene)
+        self.methods: dict[str, MethodResult] = {}
+        for answer in core.answers():
+            remarks = tuple(answer["remarks"])
+            if answer["method"] == "tikhonov":  # what is said of the readings is said of their answer
+                remarks = (*core.notes(), *remarks)
+            found = {"remarks": remarks, "patches": patches(answer["patches"]), "touching": answer["touching"] != 0.0}
+            self.methods[answer["method"]] = SkinMethodResult(**(dict(answer) | found))
+        skin = self.methods["tikhonov"]
+        assert isinstance(skin, SkinMethodResult)
+        self.skin = skin
         """The answer, with the types of skins."""
-        self.methods: dict[str, MethodResult] = {"tikhonov": self.skin}
-        if (circuit := core.network()) is not None:
-            self.methods["network"] = _by_circuit(circuit, scene)
 
-    def _run_skin(self, progress: Progress = False) -> _core.SkinExperiment:
+    def _run_skin(self, progress: Progress = False) -> _core.Experiment:
         with listening(progress) as heard:
             return _core.run_skin(self.scene._core, self.frame, self._with_circuit, heard)
 
@@ -104,78 +112,3 @@ class SkinResult(Result):
 
     def _repr_html_(self) -> str:
         return _html.page(self._drawable().html())
-
-
-def _unknown(scene: Skin) -> dict[str, Any]:
-    """What is not known of an answer where nothing else is said."""
-    return {
-        "tractions": None,
-        "deviation": None,
-        "alpha": None,
-        "alpha_source": None,
-        "force": float("nan"),
-        "relative_error": float("nan"),
-        "error_bound": None,
-        "data": None,
-        "normal_force": None,
-        "tangential_force": None,
-        "centre": None,
-        "patches": (),
-        "remarks": (),
-        "failure": "",
-        "tangential_y_force": None,
-        "tangential_z_force": None,
-        "centre_y": None,
-        "centre_z": None,
-        "torsion": None,
-        "friction": None,
-        "touching": np.zeros(scene.traction_shape, dtype=np.bool_),
-        "contacts": 0,
-    }
-
-
-def _answer(core: _core.SkinExperiment, scene: Skin) -> SkinMethodResult:
-    found, places = core.fields(), scene.traction_shape
-    remarks, relative = tuple(core.remarks()), tuple(map(float, core.relative()))
-    known: dict[str, Any] = _unknown(scene) | {"remarks": remarks, "relative_errors": relative}
-    if len(found["alpha"]) == 0:
-        return SkinMethodResult(**known | {"method": "tikhonov", "verdict": "failed", "failure": core.refusal})
-    wrench = dict(zip(_core.wrench_columns()[0:14:2], map(_known, found["wrench"][0, :14].reshape(-1, 2))))
-    force = wrench["normal"]
-    known |= {
-        "method": "tikhonov",
-        "verdict": found["verdict"][0],
-        "tractions": found["tractions"].reshape(-1, *places),
-        "deviation": found["deviation"].reshape(-1, *places),
-        "alpha": float(found["alpha"][0]),
-        "alpha_source": found["alpha_source"][0],
-        "force": float("nan") if force is None else force[0],
-        "relative_error": relative[0],
-        "data": found["data"][0],
-        "normal_force": force,
-        "failure": "no answer that holds" if found["verdict"][0] == "failed" else "",
-        "tangential_y_force": wrench["tangential_y"],
-        "tangential_z_force": wrench["tangential_z"],
-        "patches": patches(core.patches()),
-        "touching": found["touching"].reshape(places) != 0.0,
-        "contacts": int(found["contacts"][0]),
-    }
-    return SkinMethodResult(**known | {key: wrench[key] for key in ("centre_y", "centre_z", "torsion", "friction")})
-
-
-def _by_circuit(found: dict[str, Any], scene: Skin) -> SkinMethodResult:
-    """The circuit's answer: tractions of its nodes, which network.spacing may have in larger cells."""
-    known = _unknown(scene)
-    relative = tuple(map(float, found["relative"]))
-    if found["tractions"] is not None:
-        tractions = found["tractions"].reshape(found["shape"])
-        known |= {"tractions": tractions, "force": found["cell_area"] * float(tractions[0].sum())}
-    return SkinMethodResult(
-        **known
-        | {key: found[key] for key in ("verdict", "failure", "alpha", "alpha_source", "error_bound")}
-        | {"method": "network", "relative_error": relative[0], "relative_errors": relative}
-    )
-
-
-def _known(pair: Floats) -> Known:
-    return None if np.isnan(pair[0]) else (float(pair[0]), float(pair[1]))

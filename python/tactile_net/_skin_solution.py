@@ -56,7 +56,7 @@ class SkinSolution(Solution):
         self.tractions = found["tractions"].reshape(frames, components, *places)
         self._deviation = found["deviation"].reshape(frames, components, *places)
         self.touching = found["touching"].reshape(frames, *places) != 0.0
-        self._wrench = found["wrench"]  # seven values with their deviations; then data and alpha
+        self._wrench = found["wrench"]  # seven values with their deviations, and more
         self.wrench_covariance = found["covariance"].reshape(frames, 6, 6)
         """(T, 6, 6): of the first six numbers of `wrench`; 0 where one is not known."""
         self._ellipse = found["ellipse"]
@@ -94,6 +94,9 @@ class SkinSolution(Solution):
         if self._skin_core is None:  # it was pickled, as arrays
             self._skin_core = self._solved_skin()
         return self._skin_core
+
+    def _row(self, name: str) -> _core.RecordingRow:
+        return self._drawable().row(name)
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__ | {"_skin_core": None}

@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
-from test_files import FLOATS, READINGS, SI, SMALL, UNITLESS, assert_same, bits
+from recordings import FLOATS, READINGS, SI, SMALL, UNITLESS, assert_same, bits
 
 import tactile_net as tn
 

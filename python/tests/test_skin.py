@@ -281,8 +281,6 @@ def test_arrays_of_others_that_are_exchanged(skin: tn.Skin, tmp_path: Path) -> N
 
 
 def test_what_skins_do_not_do_they_say(skin: tn.Skin) -> None:
-    with pytest.raises(ValueError, match="counts the work for line arrays"):
-        skin.explain()
     with pytest.raises(ValueError, match="tikhonov alone"):
         skin.solve(np.zeros((1, 90)), "dft")
     with pytest.raises(ValueError, match="compare_rules"):

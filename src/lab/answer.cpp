@@ -1,7 +1,9 @@
 #include "tactile_net/lab/answer.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "lab/frame_method.hpp"
 #include "lab/lines_and_skins.hpp"
@@ -59,6 +61,26 @@ void tell(FrameAnswer& found, const FrameMethod& frame) {
 
 }  // namespace
 
+AnyProblem any_problem(AnyScene scene) {
+  if (auto* line = std::get_if<Scene>(&scene)) return SceneProblem(std::move(*line));
+  return SkinSceneProblem(std::get<SkinScene>(std::move(scene)));
+}
+
+AnyScene scene_of(const AnyProblem& problem) {
+  return std::visit([](const auto& one) -> AnyScene { return one.scene(); }, problem);
+}
+
+std::span<const double> component(std::span<const double> values, std::size_t places,
+                                  std::size_t which) {
+  const std::size_t first = which * places;
+  return first < values.size() ? values.subspan(first, places) : std::span<const double>{};
+}
+
+std::span<const double> component(std::span<const double> values, const SurfaceGrid& grid,
+                                  Traction which) {
+  return component(values, grid.count(), static_cast<std::size_t>(which));
+}
+
 // [the way of a frame]
 FrameAnswer answer(FrameMethod& frame, Bands bands) {
   // The readings are weighted by their noise and analysed; alpha is given, or a rule chooses it.
@@ -100,6 +122,15 @@ std::optional<DataVerdict> judged_data(const FrameMethod& frame, std::span<const
       find_pulls(*data, frame.residual(*free), frame.rows());
   doubt(*data, frame.repeating());
   return data;
+}
+
+void note_ignored_constraints(Verdict& verdict, Remarks& remarks) {
+  const auto said = [](const Remark& one) {
+    return std::holds_alternative<remark::ConstraintsIgnored>(one);
+  };
+  if (std::none_of(remarks.begin(), remarks.end(), said))
+    remarks.emplace_back(remark::ConstraintsIgnored{});
+  if (verdict != Verdict::failed) verdict = Verdict::unconstrained;
 }
 
 void note_clipped(Verdict& verdict, Remarks& remarks, remark::Clipped clipped) {

@@ -1,11 +1,12 @@
 #include "tactile_net/lab/broken_taxels.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "lab/lines_and_skins.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -21,27 +22,19 @@ const std::vector<std::size_t>* broken_taxels(const Finding& one) {
   return nullptr;
 }
 
-void add_rising(std::vector<std::size_t>& all, const std::vector<std::size_t>& more) {
-  all.insert(all.end(), more.begin(), more.end());
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-}
-
-/// @param measures  of dead taxels, whether the others measure anything
 template <typename Problem>
-Findings left_without(Problem& problem, const ReadingsCheck& check, const auto& measures) {
+Findings left_without(Problem& problem, const ReadingsCheck& check) {
   Findings said;
   finding::TaxelsLeftOut left_out;
   if (check.frames < least_frames) return said;
   for (const Finding& one : check.findings)
     if (const std::vector<std::size_t>* taxels = broken_taxels(one)) {
       said.push_back(one);
-      add_rising(left_out.taxels, *taxels);
+      left_out.taxels = rising(std::move(left_out.taxels), *taxels);
     }
   if (said.empty()) return said;
-  std::vector<std::size_t> dead = problem.scene().dead_taxels;
-  add_rising(dead, left_out.taxels);
-  if (!measures(dead)) return {};
+  const std::vector<std::size_t> dead = rising(problem.scene().dead_taxels, left_out.taxels);
+  if (!measures_without(problem, dead)) return {};
   problem = problem.without(dead);
   said.emplace_back(std::move(left_out));
   return said;
@@ -60,17 +53,15 @@ ReadingsCheck first_look(const AnyScene& scene,
 }
 
 Findings leave_out_broken(SceneProblem& problem, const ReadingsCheck& check) {
-  return left_without(problem, check, [&](const std::vector<std::size_t>& dead) {
-    LineProblemOptions options = problem.options();
-    options.dead_taxels = dead;
-    return is_measured(problem.scene().sensor, options);
-  });
+  return left_without(problem, check);
 }
 
 Findings leave_out_broken(SkinSceneProblem& problem, const ReadingsCheck& check) {
-  return left_without(problem, check, [&](const std::vector<std::size_t>& dead) {
-    return is_measured(problem.scene().sensor, dead, problem.scene().reconstruct.offset);
-  });
+  return left_without(problem, check);
+}
+
+Findings leave_out_broken(AnyProblem& problem, const ReadingsCheck& check) {
+  return std::visit([&](auto& one) { return left_without(one, check); }, problem);
 }
 
 }  // namespace tactile_net::lab

@@ -46,6 +46,10 @@ remark::DataDoubted data_doubted(const DataVerdict& data, const Scene& scene) {
   return with_names(data, scene);
 }
 
+remark::DataDoubted data_doubted(const DataVerdict& data, const SkinScene& scene) {
+  return with_names(data, scene);
+}
+
 void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel) {
   if (!bad_taxel) return;
   data.taxel = bad_taxel;

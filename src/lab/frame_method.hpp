@@ -3,11 +3,14 @@
 /// or large, do differently on it. Private.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "lab/lines_and_skins.hpp"
 #include "tactile_net/lab/answer.hpp"
 
 namespace tactile_net::lab {
@@ -76,8 +79,29 @@ enum class Bands {
                                                      std::span<const double> tractions,
                                                      double alpha);
 
+/// A method that does not know the scene's constraints has answered another question, which weighs
+/// more than how well.
+void note_ignored_constraints(Verdict& verdict, Remarks& remarks);
+
 /// What taxels at the end of their range do not tell weighs more than all else that is known.
 /// @param clipped  without a taxel: nothing is said
 void note_clipped(Verdict& verdict, Remarks& remarks, remark::Clipped clipped);
+
+/// The answer to a frame without the taxels at the end of their range, if these can be left out.
+///
+/// @param may_leave_out  of dead taxels, rising: whether the others measure anything
+/// @param solved         of those, null where every reading is taken for what it says
+[[nodiscard]] FrameAnswer answer_without_clipped(const auto& scene, std::span<const Site> sites,
+                                                 std::span<const double> readings,
+                                                 const auto& may_leave_out, const auto& solved) {
+  remark::Clipped clipped = clipped_in(scene, sites, readings);
+  std::vector<std::size_t> dead = scene.dead_taxels;
+  dead.insert(dead.end(), clipped.taxels.begin(), clipped.taxels.end());
+  std::sort(dead.begin(), dead.end());
+  clipped.left_out = clipped.range_known && !clipped.taxels.empty() && may_leave_out(dead);
+  FrameAnswer found = solved(clipped.left_out ? &dead : nullptr);
+  note_clipped(found.verdict, found.remarks, std::move(clipped));
+  return found;
+}
 
 }  // namespace tactile_net::lab

@@ -10,31 +10,13 @@
 namespace tactile_net::lab {
 namespace {
 
-/// What fingers do, with the force of the contact nearest to slipping for the sum of several.
-std::vector<FingerAction> at_nearest_to_slipping(std::vector<FingerAction> actions,
-                                                 const std::vector<Fingertip>& tips) {
+void put_plane_force(FingerAction& action, const FingertipForce& force) {
   using enum ContactValue;
-  for (std::size_t i = 0; i < actions.size(); ++i) {
-    if (!tips[i].nearest_to_slipping) continue;
-    const FingertipForce& force = *tips[i].nearest_to_slipping;
-    actions[i].normal = force.normal;
-    actions[i].tangential = force.tangential;
-    for (const ContactValue a : {normal, tangential})
-      for (const ContactValue b : {normal, tangential})
-        actions[i].covariance(a, b) = force.covariance(a, b);
-  }
-  return actions;
-}
-
-void measure_in_plane(GraspResult& result, const std::vector<Finger>& fingers) {
-  std::vector<FingertipForce> forces;
-  for (const Fingertip& tip : result.tips) forces.push_back(*tip.force);
-  const auto& load = result.hand.load;
-  MeasuredAnswer& answer = result.measured.emplace();
-  answer.grasp = measured_grasp(fingers, forces, load.value_or(ExternalLoad{}));
-  judge(result, GraspAnswer::measured, answer,
-        at_nearest_to_slipping(answer.grasp.fingers, result.tips));
-  answer.balanced = balanced(result, answer.grasp.chi_squared, balanced_limit);
+  action.normal = force.normal;
+  action.tangential = force.tangential;
+  for (const ContactValue a : {normal, tangential})
+    for (const ContactValue b : {normal, tangential})
+      action.covariance(a, b) = force.covariance(a, b);
 }
 
 /// The thesis' torques beside the general ones, for two fingers of two links.
@@ -57,21 +39,15 @@ TorqueWitness witness_of(const std::vector<Finger>& fingers,
 
 void hold_in_plane(GraspResult& result, const std::vector<Finger>& fingers) {
   const Hand& hand = result.hand;
-  const ExternalLoad load = hand.load.value_or(ExternalLoad{});
-  std::vector<ContactPlace> places;
-  for (const Fingertip& tip : result.tips) places.push_back(tip.place);
+  const ExternalLoad load = load_on(hand);
   HoldOptions options = hand.squeeze;
   options.friction = friction_used(hand);
+  const std::vector<ContactPlace> places = contact_places(result);
   HeldAnswer answer;
-  try {
-    answer.grasp = tactile_net::hold(fingers, places, load, options);
-  } catch (const CannotHold& error) {
-    result.failures.push_back({.kind = GraspFailure::Kind::cannot_hold,
-                               .answer = GraspAnswer::held,
-                               .reason = error.reason()});
+  if (!find_hold<CannotHold>(
+          result, answer, [&] { return tactile_net::hold(fingers, places, load, options); },
+          [](const CannotHold&) {}))
     return;
-  }
-  judge(result, GraspAnswer::held, answer, answer.grasp.fingers);
   const bool as_thesis = fingers.size() == 2 && fingers[0].links.size() == 2 &&
                          fingers[1].links.size() == 2 && hand.squeeze.grasping_force;
   if (as_thesis) {
@@ -89,8 +65,11 @@ void hold_in_plane(GraspResult& result, const std::vector<Finger>& fingers) {
 
 GraspResult hold(const Hand& hand, const FrameOf& frame_of, Observer& observer) {
   const bool squeezed = hand.squeeze.grasping_force || hand.squeeze.squeeze;
+  const auto measured = [](GraspResult& result, const std::vector<Finger>& fingers) {
+    measure(result, fingers, put_plane_force, balanced_limit);
+  };
   return grasp_of<GraspResult>(hand, squeezed, FingertipMaker(hand.folder, frame_of), observer,
-                               measure_in_plane, hold_in_plane);
+                               measured, hold_in_plane);
 }
 
 }  // namespace tactile_net::lab

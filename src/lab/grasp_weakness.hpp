@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "tactile_net/lab/grasp.hpp"
@@ -70,6 +71,11 @@ void judge(auto& result, GraspAnswer which, auto& answer, const auto& gripping) 
   find_weak(result, which, answer.grasp.fingers, answer.margins);
 }
 
+/// None: of no force.
+[[nodiscard]] auto load_on(const auto& hand) {
+  return hand.load.value_or(typename std::remove_cvref_t<decltype(hand.load)>::value_type{});
+}
+
 /// Whether the forces carry the load within their deviations; a failure if they do not.
 [[nodiscard]] std::optional<bool> balanced(auto& result, const std::optional<double>& chi_squared,
                                            double limit) {
@@ -85,6 +91,58 @@ void judge(auto& result, GraspAnswer which, auto& answer, const auto& gripping) 
   for (const auto& finger : hand.fingers)
     if (hand.friction_used) friction.push_back(*hand.friction_used * *finger.friction);
   return friction;
+}
+
+/// What fingers do, with the force of the contact nearest to slipping for the sum of several.
+///
+/// @param put  of (action, force)
+[[nodiscard]] auto at_nearest_to_slipping(auto actions, const auto& tips, const auto& put) {
+  for (std::size_t i = 0; i < actions.size(); ++i)
+    if (tips[i].nearest_to_slipping) put(actions[i], *tips[i].nearest_to_slipping);
+  return actions;
+}
+
+/// What the forces that are measured mean, and whether they carry the load.
+///
+/// @param put    as of `at_nearest_to_slipping`
+/// @param limit  of chi squared, up to which they do
+auto& measure(auto& result, const auto& fingers, const auto& put, double limit) {
+  std::vector<std::remove_cvref_t<decltype(*result.tips.front().force)>> forces;
+  for (const auto& tip : result.tips) forces.push_back(*tip.force);
+  auto& answer = result.measured.emplace();
+  answer.grasp = measured_grasp(fingers, forces, load_on(result.hand));
+  judge(result, GraspAnswer::measured, answer,
+        at_nearest_to_slipping(answer.grasp.fingers, result.tips, put));
+  answer.balanced = balanced(result, answer.grasp.chi_squared, limit);
+  return answer;
+}
+
+/// Where the fingers touch.
+[[nodiscard]] auto contact_places(const auto& result) {
+  std::vector<std::remove_cvref_t<decltype(result.tips.front().place)>> places;
+  for (const auto& tip : result.tips) places.push_back(tip.place);
+  return places;
+}
+
+/// What would hold the load.
+///
+/// @param answer   that is filled in
+/// @param hold     gives the grasp
+/// @param refused  of what `hold` throws where nothing holds
+/// @return  something does
+template <class CannotHoldIt>
+[[nodiscard]] bool find_hold(auto& result, auto& answer, const auto& hold, const auto& refused) {
+  try {
+    answer.grasp = hold();
+  } catch (const CannotHoldIt& error) {
+    result.failures.push_back({.kind = GraspFailure::Kind::cannot_hold,
+                               .answer = GraspAnswer::held,
+                               .reason = error.reason()});
+    refused(error);
+    return false;
+  }
+  judge(result, GraspAnswer::held, answer, answer.grasp.fingers);
+  return true;
 }
 
 /// Makes the fingertips, then what of their grasp can be known.

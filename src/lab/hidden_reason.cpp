@@ -15,8 +15,8 @@ bool only_odd(const SensorChoice& choice, Traction component) {
 
 /// True if the channels answer to both tractions in one proportion, at every wavelength.
 bool in_proportion(const SensorChoice& choice) {
-  const auto hidden = [](const Resolution& resolution) {
-    return !std::isfinite(resolution.normal) && !std::isfinite(resolution.tangential);
+  const auto hidden = [](const SkinResolution& resolution) {
+    return !std::isfinite(resolution.of_wave[0]) && !std::isfinite(resolution.of_wave[1]);
   };
   const auto begin = choice.resolutions.begin() + 1;
   const auto end = choice.resolutions.end() - 1;  // Nyquist, where odd kernels show nothing
@@ -27,7 +27,7 @@ bool in_proportion(const SensorChoice& choice) {
 
 std::vector<HiddenReason> hidden_reasons(const Scene& scene, const SensorChoice& own) {
   std::vector<HiddenReason> reasons;
-  const ModeSpace& hidden = own.identifiability.null_space;
+  const ModeSpace& hidden = own.identifiability->null_space;
   const std::size_t readings = reading_count(scene.sensor);
   const std::size_t tractions = own.unknowns * scene.sensor.count;
   const std::size_t by_symmetry = lost_by_symmetry(scene.sensor, own.unknowns);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,8 @@
 #include "lab/survey_assumptions.hpp"
 #include "lab/unseen_width.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
+#include "tactile_net/inverse/resolution.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/aperture.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
@@ -85,10 +88,22 @@ SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t tax
                              .unknown_offsets = scene.reconstruct.offset};
   for (const Channel& channel : all)
     options.channel_rms.push_back(assumed_rms(scene, noise, channel, traction, response_of(scene)));
-  choice.resolutions = resolutions(array, scene.material, options);
-  choice.normal = resolvable_wavelength(choice.resolutions, Traction::normal, traction);
-  if (choice.unknowns == 2)
-    choice.tangential = resolvable_wavelength(choice.resolutions, Traction::tangential_y, traction);
+  const std::vector<Resolution> waves = resolutions(array, scene.material, options);
+  for (const Resolution& one : waves)
+    choice.resolutions.push_back(
+        {.wavenumber_y = 2.0 * std::numbers::pi / one.wavelength,
+         .of_wave = {one.normal, one.tangential, std::numeric_limits<double>::infinity()}});
+  const HiddenWaves mean{
+      .direction = WaveDirection::mean,
+      .normal = !std::isfinite(waves.front().normal),
+      .divergence = choice.unknowns == 2 && !std::isfinite(waves.front().tangential)};
+  if (mean.count() > 0) choice.hidden.push_back(mean);
+  for (const SkinRipple ripple : ripples_of(choice.unknowns)) {
+    const auto wavelength = resolvable_wavelength(
+        waves, ripple == SkinRipple::pressure ? Traction::normal : Traction::tangential_y,
+        traction);
+    choice.wavelengths[static_cast<std::size_t>(ripple)] = {{wavelength, {}, wavelength}};
+  }
 
   choice.unseen =
       unseen_width(array, scene.material, options.channel_rms, scene.dead_taxels, traction);
@@ -96,7 +111,12 @@ SensorChoice study(const Scene& scene, const SensorArray& array, std::size_t tax
   const SensorArray decomposed = first_of(array, array.count * taxels / scene.sensor.count);
   if (taxels == array.count) options.dead_taxels = scene.dead_taxels;
   options.surface = one_value_per_taxel(decomposed);
-  choice.identifiability = identifiability(make_problem(decomposed, scene.material, options));
+  const Identifiability& all_told = choice.identifiability.emplace(
+      identifiability(make_problem(decomposed, scene.material, options)));
+  choice.array = {.tractions = all_told.singular_values.size(),
+                  .hidden = all_told.null_space.dimension,
+                  .condition = all_told.condition,
+                  .noise_gain = all_told.noise_gain};
   return choice;
 }
 
@@ -125,6 +145,21 @@ class SensorComparison {
     observer_.step({Step::Kind::sensors});
     survey_.own =
         study(scene_, scene_.sensor, scene_.sensor.count, survey_.noise, survey_.traction);
+    const double k = 2.0 * std::numbers::pi / survey_.wave;
+    for (const Channel& channel : channels(scene_.sensor)) {
+      const double rms =
+          assumed_rms(scene_, survey_.noise, channel, survey_.traction, response_of(scene_));
+      WaveShare share{channel.quantity, channel.depth, {}};
+      for (const SkinRipple ripple : ripples_of(survey_.own.unknowns)) {
+        const Traction part =
+            ripple == SkinRipple::pressure ? Traction::normal : Traction::tangential_y;
+        share.signal[static_cast<std::size_t>(ripple)] =
+            survey_.traction / rms *
+            std::abs(Aperture(channel.width, channel.depth).transform(k) *
+                     pad_transform(channel.quantity, part, scene_.material, channel.depth, k));
+      }
+      survey_.shares.push_back(without_rounding(share));
+    }
   }
 
   /// Every quantity and every pair at the scene's first depth, every quantity at two depths.
@@ -168,7 +203,7 @@ class SensorComparison {
     const SensorArray& sensor = scene_.sensor;
     if (same(reads, sensor.reads) && depths == depths_of(sensor)) return;
     observer_.step({Step::Kind::alternative, survey_.alternatives.size() + 1});
-    survey_.alternatives.push_back(study(scene_, reading(sensor, reads, depths), survey_.taxels,
+    survey_.alternatives.push_back(study(scene_, reading(sensor, reads, depths), survey_.rows,
                                          survey_.noise, survey_.traction));
   }
 
@@ -177,39 +212,29 @@ class SensorComparison {
   Observer& observer_;
 };
 
-/// The best alternative of those that `counts`, if it is worth a change.
-std::optional<std::size_t> best_of(const Survey& survey, const auto& counts) {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < survey.alternatives.size(); ++i)
-    if (const SensorChoice& choice = survey.alternatives[i];
-        counts(choice) && (!best || tells_more(choice, survey.alternatives[*best])))
-      best = i;
-  if (!best) return best;
-  const SensorChoice& choice = survey.alternatives[*best];
-  if (choice.unknowns != survey.own.unknowns) return best;
-  const bool worth =
-      tells_more(choice, survey.own) && ((hides_anything(survey.own) && !hides_anything(choice)) ||
-                                         coarsest(choice) < 0.9 * coarsest(survey.own));
-  return worth ? best : std::nullopt;
-}
-
 Advice advice_of(const Survey& survey) {
   const SensorChoice& own = survey.own;
+  const auto worth = [&](const SensorChoice& choice) {
+    if (choice.unknowns != own.unknowns) return true;
+    return tells_more(choice, own) && ((hides_anything(own) && !hides_anything(choice)) ||
+                                       coarsest(choice) < 0.9 * coarsest(own));
+  };
+  const auto best = [&](const auto& counts) { return best_of(survey, counts, worth); };
   const auto shares = [&](const SensorChoice& choice) {
     return std::any_of(own.reads.begin(), own.reads.end(), [&](Quantity quantity) {
       return std::find(choice.reads.begin(), choice.reads.end(), quantity) != choice.reads.end();
     });
   };
-  Advice advice{.exchange = best_of(survey, [&](const SensorChoice& choice) {
+  Advice advice{.exchange = best([&](const SensorChoice& choice) {
                   return choice.depths == own.depths && choice.reads.size() == own.reads.size() &&
                          choice.unknowns == own.unknowns &&
                          (own.reads.size() == 1 || shares(choice));
                 })};
-  const auto here = best_of(survey, [&](const SensorChoice& choice) {
+  const auto here = best([&](const SensorChoice& choice) {
     return choice.unknowns == 2 && choice.depths.size() == 1 &&
            choice.depths.front() == own.depths.front();
   });
-  const auto any = best_of(survey, [](const SensorChoice& choice) { return choice.unknowns == 2; });
+  const auto any = best([](const SensorChoice& choice) { return choice.unknowns == 2; });
   if (here != advice.exchange) advice.pair_here = here;
   if (any != advice.exchange && any != here) advice.best = any;
   return advice;
@@ -239,8 +264,13 @@ double traction_behind(const Scene& scene, std::span<const double> largest) {
 Survey identify(const Scene& scene, const SurveyOptions& options, Observer& observer) {
   check(options);
   Survey result{.traction = assumed_traction(scene, options, peak_traction),
-                .taxels = compared_taxels(scene.sensor.count)};
+                .rows = compared_taxels(scene.sensor.count)};
+  result.is_whole = result.rows == scene.sensor.count;
   result.noise = assumed_noise(scene, options, result.traction, response_of(scene));
+  const std::vector<double> depths = depths_of(scene.sensor);
+  const double least = *std::min_element(depths.begin(), depths.end());
+  // Twice as long as a skin's: of 2 pi depth a shear reads nothing of the drag.
+  result.wave = length_of_wave(2.0 * least, scene.sensor.pitch);
   SensorComparison comparison(scene, result, observer);
   comparison.own();
   comparison.in_place();

@@ -6,7 +6,10 @@
 
 #include "lab/border.hpp"
 #include "lab/lines_and_skins.hpp"
+#include "lab/recording_method.hpp"
+#include "numeric/finite.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
+#include "tactile_net/lab/missing.hpp"
 
 namespace tactile_net::lab {
 
@@ -17,7 +20,7 @@ const SceneFrame& LineFrameMethod::analysed() const {
 }
 
 ChosenAlpha LineFrameMethod::alpha() {
-  if (frame_.known != nullptr) return *frame_.known->alpha;
+  if (frame_.known != nullptr) return frame_.known->alpha;
   if (!frame_.has_bands) return {};
   ChosenAlpha alpha = frame_.alpha ? *frame_.alpha : *frame_.solver->alpha_of(analysed());
   alpha.tangential_weight = analysed().estimated_weight();
@@ -26,9 +29,13 @@ ChosenAlpha LineFrameMethod::alpha() {
 
 void LineFrameMethod::solve(FrameAnswer& answer) {
   if (frame_.known != nullptr) {
-    answer.tractions.assign(frame_.found.begin(), frame_.found.end());
-    result_ = *frame_.known;
-    answer.verdict = result_.solved.value_or(result_.verdict);
+    const FrameAnswer& known = *frame_.known;
+    answer.tractions = known.tractions;
+    answer.verdict = known.solved;
+    result_ = {.alpha = known.alpha,
+               .condition = known.condition,
+               .remarks = known.remarks,
+               .constrained = known.constrained};
     std::erase_if(result_.remarks, [](const Remark& one) {  // which are said anew
       return std::holds_alternative<remark::LowerBound>(one) ||
              std::holds_alternative<remark::Clipped>(one);
@@ -41,20 +48,15 @@ void LineFrameMethod::solve(FrameAnswer& answer) {
     if (result_.status != FrameStatus::ok) throw std::domain_error("the readings are not finite");
     answer.tractions = std::move(f);
     if (result_.verdict != Verdict::ok) answer.verdict = result_.verdict;
-    result_.solved = answer.verdict;
-    if (frame_.has_bands) result_.alpha = answer.alpha;
+    if (frame_.has_bands)
+      result_.alpha = answer.alpha;
+    else if (result_.alpha)
+      answer.alpha = *result_.alpha;
   }
+  answer.solved = answer.verdict;
   answer.condition = result_.condition;
   answer.constrained = result_.constrained;
   answer.remarks = result_.remarks;
-}
-
-FrameResult LineFrameMethod::result(const FrameAnswer& answer) const {
-  FrameResult all = result_;
-  all.verdict = answer.verdict;
-  all.remarks = answer.remarks;
-  all.data = answer.data;
-  return all;
 }
 
 std::optional<double> LineFrameMethod::rounding(const FrameAnswer& answer) const {
@@ -105,18 +107,106 @@ remark::DataDoubted LineFrameMethod::named(const DataVerdict& data) const {
   return with_names(data, frame_.problem.scene());
 }
 
-FrameAnswer with_bands(const SceneFrame& frame, std::span<const double> tractions,
-                       const FrameResult& result) {
-  LineFrameMethod solved({.problem = frame.given(),
-                          .readings = frame.readings(),
-                          .analysed = &frame,
-                          .known = &result,
-                          .found = tractions});
+FrameAnswer solve(const SceneProblem& problem, std::span<const double> readings,
+                  FrameSolver* solver) {
+  const auto as_read = [&](const SceneProblem& of_frame, FrameSolver* made) {
+    const auto own = made == nullptr ? make_solver(of_frame, Method::tikhonov) : nullptr;
+    LineFrameMethod frame(
+        {.problem = of_frame, .readings = readings, .solver = made == nullptr ? own.get() : made});
+    return answer(frame);
+  };
+  const Scene& scene = problem.scene();
+  const std::vector<Site> all = sites(scene.sensor);
+  if (readings.size() != all.size()) return as_read(problem, solver);  // which refuses them
+  return answer_without_clipped(
+      scene, all, readings,
+      [&](const std::vector<std::size_t>& dead) {
+        return can_leave_out(problem, Method::tikhonov) && measures_without(problem, dead);
+      },
+      [&](const std::vector<std::size_t>* dead) {
+        return dead != nullptr ? as_read(problem.without(*dead), nullptr)
+                               : as_read(problem, solver);
+      });
+}
+
+namespace {
+
+FrameAnswer line_with_bands(const SceneProblem& problem, std::span<const double> readings,
+                            const FrameAnswer& answered) {
+  const SceneFrame frame(problem, readings);
+  LineFrameMethod solved(
+      {.problem = problem, .readings = readings, .analysed = &frame, .known = &answered});
   FrameAnswer found = answer(solved);
-  for (const Remark& one : result.remarks)
+  if (problem.constraints() && !found.constrained)
+    note_ignored_constraints(found.verdict, found.remarks);
+  for (const Remark& one : answered.remarks)
     if (const auto* clipped = std::get_if<remark::Clipped>(&one))
       note_clipped(found.verdict, found.remarks, *clipped);
   return found;
+}
+
+class LineRecordingMethod final : public RecordingMethod {
+ public:
+  LineRecordingMethod(const SceneProblem& problem, Method method,
+                      std::unique_ptr<FrameSolver> solver)
+      : RecordingMethod(problem), line_(problem), method_(method), solver_(std::move(solver)) {}
+
+  /// Knows what earlier frames showed of contacts.
+  void remember() { memory_.emplace(); }
+
+  std::size_t tractions() const override { return solver_->tractions(); }
+  Remarks remarks() const override { return solver_->remarks(); }
+  std::size_t bytes() const override { return bytes_of_frames(line_); }
+  bool takes_threads() const override { return false; }
+  std::shared_ptr<RecordingMethod> without(std::span<const std::size_t> taxels) const override {
+    const SceneProblem rest = line_.without(taxels);
+    return std::make_shared<LineRecordingMethod>(rest, method_, make_solver(rest, method_));
+  }
+  FrameAnswer answer(std::span<const double> readings,
+                     std::optional<std::size_t> repeats) override {
+    if (readings.size() != line_.readings() || !all_finite(readings))
+      throw std::invalid_argument("a frame's readings have the wrong size or are not finite");
+    LineFrameMethod frame({.problem = line_,
+                           .readings = readings,
+                           .solver = solver_.get(),
+                           .has_bands = traits(method_).has_bands,
+                           .memory = memory_ ? &*memory_ : nullptr,
+                           .repeats = repeats});
+    FrameAnswer found = lab::answer(frame, Bands::later);
+    if (line_.constraints() && !found.constrained)
+      note_ignored_constraints(found.verdict, found.remarks);
+    return found;
+  }
+
+ private:
+  SceneProblem line_;
+  Method method_;
+  std::unique_ptr<FrameSolver> solver_;
+  std::optional<DataMemory> memory_{};
+};
+
+}  // namespace
+
+std::shared_ptr<RecordingMethod> recording_method(const SceneProblem& problem, Method method,
+                                                  std::optional<std::size_t> share_alpha) {
+  auto made = std::make_shared<LineRecordingMethod>(
+      problem, method,
+      share_alpha ? make_sharing_solver(problem, method, *share_alpha)
+                  : make_solver(problem, method));
+  made->remember();
+  return made;
+}
+
+bool has_bands(const AnyProblem& problem, Method method) {
+  const auto* line = std::get_if<SceneProblem>(&problem);
+  return line == nullptr || (traits(method).has_bands && line->has_bands());
+}
+
+FrameAnswer with_bands(const AnyProblem& problem, std::span<const double> readings,
+                       FrameAnswer answer) {
+  const auto* line = std::get_if<SceneProblem>(&problem);
+  if (line == nullptr) return answer;
+  return line_with_bands(*line, readings, answer);
 }
 
 }  // namespace tactile_net::lab

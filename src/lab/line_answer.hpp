@@ -21,8 +21,7 @@ struct LineFrame {
   bool has_bands = true;                 ///< `MethodTraits::has_bands`
   DataMemory* memory = nullptr;          ///< of the problem's judge; null: of no frame
   std::optional<std::size_t> repeats{};  ///< the taxel that does (repeating_taxels.hpp)
-  const FrameResult* known = nullptr;    ///< of a frame that has been solved; null: it has not
-  std::span<const double> found{};       ///< the tractions of that
+  const FrameAnswer* known = nullptr;    ///< of a frame that has been solved; null: it has not
 };
 
 class LineFrameMethod final : public FrameMethod {
@@ -31,8 +30,6 @@ class LineFrameMethod final : public FrameMethod {
 
   ChosenAlpha alpha() override;
   void solve(FrameAnswer& answer) override;
-  /// All that is known of the answer, in the words of a `FrameSolver`.
-  [[nodiscard]] FrameResult result(const FrameAnswer& answer) const;
 
   double residual(std::span<const double> tractions) const override {
     return frame_.problem.residual(frame_.readings, tractions);
@@ -61,7 +58,7 @@ class LineFrameMethod final : public FrameMethod {
 
   LineFrame frame_;
   mutable std::optional<SceneFrame> own_{};
-  FrameResult result_{};  // as it was solved, without what is judged
+  FrameResult result_{};  // what a solver says of it, without what is judged
 };
 
 }  // namespace tactile_net::lab

@@ -12,8 +12,12 @@
 
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/lab/remark.hpp"
+#include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/scene/clipped_taxels.hpp"
+#include "tactile_net/scene/sensor_effects.hpp"
 #include "tactile_net/sensing/effects/signal_layout.hpp"
 
 namespace tactile_net::lab {
@@ -21,6 +25,35 @@ namespace tactile_net::lab {
 [[nodiscard]] inline bool any_contact_moves(const auto& scene) {
   return std::any_of(scene.trajectories.begin(), scene.trajectories.end(),
                      [](const auto& trajectory) { return !trajectory.empty(); });
+}
+
+/// The rms of the noise that the scene states of a quantity's readings, with what a converter's
+/// steps add to it; 0: it is not stated.
+[[nodiscard]] inline double known_noise(const SensorEffects& effects, Quantity quantity) {
+  const auto stated = effects.noise->rms.find(quantity);
+  const double rms = stated == effects.noise->rms.end() ? 0.0 : stated->second;
+  if (!(rms > 0.0) || !effects.quantization) return rms;
+  return std::hypot(rms, step(*effects.quantization, quantity) / std::sqrt(12.0));
+}
+
+/// That of each channel, by which its readings are weighted; empty: they are not.
+[[nodiscard]] std::vector<double> weights_of_channels(const auto& scene) {
+  std::vector<double> rms;
+  if (scene.noise && scene.noise->weights_rows)
+    for (const Channel& channel : channels(scene.sensor))
+      rms.push_back(known_noise(scene, channel.quantity));
+  return rms;
+}
+
+/// That of one weighted reading; absent: it is not known, or there is none.
+[[nodiscard]] std::optional<double> noise_of_readings(const auto& scene) {
+  if (!scene.noise) return std::nullopt;
+  if (scene.noise->weights_rows) return 1.0;
+  double squares = 0.0;
+  const std::vector<Channel> all = channels(scene.sensor);
+  for (const Channel& channel : all)
+    squares += std::pow(known_noise(scene, channel.quantity), 2) / static_cast<double>(all.size());
+  return squares > 0.0 ? std::optional(std::sqrt(squares)) : std::nullopt;
 }
 
 /// @param options  of [reconstruct]
@@ -75,6 +108,37 @@ inline void find_pulls(DataVerdict& data, double left, std::size_t rows) {
   return {.data = data,
           .taxel = data.taxel ? taxel_name(scene.sensor, *data.taxel) : std::string{},
           .offsets = offsets_found(data.offset, scene)};
+}
+
+/// What a line's problem, made ready for frames, takes in memory, about: K, its decomposition, the
+/// method's matrix, a covariance.
+[[nodiscard]] inline std::size_t bytes_of_frames(const SceneProblem& problem) {
+  constexpr std::size_t matrices = 8;
+  constexpr std::size_t numbers_of_rules = 1000;  // AlphaTables, per traction
+  const std::size_t n = problem.tractions();
+  return sizeof(double) * (matrices * (problem.readings() + n) + numbers_of_rules) * n;
+}
+
+/// All of both, each once.
+[[nodiscard]] inline std::vector<std::size_t> rising(std::vector<std::size_t> taxels,
+                                                     std::span<const std::size_t> more) {
+  taxels.insert(taxels.end(), more.begin(), more.end());
+  std::sort(taxels.begin(), taxels.end());
+  taxels.erase(std::unique(taxels.begin(), taxels.end()), taxels.end());
+  return taxels;
+}
+
+/// Whether the other taxels measure anything where these are dead.
+[[nodiscard]] inline bool measures_without(const SceneProblem& problem,
+                                           const std::vector<std::size_t>& taxels) {
+  LineProblemOptions options = problem.options();
+  options.dead_taxels = taxels;
+  return is_measured(problem.scene().sensor, options);
+}
+[[nodiscard]] inline bool measures_without(const SkinSceneProblem& problem,
+                                           const std::vector<std::size_t>& taxels) {
+  const SkinScene& scene = problem.scene();
+  return is_measured(scene.sensor, taxels, scene.reconstruct.offset);
 }
 
 [[nodiscard]] std::vector<std::string> taxel_names(const auto& array,

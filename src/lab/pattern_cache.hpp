@@ -21,8 +21,8 @@ class PatternCache {
   explicit PatternCache(std::size_t bytes_of_one, std::size_t bytes = most_bytes)
       : most_kept_(std::max<std::size_t>(bytes / bytes_of_one, 1)) {}
 
-  /// Of these taxels; `make` gives it where it is not kept.
-  Pattern& operator()(const Key& taxels, const auto& make) {
+  /// Of these taxels; `make` gives it where it is not kept. In use it outlives the cache.
+  const std::shared_ptr<Pattern>& operator()(const Key& taxels, const auto& make) {
     auto known = patterns_.find(taxels);
     if (known == patterns_.end()) {
       if (patterns_.size() >= most_kept_)
@@ -32,7 +32,7 @@ class PatternCache {
       known = patterns_.emplace(taxels, Kept{make(), 0}).first;
     }
     known->second.used = ++uses_;
-    return *known->second.pattern;
+    return known->second.pattern;
   }
 
   [[nodiscard]] std::size_t kept() const noexcept { return patterns_.size(); }
@@ -42,7 +42,7 @@ class PatternCache {
 
  private:
   struct Kept {
-    std::unique_ptr<Pattern> pattern;
+    std::shared_ptr<Pattern> pattern;
     std::size_t used;  // when, in uses
   };
   std::size_t most_kept_;

@@ -217,7 +217,7 @@ ReadingsCheck ReadingsChecker::Parts::judged(Observer* of_loads) const {
       evidence.bury(without->taxels);
   say_channels(evidence, check);
   if (frames == 0) return check;
-  const Findings by_scene = std::visit([](const auto& one) { return scene_findings(one); }, scene);
+  const Findings by_scene = scene_findings(scene);
 
   check.sampled = evidence.triples.size();
   finding::SignsLost unsigned_ones;

@@ -5,90 +5,89 @@
 #include <limits>
 #include <utility>
 
-#include "tactile_net/lab/answer.hpp"
-
 namespace tactile_net::lab {
 namespace {
 
-std::size_t most_for(std::size_t tractions) {
-  return std::clamp(Recording::most_values / std::max<std::size_t>(tractions, 1), std::size_t{100},
-                    Recording::most_groups);
+constexpr double unknown_value = std::numeric_limits<double>::quiet_NaN();
+
+/// How many groups are kept, at most.
+std::size_t most_for(bool is_line, const FrameAnswer& answer, std::size_t readings,
+                     std::size_t places) {
+  const auto within = [](std::size_t all, std::size_t of_one, std::size_t least) {
+    return std::clamp(all / std::max<std::size_t>(of_one, 1), least, Recording::most_groups);
+  };
+  const std::size_t tractions = answer.tractions.size();
+  if (is_line) return within(Recording::most_line_values, tractions, 100);
+  return within(Recording::most_skin_values,
+                tractions + readings + (answer.deviations.empty() ? 0 : places), 16);
 }
 
 /// Whether b is to stand for a group rather than a.
-bool stands_before(const FrameGroup& b, const FrameGroup& a) {
-  return std::pair(b.verdict == Verdict::ok, b.load) > std::pair(a.verdict == Verdict::ok, a.load);
+bool stands_before(const FrameGroup& b, const FrameGroup& a, bool by_verdict) {
+  const auto rank = [&](const FrameGroup& group) {
+    return std::pair(by_verdict && group.answer.verdict == Verdict::ok, group.load);
+  };
+  return rank(b) > rank(a);
 }
 
 /// Takes `next`, whose frames follow, into `group`.
-void absorb(FrameGroup& group, FrameGroup&& next) {
-  next.first = group.first;
-  next.count += group.count;
-  if (group.distrusted > 0) next.distrust = group.distrust;
-  next.distrusted += group.distrusted;
-  next.doubted += group.doubted;
-  next.lowest_normal = std::min(group.lowest_normal, next.lowest_normal);
-  next.highest_normal = std::max(group.highest_normal, next.highest_normal);
-  next.lowest_tangential = std::min(group.lowest_tangential, next.lowest_tangential);
-  next.highest_tangential = std::max(group.highest_tangential, next.highest_tangential);
-  if (!stands_before(next, group)) {
-    next.shown = group.shown;
-    next.time = group.time;
-    next.load = group.load;
-    next.verdict = group.verdict;
-    next.alpha = group.alpha;
-    next.data = group.data;
-    next.readings.swap(group.readings);
-    next.tractions.swap(group.tractions);
-    next.resultant = group.resultant;
-  }
-  group = std::move(next);
+void absorb(FrameGroup& group, FrameGroup&& next, bool by_verdict) {
+  group.count += next.count;
+  group.distrusted += next.distrusted;
+  group.doubted += next.doubted;
+  group.lowest_normal = std::min(group.lowest_normal, next.lowest_normal);
+  group.highest_normal = std::max(group.highest_normal, next.highest_normal);
+  group.lowest_tangential = std::min(group.lowest_tangential, next.lowest_tangential);
+  group.highest_tangential = std::max(group.highest_tangential, next.highest_tangential);
+  if (!stands_before(next, group, by_verdict)) return;
+  group.shown = next.shown;
+  group.time = next.time;
+  group.load = next.load;
+  group.readings.swap(next.readings);
+  group.answer = std::move(next.answer);
+  group.resultant = next.resultant;
 }
 
-/// What |F_v| is above where it is more than noise [N/m].
+/// What |F_v| is above where it is more than noise.
 double least_force(const RecordingOverview& overview, const FrameGroup& group) {
-  return group.bands ? 3.0 * group.bands->resultant.normal.deviation
-                     : 0.05 * std::abs(overview.peak().resultant.normal);
+  return group.answer.bands ? 3.0 * group.answer.bands->resultant.normal.deviation
+                            : 0.05 * std::abs(overview.peak().resultant.normal);
+}
+
+/// What a skin's picture needs: the rest of an answer would be most of the memory.
+FrameAnswer pictured(const FrameAnswer& answer) {
+  return {.tractions = answer.tractions,
+          .deviations = answer.deviations,
+          .alpha = answer.alpha,
+          .verdict = answer.verdict,
+          .data = answer.data,
+          .cells = answer.cells,
+          .wrench = answer.wrench};
 }
 
 }  // namespace
 
-bool RecordingOverview::tangential() const noexcept {
-  return !groups.empty() && groups.front().tractions.size() > surface(scene).count;
+bool RecordingOverview::tangential() const {
+  return !groups.empty() && groups.front().answer.tractions.size() > places();
+}
+
+std::size_t RecordingOverview::places() const {
+  return is_line() ? surface(line()).count : grid.count();
+}
+
+std::span<const FollowedContact> RecordingOverview::contacts(const FrameGroup& group) const {
+  return is_line() ? group.contacts : rows[group.shown].contacts;
 }
 
 const FrameGroup& RecordingOverview::peak() const {
   return *std::max_element(
-      groups.begin(), groups.end(), [](const FrameGroup& a, const FrameGroup& b) {
+      groups.begin(), groups.end(), [&](const FrameGroup& a, const FrameGroup& b) {
+        if (!is_line()) return a.load < b.load;
         const auto rank = [](const FrameGroup& group) {
-          return std::pair(group.verdict == Verdict::ok, std::abs(group.resultant.normal));
+          return std::pair(group.answer.verdict == Verdict::ok, std::abs(group.resultant.normal));
         };
         return rank(a) < rank(b);
       });
-}
-
-std::vector<const FrameGroup*> RecordingOverview::trusted() const {
-  std::vector<const FrameGroup*> some;
-  for (const FrameGroup& group : groups)
-    if (group.verdict == Verdict::ok) some.push_back(&group);
-  if (some.empty())
-    for (const FrameGroup& group : groups) some.push_back(&group);
-  return some;
-}
-
-std::span<const double> RecordingOverview::component(std::span<const double> values,
-                                                     Traction traction) const {
-  const std::size_t n = surface(scene).count;
-  if (traction == Traction::normal) return values.first(n);
-  return values.size() > n ? values.subspan(n, n) : std::span<const double>{};
-}
-
-double RecordingOverview::largest(Traction traction) const {
-  double most = 0.0;
-  for (const FrameGroup* group : trusted())
-    for (const double value : component(group->tractions, traction))
-      most = std::max(most, std::abs(value));
-  return most;
 }
 
 bool RecordingOverview::loaded(const FrameGroup& group) const {
@@ -99,106 +98,135 @@ bool RecordingOverview::pulled(const FrameGroup& group) const {
   return -group.resultant.normal > least_force(*this, group);
 }
 
-Recording::Recording(SceneProblem problem, Method method)
-    : problem_(std::move(problem)), method_(method), most_(most_for(problem_.tractions())) {}
+Recording::Recording(const AnyProblem& problem, Method method)
+    : problem_(problem), all_{.scene = scene_of(problem), .method = method} {
+  if (const auto* skin = std::get_if<SkinSceneProblem>(&problem)) all_.grid = skin->grid();
+}
 
-void Recording::skip() {
-  ++frames_;
-  ++verdicts_[Verdict::failed];
-  if (groups_.empty() || groups_.back().count >= per_group_) {
+void Recording::skip(std::optional<double> time) {
+  if (!all_.is_line()) {
+    all_.rows.push_back(
+        {.time = time.value_or(unknown_value), .missing = true, .verdict = Verdict::failed});
+    all_.rows.back().wrench.normal = {unknown_value, unknown_value};
+  }
+  all_.skipped.add(all_.frames++);
+  ++all_.verdicts[Verdict::failed];
+  if (all_.groups.empty() || all_.groups.back().count >= all_.per_group) {
     ++skipped_;
     return;
   }
-  FrameGroup& group = groups_.back();
+  FrameGroup& group = all_.groups.back();
   ++group.count;
-  if (group.distrusted++ == 0) group.distrust = Verdict::failed;
+  ++group.distrusted;
 }
 
-void Recording::add(std::optional<double> time, const SceneProblem& problem,
-                    std::span<const double> readings, std::span<const double> tractions,
-                    const FrameResult& result) {
-  const Surface& surface = problem_.surface();
-  const auto normal = tractions.first(surface.count);
-  FrameGroup frame{.first = frames_, .count = 1, .shown = frames_};
-  frame.resultant = resultant_of(normal, tractions.subspan(surface.count), surface);
+void Recording::add(std::optional<double> time, const AnyProblem& problem,
+                    std::span<const double> readings, const FrameAnswer& answer, bool estimated) {
+  const std::size_t number = all_.frames;
+  FrameGroup frame{.first = number, .count = 1, .shown = number};
+  if (const auto* line = std::get_if<SceneProblem>(&problem_)) {
+    const Surface& surface = line->surface();
+    const std::span<const double> tractions = answer.tractions;
+    const auto normal = tractions.first(surface.count);
+    frame.resultant = resultant_of(normal, tractions.subspan(surface.count), surface);
+    for (const double traction : normal) frame.load += std::abs(traction);
+  } else {
+    frame.load = frame.resultant.normal = answer.wrench.normal.value;
+    if (answer.wrench.tangential_y && answer.wrench.tangential_z)
+      frame.resultant.tangential =
+          std::hypot(answer.wrench.tangential_y->value, answer.wrench.tangential_z->value);
+    add_row(time, readings, answer, estimated);
+  }
   frame.lowest_normal = frame.highest_normal = frame.resultant.normal;
   frame.lowest_tangential = frame.highest_tangential = frame.resultant.tangential;
-  frame.time = time.value_or(std::numeric_limits<double>::quiet_NaN());
-  for (const double traction : normal) frame.load += std::abs(traction);
-  frame.verdict = frame.distrust = result.verdict;
-  frame.distrusted = is_faultless(result.verdict) ? 0 : 1;
-  frame.alpha = result.alpha;
-  frame.data = result.data;
-  if (result.data && !result.data->consistent()) {
+  frame.time = time.value_or(unknown_value);
+  frame.answer.verdict = answer.verdict;
+  frame.distrusted = is_faultless(answer.verdict) ? 0 : 1;
+  if (answer.data && !answer.data->consistent()) {
     frame.doubted = 1;
-    ++doubted_;
-    for (const DataDoubt doubt : result.data->doubts) ++doubts_[doubt];
+    ++all_.doubted;
+    for (const DataDoubt doubt : answer.data->doubts) ++all_.doubts[doubt];
   }
-  ++frames_;
-  ++verdicts_[result.verdict];
+  if (estimated) all_.estimated.add(number);
+  if (all_.frames++ == all_.skipped.count())
+    most_ = most_for(all_.is_line(), answer, readings.size(), all_.grid.count());
+  ++all_.verdicts[answer.verdict];
 
-  const bool opens = groups_.empty() || groups_.back().count >= per_group_;
-  const bool shown = opens || stands_before(frame, groups_.back());
+  std::vector<FrameGroup>& groups = all_.groups;
+  const bool opens = groups.empty() || groups.back().count >= all_.per_group;
+  const bool shown = opens || stands_before(frame, groups.back(), all_.is_line());
   if (shown) {
     frame.readings.assign(readings.begin(), readings.end());
-    frame.tractions.assign(tractions.begin(), tractions.end());
+    frame.answer = all_.is_line() ? answer : pictured(answer);
   }
+  // A skin's answers have their bands: what they were solved with is not kept for them.
+  const AnyProblem& solved_with = all_.is_line() ? problem : problem_;
   if (opens) {
     frame.first -= skipped_;
     frame.count += skipped_;
-    if (skipped_ > 0 && frame.distrusted == 0) frame.distrust = Verdict::failed;
     frame.distrusted += skipped_;
     skipped_ = 0;
-    groups_.push_back(std::move(frame));
-    sources_.push_back({problem, result});
+    groups.push_back(std::move(frame));
+    problems_.push_back(solved_with);
   } else {
-    if (shown) sources_.back() = {problem, result};
-    absorb(groups_.back(), std::move(frame));
+    if (shown) problems_.back() = solved_with;
+    absorb(groups.back(), std::move(frame), all_.is_line());
   }
-  if (groups_.size() == most_ && groups_.back().count >= per_group_) merge_neighbours();
+  if (groups.size() == most_ && groups.back().count >= all_.per_group) merge_neighbours();
+}
+
+void Recording::add_row(std::optional<double> time, std::span<const double> readings,
+                        const FrameAnswer& answer, bool estimated) {
+  all_.rows.push_back(
+      {.time = time.value_or(unknown_value),
+       .estimated = estimated,
+       .verdict = answer.verdict,
+       .alpha = answer.alpha,
+       .wrench = answer.wrench,
+       .friction = answer.friction ? std::optional(answer.friction->ratio) : std::nullopt,
+       .data = answer.data.value_or(DataVerdict{}),
+       .contacts = all_.tracker.follow(all_.frames, answer.patches)});
+  if (all_.answer && answer.wrench.normal.value <= all_.answer->wrench.normal.value) return;
+  all_.hardest = all_.frames;
+  all_.readings.assign(readings.begin(), readings.end());
+  all_.answer = answer;
 }
 
 void Recording::times_without_unit() {
-  for (FrameGroup& group : groups_) group.time = std::numeric_limits<double>::quiet_NaN();
+  for (FrameGroup& group : all_.groups) group.time = unknown_value;
+  for (FrameRow& row : all_.rows) row.time = unknown_value;
 }
 
 void Recording::merge_neighbours() {
+  std::vector<FrameGroup>& groups = all_.groups;
   std::vector<FrameGroup> merged;
-  std::vector<Source> sources;
-  for (std::size_t i = 0; i < groups_.size(); i += 2) {
+  std::vector<AnyProblem> problems;
+  for (std::size_t i = 0; i < groups.size(); i += 2) {
     const std::size_t next = i + 1;
-    const bool second = next < groups_.size() && stands_before(groups_[next], groups_[i]);
-    sources.push_back(std::move(sources_[second ? next : i]));
-    merged.push_back(std::move(groups_[i]));
-    if (next < groups_.size()) absorb(merged.back(), std::move(groups_[next]));
+    const bool second =
+        next < groups.size() && stands_before(groups[next], groups[i], all_.is_line());
+    problems.push_back(std::move(problems_[second ? next : i]));
+    merged.push_back(std::move(groups[i]));
+    if (next < groups.size()) absorb(merged.back(), std::move(groups[next]), all_.is_line());
   }
-  groups_ = std::move(merged);
-  sources_ = std::move(sources);
-  per_group_ *= 2;
+  groups = std::move(merged);
+  problems_ = std::move(problems);
+  all_.per_group *= 2;
 }
 
 RecordingOverview Recording::overview(Observer& observer) const {
-  RecordingOverview overview{.scene = problem_.scene(),
-                             .method = method_,
-                             .frames = frames_,
-                             .verdicts = verdicts_,
-                             .doubts = doubts_,
-                             .doubted = doubted_,
-                             .groups = groups_};
-  if (!traits(method_).has_bands || !problem_.has_bands()) return overview;
-  for (std::size_t i = 0; i < groups_.size() && !observer.stop(); ++i) {
+  RecordingOverview overview = all_;
+  if (!overview.is_line() || !has_bands(problem_, overview.method)) return overview;
+  for (std::size_t i = 0; i < overview.groups.size() && !observer.stop(); ++i) {
     FrameGroup& group = overview.groups[i];
-    const auto& [problem, result] = sources_[i];
-    FrameAnswer answer = with_bands(SceneFrame(problem, group.readings), group.tractions, result);
-    group.bands = std::move(answer.bands);
-    group.contacts = overview.tracker.follow(group.shown, group.bands->patches);
-    const Verdict told = answer.verdict;
-    if (told == group.verdict) continue;
-    if (is_faultless(group.verdict) && !is_faultless(told) && group.distrusted++ == 0)
-      group.distrust = told;
-    if (--overview.verdicts[group.verdict] == 0) overview.verdicts.erase(group.verdict);
+    const Verdict before = group.answer.verdict;
+    group.answer = with_bands(problems_[i], group.readings, std::move(group.answer));
+    group.contacts = overview.tracker.follow(group.shown, group.answer.bands->patches);
+    const Verdict told = group.answer.verdict;
+    if (told == before) continue;
+    if (is_faultless(before) && !is_faultless(told)) ++group.distrusted;
+    if (--overview.verdicts[before] == 0) overview.verdicts.erase(before);
     ++overview.verdicts[told];
-    group.verdict = told;
   }
   return overview;
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "lab/line_answer.hpp"
 #include "lab/lines_and_skins.hpp"
@@ -33,6 +35,7 @@ class Stopwatch {
 /// What all methods of one run share.
 struct Run {
   const RunOptions& options;
+  const Workload& work;
   SceneProblem problem;
   SceneFrame frame;
   Experiment& experiment;
@@ -54,64 +57,40 @@ double frame_seconds(FrameSolver& solver, const Run& run) {
   return *middle;
 }
 
-/// Splits a method's tractions into components, and each beside the truth.
-void measure(MethodResult& result, std::span<const double> f, const Surface& surface,
-             const TractionField& truth) {
+/// A line's tractions beside the truth, component by component.
+void measure(MethodResult& result, const Experiment& experiment, const Surface& surface) {
   const std::size_t n = surface.count;
-  const std::vector<double> no_tangential(n);
-  const auto component = [](std::span<const double> traction, std::span<const double> reference) {
-    return Component{.traction = {traction.begin(), traction.end()},
-                     .mean_abs = mean_absolute_error(traction, reference),
-                     .relative_l2 = relative_l2_error(traction, reference)};
-  };
-  result.normal = component(f.first(n), truth.normal);
-  result.force = sampled_force(result.normal.traction, surface.spacing);
-  if (f.size() > n)
-    result.tangential =
-        component(f.subspan(n), truth.tangential.empty() ? no_tangential : truth.tangential);
-}
-
-/// What an answer with bands says beside its tractions.
-void take_answer(MethodResult& result, FrameAnswer&& found, const Run& run) {
-  result.verdict = found.verdict;
-  result.condition = found.condition;
-  result.error_bound = found.error_bound;
-  result.constrained = std::move(found.constrained);
-  result.data = std::move(found.data);
-  result.offsets = std::move(found.offsets);
-  result.remarks = std::move(found.remarks);
-  if (!found.bands) return;
-  result.noise = found.noise;
-  result.resultant = found.bands->resultant;
-  result.patches = found.bands->patches;
-  const auto middle =
-      found.deviations.begin() + static_cast<std::ptrdiff_t>(run.problem.surface().count);
-  result.normal.deviation.assign(found.deviations.begin(), middle);
-  result.tangential.deviation.assign(middle, found.deviations.end());
-  if (run.experiment.work.does(Computation::hidden_modes) && run.problem.hidden().dimension > 0)
-    result.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
+  std::vector<double> truth = experiment.frame.truth;
+  truth.resize(std::max(truth.size(), result.answer.tractions.size()));  // else nothing drags
+  result.errors.clear();
+  for (std::size_t c = 0; c * n < result.answer.tractions.size(); ++c) {
+    const auto found = component(result.answer.tractions, n, c);
+    const auto exact = component(truth, n, c);
+    result.errors.push_back({.mean_abs = mean_absolute_error(found, exact),
+                             .relative = relative_l2_error(found, exact)});
+  }
+  result.force = sampled_force(component(result.answer.tractions, n, 0), surface.spacing);
 }
 
 /// Of a method without bands, with the alpha that it was made for.
-std::vector<double> solve_alone(MethodResult& result, FrameSolver& solver, const Run& run) {
+FrameAnswer solve_alone(FrameSolver& solver, const Run& run) {
   std::vector<double> f(solver.tractions());
-  const FrameResult answer = solver.solve(run.frame.readings(), f);
-  if (answer.status == FrameStatus::too_large) throw FrameOverflow();
-  if (answer.status != FrameStatus::ok) throw std::domain_error("the readings are not finite");
-  result.alpha = answer.alpha;
-  result.verdict = answer.verdict;
-  result.condition = answer.condition;
-  result.error_bound = solver.error_bound(run.frame.readings(), f);
-  result.remarks = answer.remarks;
-  return f;
+  const FrameResult found = solver.solve(run.frame.readings(), f);
+  if (found.status == FrameStatus::too_large) throw FrameOverflow();
+  if (found.status != FrameStatus::ok) throw std::domain_error("the readings are not finite");
+  FrameAnswer answer{.tractions = std::move(f),
+                     .alpha = found.alpha.value_or(ChosenAlpha{}),
+                     .verdict = found.verdict,
+                     .condition = found.condition,
+                     .remarks = found.remarks};
+  answer.error_bound = solver.error_bound(run.frame.readings(), answer.tractions);
+  return answer;
 }
 
-/// Of a method that does not know the scene's constraints: it has answered another question, which
-/// weighs more than how well.
+/// Of a method that does not know the scene's constraints.
 void note_constraints(MethodResult& result, const Run& run) {
-  if (!run.problem.constraints()) return;
-  result.remarks.emplace_back(remark::ConstraintsIgnored{});
-  if (result.verdict != Verdict::failed) result.verdict = Verdict::unconstrained;
+  if (run.problem.constraints())
+    note_ignored_constraints(result.answer.verdict, result.answer.remarks);
 }
 
 MethodResult reconstruct(Method method, const Run& run) {
@@ -133,14 +112,14 @@ MethodResult reconstruct(Method method, const Run& run) {
                              .analysed = &run.frame,
                              .solver = solver.get(),
                              .alpha = alpha});
-      FrameAnswer found = answer(frame);
-      measure(result, found.tractions, run.problem.surface(), run.experiment.frame.truth);
-      result.alpha = found.alpha;
-      take_answer(result, std::move(found), run);
+      result.answer = answer(frame);
+      if (result.answer.bands && run.work.does(Computation::hidden_modes) &&
+          run.problem.hidden().dimension > 0)
+        result.answer.remarks.emplace_back(remark::Hidden{run.problem.hidden()});
     } else {
-      measure(result, solve_alone(result, *solver, run), run.problem.surface(),
-              run.experiment.frame.truth);
+      result.answer = solve_alone(*solver, run);
     }
+    measure(result, run.experiment, run.problem.surface());
     result.frame_seconds = frame_seconds(*solver, run);
     if (!traits(method).takes_constraints) note_constraints(result, run);
   } catch (const std::domain_error& error) {
@@ -148,8 +127,28 @@ MethodResult reconstruct(Method method, const Run& run) {
   } catch (const std::invalid_argument& error) {
     result.refusal = error.what();
   }
-  if (!result.refusal.empty()) result.verdict = Verdict::failed;
+  if (!result.refusal.empty()) result.answer.verdict = Verdict::failed;
   return result;
+}
+
+/// What the simulator makes of the experiment's circuit.
+///
+/// @param tractions  those of the nodes as the answer's
+/// @throw SimulatorError
+void relax(MethodResult& result, Experiment& experiment, Simulator& simulator, Observer& observer,
+           const auto& tractions) {
+  const Relaxation& relaxation =
+      experiment.relaxation.emplace(lab::relax(*experiment.circuit, simulator, observer));
+  result.frame_seconds = relaxation.ngspice_seconds;
+  FrameAnswer& answer = result.answer;
+  answer.tractions = tractions(relaxation.tractions);
+  answer.verdict = relaxation.verdict();
+  answer.condition = relaxation.condition;
+  if (!relaxation.stable) return;
+  answer.error_bound = relaxation.explained.total();
+  if (!relaxation.resolved())
+    answer.remarks.emplace_back(
+        remark::VoltagesUnresolved{relaxation.condition.value, relaxation.explained.limit});
 }
 
 MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer) {
@@ -158,24 +157,15 @@ MethodResult by_network(Simulator& simulator, const Run& run, Observer& observer
   try {
     const Stopwatch setup(run.options.clock);
     const ChosenAlpha alpha = run.frame.alpha();
-    const SceneCircuit& circuit = experiment.circuit.emplace(run.frame, alpha);
+    experiment.circuit.emplace(run.frame, alpha);
     result.setup_seconds = setup.elapsed();
-    result.alpha = alpha;
-    const Relaxation relaxation = relax(circuit, simulator, observer);
-    result.frame_seconds = relaxation.ngspice_seconds;
-    result.condition = relaxation.condition;
+    result.answer.alpha = alpha;
     const Surface& own = run.problem.surface();
     const Scene& scene = run.problem.scene();
-    measure(result,
-            scene.network.spacing ? resampled(relaxation.tractions, surface(of_circuit(scene)), own)
-                                  : relaxation.tractions,
-            own, experiment.frame.truth);
-    experiment.relaxation = relaxation;
-    result.verdict = relaxation.verdict();
-    if (relaxation.stable && !relaxation.resolved())
-      result.remarks.emplace_back(
-          remark::VoltagesUnresolved{relaxation.condition.value, relaxation.explained.limit});
-    if (relaxation.stable) result.error_bound = relaxation.explained.total();
+    relax(result, experiment, simulator, observer, [&](const std::vector<double>& found) {
+      return scene.network.spacing ? resampled(found, surface(of_circuit(scene)), own) : found;
+    });
+    measure(result, experiment, own);
     note_constraints(result, run);
   } catch (const SimulatorError& error) {
     result.refusal = error.what();
@@ -207,7 +197,7 @@ SceneFrame without(const SceneFrame& frame, std::span<const std::size_t> taxels)
 void note_clipped_by_method(MethodResult& result, remark::Clipped clipped) {
   if (!result.has_answer()) return;
   clipped.left_out = clipped.left_out && traits(result.method).has_bands;
-  note_clipped(result.verdict, result.remarks, std::move(clipped));
+  note_clipped(result.answer.verdict, result.answer.remarks, std::move(clipped));
 }
 
 /// The method whose answer is followed over the scene's time, if there is one.
@@ -217,45 +207,66 @@ std::optional<Method> followed(const std::vector<MethodResult>& results) {
   return std::nullopt;
 }
 
+/// A skin's tractions beside the truth of the same cells: errors over the true pressure.
+void measure(MethodResult& result, std::span<const double> truth, const SurfaceGrid& grid) {
+  const double pressed = l2_norm(component(truth, grid, Traction::normal));
+  for (const Traction which : skin_tractions) {
+    const auto found = component(result.answer.tractions, grid, which);
+    const auto exact = component(truth, grid, which);
+    if (found.empty() || exact.empty()) continue;
+    ComponentError& error = result.errors.emplace_back();
+    error.mean_abs = mean_absolute_error(found, exact);
+    if (!(pressed > 0.0)) continue;
+    double off = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) off = std::hypot(off, found[i] - exact[i]);
+    error.relative = off / pressed;
+  }
+  result.force = sampled_force(component(result.answer.tractions, grid, Traction::normal),
+                               grid.spacing_y * grid.spacing_z);
+}
+
 }  // namespace
 
+std::size_t Experiment::places() const { return of_skin() ? grid.count() : surface(line()).count; }
+
+const MethodResult* Experiment::result(Method method) const noexcept {
+  const auto found = std::find_if(results.begin(), results.end(),
+                                  [&](const MethodResult& one) { return one.method == method; });
+  return found == results.end() ? nullptr : &*found;
+}
+
 bool Experiment::succeeded() const noexcept {
-  return std::all_of(results.begin(), results.end(),
-                     [](const MethodResult& result) { return result.verdict != Verdict::failed; });
+  return std::all_of(results.begin(), results.end(), [](const MethodResult& result) {
+    return result.answer.verdict != Verdict::failed;
+  });
 }
 
 std::optional<AlphaRule> Experiment::rule() const noexcept {
   for (const MethodResult& result : results)
-    if (result.alpha && result.alpha->rule) return result.alpha->rule;
+    if (result.answer.alpha.rule) return result.answer.alpha.rule;
   return std::nullopt;
 }
 
 Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& options,
                Observer& observer) {
   observer.step({Step::Kind::readings});
-  Experiment experiment{
-      .scene = scene,
-      .work = workload(scene, {.compare_rules = options.compare_rules, .report = options.report}),
-      .frame = simulate(scene, observer),
-      .sampled_force = 0.0,
-      .sweep = {},
-      .results = {},
-      .relaxation = {},
-      .course = {},
-      .circuit = {}};
+  const Workload work =
+      workload(scene, {.compare_rules = options.compare_rules, .report = options.report});
+  Experiment experiment{.scene = scene, .frame = simulate(scene, observer)};
   const SceneProblem problem(scene);
+  const Surface& places = problem.surface();
   experiment.sampled_force =
-      sampled_force(experiment.frame.truth.normal, problem.surface().spacing);
+      sampled_force(component(experiment.frame.truth, places.count, 0), places.spacing);
   const SceneFrame frame(problem, experiment.frame.readings);
-  const Run run{options, frame.problem(), frame, experiment};
+  const Run run{options, work, frame.problem(), frame, experiment};
   const remark::Clipped clipped = clipped_for_methods(problem, experiment.frame.readings);
   // What a frame has computed stays with it: a copy is made where taxels are left out alone.
   std::optional<Run> of_rest;
   if (clipped.left_out) {
     const SceneFrame rest = without(frame, clipped.taxels);
-    of_rest.emplace(Run{options, rest.problem(), rest, experiment});
+    of_rest.emplace(Run{options, work, rest.problem(), rest, experiment});
   }
-  if (experiment.work.does(Computation::rule_comparison)) {
+  if (work.does(Computation::rule_comparison)) {
     observer.step({Step::Kind::rules});
     experiment.sweep = run.frame.sweep();
   }
@@ -267,10 +278,60 @@ Experiment run(const Scene& scene, Simulator& simulator, const RunOptions& optio
                                        : by_network(simulator, run, observer));
     note_clipped_by_method(experiment.results.back(), clipped);
   }
-  if (experiment.work.does(Computation::time_course))
+  if (work.does(Computation::time_course))
     if (const auto method = followed(experiment.results))
       experiment.course = time_course(problem, *method, observer);
   return experiment;
+}
+
+Experiment run(const SkinScene& scene, const std::function<double()>& clock, Observer& observer) {
+  observer.step({Step::Kind::readings});
+  Experiment experiment{.scene = scene, .frame = simulate(scene, observer), .grid = grid(scene)};
+  MethodResult& result = experiment.results.emplace_back();
+  try {
+    observer.step({.kind = Step::Kind::method});
+    Stopwatch watch(clock);
+    const SkinSceneProblem problem(scene);
+    problem.prepare();
+    result.setup_seconds = watch.elapsed();
+    watch.restart();
+    result.answer = solve(problem, experiment.frame.readings);
+    result.frame_seconds = watch.elapsed();
+    const ChosenAlpha& alpha = result.answer.alpha;
+    if (alpha.rule && !problem.is_large())
+      experiment.sweep =
+          (alpha.tangential_weight ? problem.weighed(*alpha.tangential_weight) : problem)
+              .sweep(experiment.frame.readings);
+    measure(result, experiment.frame.truth, experiment.grid);
+  } catch (const std::domain_error& error) {
+    result.refusal = error.what();
+  } catch (const std::invalid_argument& error) {
+    result.refusal = error.what();
+  }
+  return experiment;
+}
+
+void run_circuit(Experiment& experiment, Simulator& simulator, Observer& observer) {
+  MethodResult result{.method = Method::network, .setup_seconds = not_timed};
+  try {
+    observer.step({.kind = Step::Kind::method, .method = Method::network});
+    const SceneCircuit& circuit =
+        experiment.circuit.emplace(skin_circuit(experiment.skin(), experiment.frame.readings));
+    result.answer.alpha = circuit.alpha();
+    relax(result, experiment, simulator, observer,
+          [](const std::vector<double>& found) { return found; });
+    const auto& own = std::get<SkinScene>(circuit.scene());
+    const SurfaceGrid cells = grid(own);
+    if (cells.count() != experiment.grid.count()) result.grid = cells;
+    measure(result, cell_means(own.contacts, cells), cells);
+  } catch (const SimulatorError& error) {
+    result.refusal = error.what();
+  } catch (const std::domain_error& error) {
+    result.refusal = error.what();
+  } catch (const std::invalid_argument& error) {
+    result.refusal = error.what();
+  }
+  experiment.results.push_back(std::move(result));
 }
 
 }  // namespace tactile_net::lab

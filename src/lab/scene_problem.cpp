@@ -31,17 +31,13 @@ constexpr double narrowest_of_coarse = 1.0;
 constexpr std::size_t most_of_windows = 384;
 
 LineProblemOptions options_of(const Scene& scene) {
-  LineProblemOptions options{.unknowns = unknowns(scene),
-                             .smoothing_length = scene.reconstruct.smoothing_length,
-                             .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
-                             .channel_rms = {},
-                             .dead_taxels = scene.dead_taxels,
-                             .surface = scene.reconstruct.surface,
-                             .unknown_offsets = scene.reconstruct.offset};
-  if (scene.noise && scene.noise->weights_rows)
-    for (const Channel& channel : channels(scene.sensor))
-      options.channel_rms.push_back(scene.noise->rms.at(channel.quantity));
-  return options;
+  return LineProblemOptions{.unknowns = unknowns(scene),
+                            .smoothing_length = scene.reconstruct.smoothing_length,
+                            .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
+                            .channel_rms = weights_of_channels(scene),
+                            .dead_taxels = scene.dead_taxels,
+                            .surface = scene.reconstruct.surface,
+                            .unknown_offsets = scene.reconstruct.offset};
 }
 
 }  // namespace
@@ -92,11 +88,7 @@ const Surface& SceneProblem::surface() const {
 std::size_t SceneProblem::tractions() const { return parts_->options.unknowns * surface().count; }
 
 std::optional<double> SceneProblem::stated_noise() const {
-  const auto& noise = parts_->scene.noise;
-  if (!noise) return std::nullopt;
-  if (noise->weights_rows) return 1.0;
-  const double rms = noise->rms.begin()->second;
-  return rms > 0.0 ? std::optional(rms) : std::nullopt;
+  return noise_of_readings(parts_->scene);
 }
 
 const std::optional<Constraints>& SceneProblem::constraints() const noexcept {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "lab/frame_walk.hpp"
-#include "lab/lines_and_skins.hpp"
+#include "lab/sensor_walk.hpp"
 #include "tactile_net/sensing/exact.hpp"
 
 namespace tactile_net::lab {
@@ -44,33 +43,26 @@ double total_force(const Scene& scene) {
 
 }  // namespace
 
-SensorRecording::SensorRecording(Scene scene)
-    : scene_(std::move(scene)), instants_(instants(scene_)), path_(signal_path(scene_)) {
-  if (scene_.forward == ForwardModel::sampled) model_.emplace(scene_.sensor, scene_.material);
+template class SensorWalk<Scene>;
+
+SensorRecording::SensorRecording(Scene of) : SensorWalk(std::move(of)) {
+  if (scene().forward == ForwardModel::sampled) model_.emplace(scene().sensor, scene().material);
 }
 
-void SensorRecording::load(double time) {
-  if (!loaded_ || any_contact_moves(scene_)) {
-    const std::vector<Contact> contacts = scene_.time ? contacts_at(scene_, time) : scene_.contacts;
-    truth_ = sample(contacts, surface(scene_));
-    pure_ = model_ ? model_->readings(sample(contacts, scene_.sensor))
-                   : exact_readings(scene_.sensor, scene_.material, contacts);
-    loaded_ = true;
-  }
-  readings_ = pure_;
-}
-
-bool SensorRecording::next(bool wanted) {
-  FrameWalk walk{instants_, next_, path_, readings_, time_};
-  return walk.go_on(wanted, reading_count(scene_.sensor), [&](double time) { load(time); });
+std::vector<double> SensorRecording::press(const std::vector<Contact>& contacts) {
+  truth_ = sample(contacts, surface(scene()));
+  return model_ ? model_->readings(sample(contacts, scene().sensor))
+                : exact_readings(scene().sensor, scene().material, contacts);
 }
 
 SimulatedFrame simulate(const Scene& scene, Observer& observer) {
   SensorRecording recording(scene);
-  for (std::size_t frame = 0; recording.next(frame == scene.frame); ++frame)
-    observer.step({.kind = Step::Kind::frame, .count = frame});
+  go_to_frame(recording, scene.frame, observer);
   const double force = total_force(scene);
-  return {.truth = recording.truth(),
+  std::vector<double> truth = recording.truth().normal;
+  const std::vector<double>& drag = recording.truth().tangential;
+  truth.insert(truth.end(), drag.begin(), drag.end());
+  return {.truth = std::move(truth),
           .readings = {recording.readings().begin(), recording.readings().end()},
           .force = force,
           .remarks = remarks_of(scene, force),

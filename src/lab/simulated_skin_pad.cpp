@@ -87,15 +87,4 @@ void SkinPadModel::add_beyond(double y, double z, const std::array<double, 3>& t
   }
 }
 
-SimulatedSkinPad::SimulatedSkinPad(std::shared_ptr<const SkinPadModel> model)
-    : model_(std::move(model)),
-      signal_([model = model_] { return signal_path(model->scene()); },
-              model_->scene().sampling ? model_->scene().sampling->aperture : 0.0) {}
-
-void SimulatedSkinPad::read(double time, std::span<const SampledPatch> patches,
-                            std::span<double> readings) {
-  model_->readings(patches, readings);
-  signal_.apply(time, readings);
-}
-
 }  // namespace tactile_net::lab

@@ -1,14 +1,17 @@
 // What is a skin's own on the way of a frame.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
 
 #include "lab/border.hpp"
 #include "lab/frame_method.hpp"
+#include "lab/frame_sharing.hpp"
 #include "lab/large_skin.hpp"
 #include "lab/lines_and_skins.hpp"
+#include "lab/recording_method.hpp"
 #include "lab/skin_bands.hpp"
 #include "lab/skin_data_verdict.hpp"
 #include "lab/skin_method.hpp"
@@ -18,6 +21,10 @@
 
 namespace tactile_net::lab {
 namespace {
+
+/// What chooses the alpha of a frame, before constraints; absent: the scene's rule, of this frame
+/// alone.
+using SkinAlphaChooser = std::function<AlphaChoice(const FilterFrame& frame)>;
 
 ChosenAlpha alpha_of(const SkinSceneProblem& problem, const FilterFrame& frame,
                      const SkinAlphaChooser& choose) {
@@ -136,6 +143,7 @@ class SkinFrameMethod final : public FrameMethod {
                      [](double f) { return std::isfinite(f); }))
       throw FrameOverflow();
     if (problem_.is_large() && !answer.iteration) answer.iteration = FrameAnswer::Iteration{};
+    answer.solved = answer.verdict;
   }
 
   double residual(std::span<const double> tractions) const override {
@@ -248,36 +256,56 @@ class SkinFrameMethod final : public FrameMethod {
 
 /// Every reading is taken for what it says.
 FrameAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double> readings,
-                          const SkinAlphaChooser& choose, std::optional<std::size_t> repeats) {
+                          const SkinAlphaChooser& choose = {},
+                          std::optional<std::size_t> repeats = {}) {
   SkinFrameMethod frame(problem, readings, choose, repeats);
   return answer(frame);
 }
 
+class SkinRecordingMethod final : public RecordingMethod {
+ public:
+  SkinRecordingMethod(const SkinSceneProblem& problem, std::optional<std::size_t> share_alpha)
+      : RecordingMethod(problem), skin_(problem) {
+    if (share_alpha) sharing_.emplace(skin_, *share_alpha);
+  }
+
+  std::size_t tractions() const override { return skin_.tractions(); }
+  std::size_t bytes() const override { return skin_.bytes(); }
+  /// A large skin keeps what the last frame needed.
+  bool takes_threads() const override { return !sharing_ && !skin_.is_large(); }
+  std::shared_ptr<RecordingMethod> without(std::span<const std::size_t> taxels) const override {
+    return std::make_shared<SkinRecordingMethod>(skin_.without(taxels), std::nullopt);
+  }
+  FrameAnswer answer(std::span<const double> readings,
+                     std::optional<std::size_t> repeats) override {
+    if (!sharing_) return solve_as_read(skin_, readings, {}, repeats);
+    const auto choose = [this](const FilterFrame& frame) { return sharing_->push(skin_, frame); };
+    return solve_as_read(skin_, readings, choose, repeats);
+  }
+
+ private:
+  SkinSceneProblem skin_;
+  std::optional<FrameSharing> sharing_{};
+};
+
 }  // namespace
 
-std::span<const double> component(std::span<const double> values, const SurfaceGrid& grid,
-                                  Traction which) {
-  const std::size_t first = static_cast<std::size_t>(which) * grid.count();
-  return first < values.size() ? values.subspan(first, grid.count()) : std::span<const double>{};
+std::shared_ptr<RecordingMethod> recording_method(const SkinSceneProblem& problem,
+                                                  std::optional<std::size_t> share_alpha) {
+  return std::make_shared<SkinRecordingMethod>(problem, share_alpha);
 }
 
-FrameAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
-                  const SkinAlphaChooser& choose, std::optional<std::size_t> repeats) {
+FrameAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings) {
   const SkinScene& scene = problem.scene();
   if (readings.size() != problem.layout().sites.size())
-    return solve_as_read(problem, readings, choose, repeats);  // which refuses them
-  remark::Clipped clipped = clipped_in(scene, problem.layout().sites, readings);
-  if (clipped.taxels.empty()) return solve_as_read(problem, readings, choose, repeats);
-  std::vector<std::size_t> dead = scene.dead_taxels;
-  dead.insert(dead.end(), clipped.taxels.begin(), clipped.taxels.end());
-  std::sort(dead.begin(), dead.end());
-  clipped.left_out =
-      clipped.range_known && is_measured(scene.sensor, dead, scene.reconstruct.offset);
-  FrameAnswer found = clipped.left_out
-                          ? solve_as_read(*problem.left_with(dead), readings, {}, repeats)
-                          : solve_as_read(problem, readings, choose, repeats);
-  note_clipped(found.verdict, found.remarks, std::move(clipped));
-  return found;
+    return solve_as_read(problem, readings);  // which refuses them
+  return answer_without_clipped(
+      scene, problem.layout().sites, readings,
+      [&](const std::vector<std::size_t>& dead) { return measures_without(problem, dead); },
+      [&](const std::vector<std::size_t>* dead) {
+        return dead != nullptr ? solve_as_read(*problem.left_with(*dead), readings)
+                               : solve_as_read(problem, readings);
+      });
 }
 
 }  // namespace tactile_net::lab

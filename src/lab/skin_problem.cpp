@@ -23,27 +23,17 @@
 namespace tactile_net::lab {
 namespace {
 
-/// With what a converter's steps add to it; 0: it is not stated.
-double known_noise(const SkinScene& scene, Quantity quantity) {
-  const auto stated = scene.noise->rms.find(quantity);
-  const double rms = stated == scene.noise->rms.end() ? 0.0 : stated->second;
-  if (!(rms > 0.0) || !scene.quantization) return rms;
-  return std::hypot(rms, step(*scene.quantization, quantity) / std::sqrt(12.0));
-}
 /// Of all weights of a scene.
 constexpr std::size_t most_bytes_of_weights = std::size_t{512} << 20;
 
 SkinProblemOptions options_of(const SkinScene& scene) {
-  SkinProblemOptions options{.components = components(scene),
-                             .smoothing_length = scene.reconstruct.smoothing_length,
-                             .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
-                             .dead_taxels = scene.dead_taxels,
-                             .grid = scene.reconstruct.grid,
-                             .unknown_offsets = scene.reconstruct.offset};
-  if (scene.noise && scene.noise->weights_rows)
-    for (const Channel& channel : channels(scene.sensor))
-      options.channel_rms.push_back(known_noise(scene, channel.quantity));
-  return options;
+  return SkinProblemOptions{.components = components(scene),
+                            .smoothing_length = scene.reconstruct.smoothing_length,
+                            .tangential_weight = scene.reconstruct.tangential_weight.value_or(1.0),
+                            .channel_rms = weights_of_channels(scene),
+                            .dead_taxels = scene.dead_taxels,
+                            .grid = scene.reconstruct.grid,
+                            .unknown_offsets = scene.reconstruct.offset};
 }
 
 /// A scene without a grid is refused where one is asked for.
@@ -182,14 +172,7 @@ const AlphaTables& SkinSceneProblem::alpha_tables(const FilterFrame& frame) cons
 }
 
 std::optional<double> SkinSceneProblem::stated_noise() const {
-  const SkinScene& scene = parts_->scene;
-  if (!scene.noise) return std::nullopt;
-  if (scene.noise->weights_rows) return 1.0;
-  double squares = 0.0;
-  const std::vector<Channel> all = channels(scene.sensor);
-  for (const Channel& channel : all)
-    squares += std::pow(known_noise(scene, channel.quantity), 2) / static_cast<double>(all.size());
-  return squares > 0.0 ? std::optional(std::sqrt(squares)) : std::nullopt;
+  return noise_of_readings(parts_->scene);
 }
 
 const std::optional<Constraints>& SkinSceneProblem::constraints() const noexcept {
@@ -210,6 +193,11 @@ ChosenAlpha SkinSceneProblem::alpha(std::span<const double> readings) const {
   return {.value = choice.alpha, .rule = choice.rule, .verdict = choice.verdict};
 }
 
+AlphaSweep SkinSceneProblem::sweep(std::span<const double> readings) const {
+  const FilterFrame frame = family().analyse(readings);
+  return sweep_alpha(frame, alpha_tables(frame), stated_noise());
+}
+
 bool SkinSceneProblem::estimates_weight() const {
   return !parts_->scene.reconstruct.tangential_weight && components(parts_->scene) == 3;
 }
@@ -217,7 +205,7 @@ bool SkinSceneProblem::estimates_weight() const {
 SkinSceneProblem SkinSceneProblem::weighed(double tangential_weight) const {
   const std::lock_guard lock(parts_->mutex);
   if (!parts_->weighed) parts_->weighed.emplace(bytes(), most_bytes_of_weights);
-  return (*parts_->weighed)(tangential_weight, [&] {
+  return *(*parts_->weighed)(tangential_weight, [&] {
     SkinScene scene = parts_->scene;
     scene.reconstruct.tangential_weight = tangential_weight;
     auto made = std::make_unique<SkinSceneProblem>(std::move(scene), parts_->most_dense);

@@ -4,27 +4,27 @@
 
 namespace tactile_net::lab {
 
-void SolvedFrames::add(const FrameResult& result, bool incomplete) {
-  ++verdicts[result.verdict];
-  if (!is_faultless(result.verdict)) distrusted[result.verdict].add(frames);
-  if (result.data) {
-    for (const DataDoubt doubt : result.data->doubts) doubted[doubt].add(frames);
-    if (result.data->taxel) ++bad_taxels[*result.data->taxel];
-    noise_known = result.data->noise_known;
+void SolvedFrames::add(const FrameAnswer& answer, bool incomplete) {
+  ++verdicts[answer.verdict];
+  if (!is_faultless(answer.verdict)) distrusted[answer.verdict].add(frames);
+  if (answer.data) {
+    for (const DataDoubt doubt : answer.data->doubts) doubted[doubt].add(frames);
+    if (answer.data->taxel) ++bad_taxels[*answer.data->taxel];
+    noise_known = answer.data->noise_known;
   }
   if (incomplete) estimated.add(frames);
-  if (result.alpha && result.alpha->rule) {
-    const double alpha = result.alpha->value;
+  if (answer.alpha.rule) {
+    const double alpha = answer.alpha.value;
     least_alpha = least_alpha == 0.0 ? alpha : std::min(least_alpha, alpha);
     largest_alpha = std::max(largest_alpha, alpha);
   }
-  if (result.alpha && result.alpha->tangential_weight) {
-    const double weight = *result.alpha->tangential_weight;
+  if (answer.alpha.tangential_weight) {
+    const double weight = *answer.alpha.tangential_weight;
     least_weight = std::min(least_weight.value_or(weight), weight);
     largest_weight = std::max(largest_weight.value_or(weight), weight);
   }
   ++frames;
-  last = result;
+  last = {answer.alpha, answer.condition, answer.remarks};
 }
 
 void SolvedFrames::skip() { skipped.add(frames++); }

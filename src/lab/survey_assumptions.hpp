@@ -1,12 +1,14 @@
 /// @file
-/// What `identify` takes for granted, of lines and skins alike. `peak_of(scene)` is the contacts'
-/// largest normal traction, 0 without one; `response(channel)` the largest reading that a ripple of
-/// normal traction of unit amplitude causes, whatever its wavelength.
+/// What `identify` takes for granted and how it chooses, of lines and skins alike. `peak_of(scene)`
+/// is the contacts' largest normal traction, 0 without one; `response(channel)` the largest reading
+/// that a ripple of normal traction of unit amplitude causes, whatever its wavelength.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -67,6 +69,29 @@ double traction_of(const auto& scene, std::span<const double> largest, const aut
   if (!(traction > 0.0) || !std::isfinite(traction))
     throw std::invalid_argument("every reading is zero, or one is not finite");
   return traction;
+}
+
+/// The best alternative of those that `counts`, if it is `worth` a change.
+std::optional<std::size_t> best_of(const Survey& survey, const auto& counts, const auto& worth) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < survey.alternatives.size(); ++i)
+    if (const SensorChoice& choice = survey.alternatives[i];
+        counts(choice) && (!best || tells_more(choice, survey.alternatives[*best])))
+      best = i;
+  return best && worth(survey.alternatives[*best]) ? best : std::nullopt;
+}
+
+/// Of the wave of which shares are: long enough for the depth and the pitch to show it.
+inline double length_of_wave(double depth, double pitch) {
+  return std::max(2.0 * std::numbers::pi * depth, 4.0 * pitch);
+}
+
+/// A part that does not show is rounding, which goes.
+inline WaveShare without_rounding(WaveShare share) {
+  const double most = *std::max_element(share.signal.begin(), share.signal.end());
+  for (double& signal : share.signal)
+    if (signal < 1e-12 * most) signal = 0.0;
+  return share;
 }
 
 /// In whatever order.

@@ -4,7 +4,6 @@
 #include <variant>
 
 #include "tactile_net/lab/run.hpp"
-#include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -40,67 +39,57 @@ Row row_at(const Point& point) {
   return row;
 }
 
-/// mean |p - truth| [Pa]
-double mean_error(const lab::SkinExperiment& experiment) {
-  const auto found =
-      lab::component(experiment.answer->tractions, experiment.grid, Traction::normal);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    sum += std::abs(found[i] - experiment.frame.truth[i]);
-  return sum / static_cast<double>(found.size());
-}
-
-/// One after the other.
-std::vector<double> both(std::vector<double> normal, const std::vector<double>& tangential) {
-  normal.insert(normal.end(), tangential.begin(), tangential.end());
-  return normal;
-}
-
-Row row_of(const Point& point, const lab::Experiment& experiment, const lab::MethodResult& result) {
+/// What both have.
+Row row_of_result(const Point& point, const lab::Experiment& experiment,
+                  const lab::MethodResult& result) {
   Row row = row_at(point);
-  row.readings = raw_numbers(experiment.scene, experiment.frame.readings);
-  row.truth = both(experiment.frame.truth.normal, experiment.frame.truth.tangential);
+  row.readings =
+      std::visit([&](const auto& scene) { return raw_numbers(scene, experiment.frame.readings); },
+                 experiment.scene);
+  row.truth = experiment.frame.truth;
   row.method = name(result.method);
-  row.verdict = lab::name(result.verdict);
+  row.verdict = lab::name(result.answer.verdict);
   row.failure = one_line(without_paths(result.refusal));
-  if (result.alpha) row.alpha = result.alpha->value;
+  const lab::FrameAnswer& answer = result.answer;
+  if (answer.alpha.known()) row.alpha = answer.alpha.value;
   if (!result.has_answer()) return row;
-  row.error = result.normal.relative_l2;
-  row.mean_error = result.normal.mean_abs;
-  if (!result.tangential.traction.empty()) row.error_tangential = result.tangential.relative_l2;
+  row.error = result.errors.front().relative;
+  row.mean_error = result.errors.front().mean_abs;
+  row.tractions = answer.tractions;
+  if (answer.condition) row.condition = answer.condition->value;
+  return row;
+}
+
+Row row_of_line(const Point& point, const lab::Experiment& experiment,
+                const lab::MethodResult& result) {
+  Row row = row_of_result(point, experiment, result);
+  if (!result.has_answer()) return row;
+  const bool drags = result.errors.size() > 1;
+  const auto component = [&](std::size_t which) {
+    return lab::component(result.answer.tractions, experiment.places(), which);
+  };
+  const Resultant sum = resultant_of(component(0), component(1), surface(experiment.line()));
+  if (drags) row.error_tangential = result.errors[1].relative;
+  if (drags) row.tangential_force = sum.tangential;
   row.force = result.force;
-  const Resultant sum =
-      resultant_of(result.normal.traction, result.tangential.traction, surface(experiment.scene));
-  if (!result.tangential.traction.empty()) row.tangential_force = sum.tangential;
   row.centre_y = sum.centre();
-  row.tractions = both(result.normal.traction, result.tangential.traction);
-  if (result.condition) row.condition = result.condition->value;
-  row.error_bound = result.error_bound;
+  row.error_bound = result.answer.error_bound;
   return row;
 }
 
 /// Of a skin: its errors over the true pressure, its force in N.
-Row row_of(const Point& point, const lab::SkinExperiment& experiment) {
-  Row row = row_at(point);
-  row.method = name(Method::tikhonov);
-  row.failure = one_line(without_paths(experiment.refusal));
-  row.readings = raw_numbers(experiment.scene, experiment.frame.readings);
-  row.truth = experiment.frame.truth;
-  if (!experiment.answer) return row;
-  const lab::FrameAnswer& answer = *experiment.answer;
-  row.verdict = lab::name(answer.verdict);
-  row.alpha = answer.alpha.value;
-  row.error = experiment.relative[0];
-  row.error_tangential = std::hypot(experiment.relative[1], experiment.relative[2]);
-  row.mean_error = mean_error(experiment);
-  row.force = answer.wrench.normal.value;
-  const UncertainWrench& wrench = answer.wrench;
+Row row_of_skin(const Point& point, const lab::Experiment& experiment) {
+  const lab::MethodResult& result = experiment.results.front();
+  Row row = row_of_result(point, experiment, result);
+  if (!result.has_answer()) return row;
+  if (result.errors.size() > 2)
+    row.error_tangential = std::hypot(result.errors[1].relative, result.errors[2].relative);
+  const UncertainWrench& wrench = result.answer.wrench;
+  row.force = wrench.normal.value;
   if (wrench.tangential_y && wrench.tangential_z)
     row.tangential_force = std::hypot(wrench.tangential_y->value, wrench.tangential_z->value);
   if (wrench.centre_y) row.centre_y = wrench.centre_y->value;
   if (wrench.centre_z) row.centre_z = wrench.centre_z->value;
-  row.tractions = answer.tractions;
-  row.condition = answer.condition->value;
   return row;
 }
 
@@ -140,12 +129,13 @@ std::vector<Row> solve(const Study& study, std::size_t index, Simulator& simulat
   const Point point = study.point(index);
   try {
     const AnyScene scene = study.scene(point);
-    if (const auto* skin = std::get_if<SkinScene>(&scene)) return {row_of(point, lab::run(*skin))};
+    if (const auto* skin = std::get_if<SkinScene>(&scene))
+      return {row_of_skin(point, lab::run(*skin))};
     std::vector<Row> rows;
     Tidy tidy(simulator);
     const lab::Experiment experiment = lab::run(std::get<Scene>(scene), tidy);
     for (const lab::MethodResult& result : experiment.results)
-      rows.push_back(row_of(point, experiment, result));
+      rows.push_back(row_of_line(point, experiment, result));
     return rows;
   } catch (const InputError& error) {
     return {failed_row(point, messages(error))};

@@ -10,10 +10,8 @@ namespace {
 
 MethodResult method_result(Method method, std::vector<double> normal,
                            std::vector<double> tangential = {}) {
-  MethodResult result{.method = method};
-  result.normal.traction = std::move(normal);
-  result.tangential.traction = std::move(tangential);
-  return result;
+  normal.insert(normal.end(), tangential.begin(), tangential.end());
+  return {.method = method, .answer = {.tractions = std::move(normal)}};
 }
 
 }  // namespace

@@ -2,17 +2,20 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <span>
 #include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/control/batch.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
+#include "tactile_net/lab/recording.hpp"
 #include "tactile_net/lab/repeating_taxels.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
@@ -412,4 +415,129 @@ TEMPLATE_TEST_CASE(
   CHECK(moved > 0.4 * friction * depth);
   CHECK(moved < 1.1 * friction * depth);
   CHECK(with_drag.front() > without.front());
+}
+
+namespace {
+
+/// Frames of one contact that presses more and more, with values missing in some.
+template <class Sensor>
+std::vector<std::vector<double>> frames_with_gaps(const Sensor& sensor) {
+  std::vector<std::vector<double>> frames;
+  for (std::size_t k = 0; k < 7; ++k)
+    frames.push_back(scaled(sensor.readings(), 0.2 + 0.1 * static_cast<double>(k)));
+  frames[2][5] = frames[5][5] = std::nan("");
+  frames[3].assign(frames[3].size(), std::nan(""));
+  return frames;
+}
+
+/// What solves them one after the other, or as many at a time as it likes, and keeps what it finds.
+template <class Sensor>
+lab::RecordingOverview kept_of(const Sensor& sensor, lab::RecordingSolver& solver,
+                               std::size_t threads) {
+  const std::vector<std::vector<double>> frames = frames_with_gaps(sensor);
+  lab::Recording recording(sensor.problem);
+  std::size_t at = 0;
+  std::size_t used = 0;
+  solver.solve_all(
+      [&](std::vector<double>& readings, std::optional<double>& time) {
+        if (at == frames.size()) return false;
+        time = 0.1 * static_cast<double>(at);
+        readings = frames[at++];
+        return true;
+      },
+      [&](std::span<const double> readings, const std::optional<lab::FrameAnswer>& answer) {
+        const double time = 0.1 * static_cast<double>(used);
+        if (answer)
+          recording.add(time, solver.problem(), readings, *answer, std::isnan(frames[used][5]));
+        else
+          recording.skip(time);
+        ++used;
+      },
+      threads);
+  return recording.overview();
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE(
+    "a recording is counted frame by frame, and each frame that is shown is answered "
+    "as it would be alone",
+    "[lab][laws][recording]", Lines, Skins) {
+  const TestType sensor(scene<TestType>("[reconstruct]\ntangential_weight = 1.0\nalpha = 1e-4\n"));
+  lab::RecordingSolver solver = sensor.solver({.missing = lab::Missing::estimate});
+  const lab::RecordingOverview kept = kept_of(sensor, solver, GENERATE(0U, 1U));
+  CHECK(kept.frames == 7);
+  CHECK(kept.skipped.count() == 1);
+  CHECK(kept.estimated.count() == 2);
+  CHECK(solver.solved().frames == 7);
+  CHECK(solver.solved().skipped.count() == 1);
+  CHECK(solver.solved().estimated.count() == 2);
+  std::size_t verdicts = 0;
+  for (const auto& [verdict, frames] : kept.verdicts) verdicts += frames;
+  CHECK(verdicts == 7);
+  CHECK(kept.rows.size() == (kept.is_line() ? 0U : 7U));
+  REQUIRE(kept.groups.size() == 6);
+  CHECK(kept.peak().shown == 6);
+  const std::vector<std::vector<double>> frames = frames_with_gaps(sensor);
+  for (const lab::FrameGroup& group : kept.groups) {
+    CAPTURE(group.shown);
+    lab::RecordingSolver own = sensor.solver({.missing = lab::Missing::estimate});
+    const FrameNumbers alone = TestType::answer(own, frames[group.shown]);
+    CHECK(group.answer.tractions == alone.tractions);
+    CHECK(group.answer.deviations == alone.deviations);
+    CHECK(group.answer.verdict == alone.verdict);
+    CHECK_THAT(group.time, WithinAbs(0.1 * static_cast<double>(group.shown), 1e-12));
+  }
+}
+
+TEMPLATE_TEST_CASE(
+    "taxels at the end of their range and those that miss readings are left out "
+    "together",
+    "[lab][laws][clipped]", Lines, Skins) {
+  const TestType sensor(scene<TestType>("[reconstruct]\ntangential_weight = 1.0\nalpha = 1e-4\n"));
+  std::vector<double> readings = sensor.readings();
+  const double limit =
+      0.7 * *std::max_element(readings.begin(),
+                              readings.begin() + static_cast<std::ptrdiff_t>(TestType::taxels));
+  auto limited = sensor.problem.scene();
+  limited.saturation = Saturation{.range = {{Quantity::stress_x, {-limit, limit}}}};
+  auto dead = sensor.problem.scene();
+  for (std::size_t t = 0; t < TestType::taxels; ++t)
+    if (t == 1 || readings[t] >= limit) dead.dead_taxels.push_back(t);
+  REQUIRE(dead.dead_taxels.size() >= 3);
+  for (std::size_t t = 0; t < TestType::taxels; ++t) readings[t] = std::min(readings[t], limit);
+  const std::vector<double> clipped = readings;
+  readings[1] = std::nan("");
+
+  lab::RecordingSolver solver = TestType(limited).solver({.missing = lab::Missing::estimate});
+  const auto found = solver.solve(readings);
+  REQUIRE(found);
+  CHECK(found->verdict == lab::Verdict::clipped);
+  CHECK(solver.solved().estimated.count() == 1);
+  CHECK(readings[1] == 0.0);
+  for (const std::size_t t : dead.dead_taxels)
+    if (t != 1) CHECK(readings[t] == clipped[t]);  // what was read stays to be seen
+  const FrameNumbers expected = TestType(dead).solve(readings);
+  CHECK(apart(found->tractions, expected.tractions) < 1e-8);
+
+  lab::RecordingSolver skipping = TestType(limited).solver({.missing = lab::Missing::skip});
+  readings[1] = std::nan("");
+  CHECK_FALSE(skipping.solve(readings));
+}
+
+TEMPLATE_TEST_CASE("readings of the other sign are told as a pad that every frame pulls",
+                   "[lab][laws][check]", Lines, Skins) {
+  const TestType sensor(scene<TestType>());
+  for (const double sign : {1.0, -1.0}) {
+    lab::RecordingSolver solver = sensor.solver();
+    for (const double size : {1.0, 0.9, 1.1}) {
+      std::vector<double> frame = scaled(sensor.readings(), sign * size);
+      REQUIRE(solver.solve(frame));
+    }
+    const lab::Findings doubts = solver.doubts();
+    const auto pulled = std::find_if(doubts.begin(), doubts.end(), [](const lab::Finding& one) {
+      return std::holds_alternative<lab::finding::WholePadPulled>(one);
+    });
+    CHECK((pulled != doubts.end()) == (sign < 0.0));
+  }
 }

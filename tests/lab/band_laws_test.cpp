@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "tactile_net/numeric/number_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/lab/laws.hpp"
 #include "tests/replaced.hpp"
@@ -72,6 +73,32 @@ TEMPLATE_TEST_CASE("two deviations hold force and centre of honest frames, whose
       CHECK(coverage.square > 0.03 * coverage.said);  // nor are they many times too wide
     }
   CHECK(frames >= 40);  // of 80
+}
+
+TEMPLATE_TEST_CASE("a converter's steps are noise of their rms, step over the root of 12",
+                   "[lab][laws]", Lines, Skins) {
+  const double rms = 1e-3;
+  const auto solved = [](const std::vector<double>& readings, double noise, int bits) {
+    const std::string stated = "[noise]\nrms = " + shortest(noise) + "\n";
+    const std::string converter =
+        bits == 0 ? ""
+                  : "[quantization]\nrange = [-1.0, 1.0]\nbits = " + std::to_string(bits) + "\n";
+    return TestType(scene<TestType>("[reconstruct]\ntangential_weight = 1.0\n", stated + converter))
+        .solve(readings);
+  };
+  const std::vector<double> readings = TestType(scene<TestType>()).readings();
+  // Of 32 bits they are nothing; of 6 bits they are most of the noise.
+  for (const int bits : {32, 6}) {
+    const double step = 2.0 / (std::pow(2.0, bits) - 1.0);
+    const FrameNumbers converted = solved(readings, rms, bits);
+    const FrameNumbers stated = solved(readings, std::hypot(rms, step / std::sqrt(12.0)), 0);
+    CAPTURE(bits);
+    CHECK(apart(converted.tractions, stated.tractions) < 1e-9);
+    CHECK(apart(converted.deviations, stated.deviations) < 1e-9);
+    CHECK_THAT(converted.force.deviation, WithinRel(stated.force.deviation, 1e-9));
+    CHECK(converted.verdict == stated.verdict);
+  }
+  CHECK(solved(readings, rms, 6).force.deviation > solved(readings, rms, 0).force.deviation);
 }
 
 TEMPLATE_TEST_CASE("readings that no contact causes are doubted for what they are", "[lab][laws]",

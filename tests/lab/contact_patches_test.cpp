@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "tactile_net/lab/recording.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/skin_recording.hpp"
-#include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -65,10 +65,9 @@ void check_holds(const Uncertain& found, double truth, double share) {
 TEST_CASE("of two contacts on a skin each has its own force, place and friction",
           "[lab][skin][contact_patch]") {
   const std::string constraints = GENERATE("", "friction_limit = 0.8\n");
-  const lab::SkinExperiment found =
-      lab::run(skin_under({{-5.0, 300.0}, {4.5, 500.0}}, constraints));
-  REQUIRE(found.answer);
-  const std::vector<ContactPatch>& patches = found.answer->patches;
+  const lab::Experiment found = lab::run(skin_under({{-5.0, 300.0}, {4.5, 500.0}}, constraints));
+  REQUIRE(found.results.front().has_answer());
+  const std::vector<ContactPatch>& patches = found.results.front().answer.patches;
   REQUIRE(patches.size() == 2);
   check_holds(patches[0].wrench.normal, 500.0, 60.0);
   check_holds(patches[1].wrench.normal, 300.0, 60.0);
@@ -85,19 +84,19 @@ TEST_CASE("of two contacts on a skin each has its own force, place and friction"
     CHECK(patch.extent->deviation > 0.0);
   }
   std::sort(cells.begin(), cells.end());
-  CHECK(cells == found.answer->cells);
-  CHECK_THAT(force, WithinRel(found.answer->wrench.normal.value, 1e-9));
+  CHECK(cells == found.results.front().answer.cells);
+  CHECK_THAT(force, WithinRel(found.results.front().answer.wrench.normal.value, 1e-9));
   if (!constraints.empty())
-    CHECK(found.answer->friction->slip_margin->value ==
+    CHECK(found.results.front().answer.friction->slip_margin->value ==
           nearest_to_slipping(patches)->slip_margin->value);
 }
 
 TEST_CASE("a skin's only contact is the whole, with the whole's doubts",
           "[lab][skin][contact_patch]") {
   const std::string constraints = GENERATE("", "friction_limit = 0.8\n");
-  const lab::SkinExperiment found = lab::run(skin_under({{1.0, 400.0}}, constraints));
-  REQUIRE(found.answer);
-  const lab::FrameAnswer& answer = *found.answer;
+  const lab::Experiment found = lab::run(skin_under({{1.0, 400.0}}, constraints));
+  REQUIRE(found.results.front().has_answer());
+  const lab::FrameAnswer& answer = found.results.front().answer;
   REQUIRE(answer.patches.size() == 1);
   const ContactPatch& patch = answer.patches.front();
   CHECK(patch.wrench.normal.deviation == answer.wrench.normal.deviation);
@@ -107,23 +106,21 @@ TEST_CASE("a skin's only contact is the whole, with the whole's doubts",
   CHECK(patch.friction->deviation >= 0.99 * answer.friction->ratio.deviation);
   REQUIRE(patch.ellipse);
   CHECK(patch.ellipse->radius.value == answer.ellipse->radius.value);
-  CHECK(lab::run(skin_under({}, constraints)).answer->patches.empty());
+  CHECK(lab::run(skin_under({}, constraints)).results.front().answer.patches.empty());
 }
 
 TEST_CASE("of two contacts on a line each has its own force and place, and keeps its number",
           "[lab][contact_patch]") {
   // The stronger one stands, the weaker one moves towards it until they are one.
   const lab::SceneProblem problem(touched_line({}));
-  const auto solver = lab::make_solver(problem, Method::tikhonov);
+  lab::RecordingSolver solver(problem, Method::tikhonov);
   lab::Recording recording(problem, Method::tikhonov);
   const std::vector<double> places{-5.0, -4.5, -4.0, -3.5, 1.5};
   for (const double place : places) {
-    const std::vector<double> readings =
-        lab::simulate(touched_line({{4.0, 2.0}, {place, 1.0}})).readings;
-    std::vector<double> tractions(solver->tractions());
-    const lab::FrameResult result = solver->solve(readings, tractions);
-    REQUIRE(result.status == FrameStatus::ok);
-    recording.add({}, problem, readings, tractions, result);
+    std::vector<double> readings = lab::simulate(touched_line({{4.0, 2.0}, {place, 1.0}})).readings;
+    const auto answer = solver.solve(readings);
+    REQUIRE(answer);
+    recording.add({}, problem, readings, *answer);
   }
   const lab::RecordingOverview overview = recording.overview();
   REQUIRE(overview.groups.size() == places.size());
@@ -145,19 +142,20 @@ TEST_CASE("of two contacts on a line each has its own force and place, and keeps
 
 TEST_CASE("contacts on a skin keep their numbers over a recording, and meet",
           "[lab][skin][contact_patch]") {
-  lab::SkinRecordingAnswer recording;
   const lab::SkinSceneProblem problem(skin_under({}, "nonnegative = true\n"));
+  lab::Recording whole(problem);
   for (const double place : {-6.0, -5.0, -4.0, 2.0}) {
     const std::vector<double> readings =
         lab::simulate(skin_under({{5.0, 500.0}, {place, 300.0}}, "")).readings;
-    recording.add({}, readings, lab::solve(problem, readings));
+    whole.add({}, problem, readings, lab::solve(problem, readings));
   }
-  recording.skip({});
+  whole.skip();
+  const std::vector<lab::FrameRow> rows = whole.overview().rows;
   for (std::size_t i = 0; i < 3; ++i) {
-    REQUIRE(recording.frames[i].contacts.size() == 2);
-    CHECK(recording.frames[i].contacts[0].id == recording.frames[0].contacts[0].id);
-    CHECK(recording.frames[i].contacts[1].id == recording.frames[0].contacts[1].id);
+    REQUIRE(rows[i].contacts.size() == 2);
+    CHECK(rows[i].contacts[0].id == rows[0].contacts[0].id);
+    CHECK(rows[i].contacts[1].id == rows[0].contacts[1].id);
   }
-  CHECK(recording.frames[3].contacts.size() == 1);
-  CHECK(recording.frames[4].contacts.empty());
+  CHECK(rows[3].contacts.size() == 1);
+  CHECK(rows[4].contacts.empty());
 }

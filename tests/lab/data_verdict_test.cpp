@@ -24,13 +24,18 @@ Scene pressed_line() {
   return scene;
 }
 
-lab::FrameResult solved_with_verdict(const lab::SceneProblem& problem,
-                                     const std::vector<double>& readings, std::vector<double>& f) {
+lab::FrameAnswer solved_with_verdict(const lab::SceneProblem& problem,
+                                     const std::vector<double>& readings) {
   const auto solver = lab::make_solver(problem, Method::tikhonov);
-  f.resize(solver->tractions());
-  lab::FrameResult result = solver->solve(readings, f);
-  result.data = lab::data_verdict(problem, readings, f);
-  return result;
+  std::vector<double> f(solver->tractions());
+  const lab::FrameResult result = solver->solve(readings, f);
+  return {.tractions = f,
+          .alpha = *result.alpha,
+          .verdict = result.verdict,
+          .solved = result.verdict,
+          .condition = result.condition,
+          .data = lab::data_verdict(problem, readings, f),
+          .constrained = result.constrained};
 }
 
 }  // namespace
@@ -38,10 +43,9 @@ lab::FrameResult solved_with_verdict(const lab::SceneProblem& problem,
 TEST_CASE("a scene's own frame is consistent, and not with one taxel dead", "[data]") {
   const lab::SceneProblem problem(pressed_line());
   std::vector<double> readings = lab::simulate(problem.scene()).readings;
-  std::vector<double> f;
-  CHECK(solved_with_verdict(problem, readings, f).data->consistent());
+  CHECK(solved_with_verdict(problem, readings).data->consistent());
   readings[7] = 0.0;
-  const lab::FrameResult doubted = solved_with_verdict(problem, readings, f);
+  const lab::FrameAnswer doubted = solved_with_verdict(problem, readings);
   REQUIRE(doubted.data);
   CHECK(doubted.data->taxel == 7);
 
@@ -52,12 +56,12 @@ TEST_CASE("a scene's own frame is consistent, and not with one taxel dead", "[da
   CHECK(frames.noise_known);
 
   lab::Recording recording(problem, Method::tikhonov);
-  recording.add(0.0, problem, readings, f, doubted);
+  recording.add(0.0, problem, readings, doubted);
   const lab::RecordingOverview overview = recording.overview();
   CHECK(overview.doubted == 1);
   CHECK(overview.doubts.at(DataDoubt::bad_taxel) == 1);
   CHECK(overview.groups.front().doubted == 1);
-  CHECK(overview.groups.front().data->taxel == 7);
+  CHECK(overview.groups.front().answer.data->taxel == 7);
 }
 
 TEST_CASE("no answer is ok whose readings cannot be true, or whose force is not told",
@@ -90,8 +94,7 @@ TEST_CASE("every command's verdict knows the data's", "[data][verdict]") {
   lab::RecordingSolver line{lab::SceneProblem(scene), Method::tikhonov};
   std::vector<double> readings = lab::simulate(scene).readings;
   if (lies) readings[7] = 0.0;
-  std::vector<double> f(line.tractions());
-  const auto found = line.solve(readings, f);
+  const auto found = line.solve(readings);
   REQUIRE(found);
   CHECK(found->data->consistent() != lies);
   CHECK(found->verdict == (lies ? lab::Verdict::doubted : lab::Verdict::ok));
@@ -102,7 +105,7 @@ TEST_CASE("every command's verdict knows the data's", "[data][verdict]") {
   scene.contacts.clear();
   lab::RecordingSolver idle{lab::SceneProblem(scene), Method::tikhonov};
   std::vector<double> noise = lab::simulate(scene).readings;
-  const auto nothing = idle.solve(noise, f);
+  const auto nothing = idle.solve(noise);
   REQUIRE(nothing);
   CHECK(is_faultless(nothing->verdict));
   CHECK(idle.solved().distrusted.empty());
@@ -113,8 +116,7 @@ TEST_CASE("under constraints readings that only a pull explains pull", "[data][v
   std::vector<double> readings = lab::simulate(scene).readings;
   for (double& reading : readings) reading = -reading;
   scene.reconstruct.nonnegative = true;
-  std::vector<double> f;
-  const lab::FrameResult result = solved_with_verdict(lab::SceneProblem(scene), readings, f);
+  const lab::FrameAnswer result = solved_with_verdict(lab::SceneProblem(scene), readings);
   CHECK(result.data->doubts == std::vector{DataDoubt::pulls});
 }
 
@@ -123,8 +125,7 @@ TEST_CASE("a taxel that is listed as dead is not asked", "[data]") {
   std::vector<double> readings = lab::simulate(scene).readings;
   scene.dead_taxels = {7};
   readings[7] = 0.0;
-  std::vector<double> f;
-  CHECK(solved_with_verdict(lab::SceneProblem(scene), readings, f).data->consistent());
+  CHECK(solved_with_verdict(lab::SceneProblem(scene), readings).data->consistent());
 }
 
 TEST_CASE("limits are the scene's, whatever the quantity", "[data]") {

@@ -288,3 +288,33 @@ TEST_CASE("contacts that are dragged apart on a pad are judged as one of them al
   CHECK_THAT(sum.normal, WithinRel(2.0 * alone.measured->grasp.fingers[0].normal, 0.05));
   CHECK(std::abs(sum.tangential) < 0.02 * sum.normal);
 }
+
+TEST_CASE("the contacts on a fingertip's pad add up to its force", "[grasp]") {
+  const double breadth = 0.02;
+  const FrameOf frame_of{.readings = [&](const std::filesystem::path&, const Scene& scene,
+                                         std::size_t) {
+    const RigidContact left{.center = -5e-3, .half_width = 2e-3, .force = 100.0, .friction = 0.4};
+    const RigidContact right{.center = 5e-3, .half_width = 2e-3, .force = 60.0, .friction = -0.2};
+    return exact_readings(scene.sensor, scene.material, std::vector<Contact>{left, right});
+  }};
+  std::string finger = mirrored_finger(-1.0, recorded_contact(SCENES "/recorded/thin-pad.csv", 0));
+  finger.replace(finger.find("pad = {"), 7, "pad = { breadth = " + std::to_string(breadth) + ",");
+  const Fingertip tip = held(finger, frame_of).tips[0];
+  REQUIRE(tip.patches.size() == 2);
+  double normal = 0.0;
+  double tangential = 0.0;
+  double moment = 0.0;
+  for (const ContactPatch& patch : tip.patches) {
+    const UncertainWrench& wrench = patch.wrench;
+    normal += wrench.normal.value;
+    tangential += wrench.tangential_y->value;
+    moment += wrench.normal.value * wrench.centre_y->value;
+    CHECK_THAT(wrench.covariance[0], WithinRel(std::pow(wrench.normal.deviation, 2), 1e-9));
+    CHECK_THAT(wrench.covariance[7], WithinRel(std::pow(wrench.tangential_y->deviation, 2), 1e-9));
+  }
+  CHECK_THAT(normal, WithinRel(tip.force->normal, 1e-9));
+  CHECK_THAT(tangential, WithinRel(tip.force->tangential, 1e-9));
+  CHECK_THAT(moment / normal, WithinRel(tip.force->centre, 1e-9));
+  CHECK_THAT(tip.patches[0].wrench.normal.value, WithinRel(breadth * 100.0, 0.1));
+  CHECK_THAT(tip.patches[1].wrench.normal.value, WithinRel(breadth * 60.0, 0.1));
+}

@@ -40,7 +40,7 @@ TEST_CASE("a contact between two taxels is one too", "[identify]") {
 
 TEST_CASE("stress with shear hides nothing, and no reason is given", "[identify]") {
   const Survey survey = identify(small("\"stress_x\", \"shear_xy\""));
-  CHECK(survey.own.identifiability.null_space.dimension == 0);
+  CHECK(survey.own.identifiability->null_space.dimension == 0);
   CHECK_FALSE(hides_anything(survey.own));
   CHECK(survey.reasons.empty());
 }
@@ -48,7 +48,7 @@ TEST_CASE("stress with shear hides nothing, and no reason is given", "[identify]
 TEST_CASE("two strains lose the tangential mean to odd kernels and a mode to the odd count",
           "[identify]") {
   const Survey survey = identify(small("\"strain_x\", \"strain_y\""));
-  CHECK(survey.own.identifiability.null_space.dimension == 1);
+  CHECK(survey.own.identifiability->null_space.dimension == 1);
   REQUIRE(survey.reasons.size() == 2);
   const auto* odd = find<hidden_reason::OddKernels>(survey);
   REQUIRE(odd != nullptr);
@@ -111,7 +111,7 @@ TEST_CASE("a deep sensor loses short waves to smoothing, as exp(-2 pi depth / wa
   const auto* smoothing = find<hidden_reason::Smoothing>(survey);
   REQUIRE(smoothing != nullptr);
   CHECK(smoothing->depth == 30.0);
-  CHECK(smoothing->wavelength == survey.own.identifiability.null_space.shortest);
+  CHECK(smoothing->wavelength == survey.own.identifiability->null_space.shortest);
   CHECK_THAT(std::log(smoothing->left) * smoothing->wavelength,
              WithinRel(-2.0 * 3.14159265358979 * 30.0, 1e-12));
 }
@@ -153,7 +153,8 @@ TEST_CASE("what is told does not depend on the unit of stress", "[identify]") {
                               "[noise]\nrms = " + shortest(1e-3 * pascal) + "\n");
     const std::vector<double> largest = {0.5 * pascal, 0.1 * pascal};
     const double traction = traction_behind(scene, largest);
-    return std::pair(traction / pascal, *identify(scene, {.traction = traction}).own.normal);
+    return std::pair(traction / pascal,
+                     *identify(scene, {.traction = traction}).own.resolvable(SkinRipple::pressure));
   };
   const auto [traction, wavelength] = told(1.0);
   CHECK(traction >= 0.5);  // no ripple reads as much as it presses
@@ -163,6 +164,40 @@ TEST_CASE("what is told does not depend on the unit of stress", "[identify]") {
   CHECK_THROWS_AS(traction_behind(small("\"stress_x\""), {}), std::invalid_argument);
   const std::vector<double> nothing = {0.0};
   CHECK_THROWS_AS(traction_behind(small("\"stress_x\""), nothing), std::invalid_argument);
+}
+
+TEST_CASE("a line's survey is told in the parts of a skin's", "[identify]") {
+  const Scene scene = small("\"strain_x\", \"strain_y\"");
+  const SensorChoice own = identify(scene).own;
+  // Of k = 0 every kernel of the tangential traction is odd: the mean, and no other wave, is lost.
+  REQUIRE(own.hidden.size() == 1);
+  CHECK(own.hidden.front().direction == WaveDirection::mean);
+  CHECK(own.hidden.front().divergence);
+  CHECK_FALSE(own.hidden.front().normal);
+  CHECK(own.array->tractions == 30);
+  CHECK(own.array->hidden == own.identifiability->null_space.dimension);
+  CHECK(own.array->tractions - own.array->hidden == own.identifiability->rank);
+  CHECK(std::isinf(own.resolutions.front().wavelength()));
+  CHECK_THAT(own.resolutions[3].wavelength(), WithinRel(15.0 / 3.0, 1e-12));
+  CHECK(resolvable_drag(own) == own.resolvable(SkinRipple::drag_along));
+  CHECK_FALSE(own.resolvable(SkinRipple::drag_across));
+}
+
+TEST_CASE("what a line's readings are of a wave are their kernels over the noise", "[identify]") {
+  const Scene scene = small("\"stress_x\", \"shear_xy\"");
+  const Survey survey = identify(scene, {.traction = 2.0, .relative_noise = 0.01});
+  REQUIRE(survey.shares.size() == 2);
+  // In a half plane of a wave k: stress_x = -(1 + k x) exp(-k x) p, shear_xy = k x exp(-k x) p in
+  // size, and with the roles of p and q exchanged -k x exp(-k x) q, (1 - k x) exp(-k x) q.
+  const double kx = 2.0 * 3.14159265358979 / survey.wave;
+  const auto& [normal, drag, across] = survey.shares[0].signal;
+  CHECK_THAT(normal / drag, WithinRel((1.0 + kx) / kx, 1e-9));
+  CHECK_THAT(survey.shares[1].signal[1] / survey.shares[1].signal[0],
+             WithinRel((1.0 - kx) / kx, 1e-9));
+  CHECK(across == 0.0);
+  // Twice the noise is half of it.
+  const Survey noisier = identify(scene, {.traction = 2.0, .relative_noise = 0.02});
+  CHECK_THAT(noisier.shares[1].signal[0], WithinRel(0.5 * survey.shares[1].signal[0], 1e-12));
 }
 
 TEST_CASE("more noise leaves longer ripples to be told", "[identify]") {

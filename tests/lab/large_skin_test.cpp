@@ -10,10 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "src/report/words/skin_remark_words.hpp"
 #include "tactile_net/lab/answer.hpp"
-#include "tactile_net/lab/skin_recording_solver.hpp"
-#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
+#include "tactile_net/lab/run.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/skin_size.hpp"
 #include "tests/catch.hpp"
@@ -250,7 +250,8 @@ TEST_CASE("a recording of a large skin is solved frame by frame, gaps included",
           "[lab][skin][large]") {
   const SkinScene scene = millimetre_skin("[reconstruct]\nalpha = 1e-4\ntangential_weight = 1.0\n");
   const std::vector<double> readings = lab::simulate(scene).readings;
-  lab::SkinRecordingSolver solver(without_matrix(scene), {.missing = lab::Missing::estimate});
+  lab::RecordingSolver solver(without_matrix(scene), Method::tikhonov,
+                              {.missing = lab::Missing::estimate});
   std::vector<double> whole = readings;
   const auto first = solver.solve(whole);
   REQUIRE(first);
@@ -278,7 +279,7 @@ TEST_CASE("frames of a large skin share an alpha as those of a dense one do",
   }
   const auto alphas = [&](const lab::SkinSceneProblem& problem, std::optional<std::size_t> share,
                           bool equal = false) {
-    lab::SkinRecordingSolver solver(problem, {.share_alpha = share});
+    lab::RecordingSolver solver(problem, Method::tikhonov, {.share_alpha = share});
     std::vector<double> all;
     for (const std::vector<double>& frame : frames) {
       std::vector<double> readings = equal ? frames.front() : frame;
@@ -352,7 +353,7 @@ TEST_CASE("of a large skin is said how far single cells' bands are off", "[lab][
   lab::FrameAnswer answer{.iteration = lab::FrameAnswer::Iteration{.steps = 30}};
   const auto said = [&](double least, double most) {
     answer.iteration->bands = {41, least, most};
-    return report::without_matrix(answer);
+    return report::remarks_in_words(answer).warnings.front();
   };
   CHECK_THAT(said(-1e-5, 5e-4), ContainsSubstring("30 steps of conjugate gradients") &&
                                     ContainsSubstring("41 tractions: within 0.5 %"));

@@ -86,13 +86,13 @@ TEST_CASE("run answers a large array as its solver and its bands do, without a v
   const Experiment experiment = run(scene, unused);
   REQUIRE(experiment.succeeded());
   const MethodResult& result = experiment.results.front();
-  CHECK(result.verdict == expected.verdict);
-  CHECK(result.normal.traction == f);
-  CHECK(result.normal.deviation == bands.deviation);
-  REQUIRE(result.resultant);
-  CHECK(result.resultant->normal.value == bands.resultant.normal.value);
-  CHECK(result.resultant->normal.deviation == bands.resultant.normal.deviation);
-  CHECK_FALSE(result.data);
+  CHECK(result.answer.verdict == expected.verdict);
+  CHECK(result.answer.tractions == f);
+  CHECK(result.answer.deviations == bands.deviation);
+  REQUIRE(result.resultant());
+  CHECK(result.resultant()->normal.value == bands.resultant.normal.value);
+  CHECK(result.resultant()->normal.deviation == bands.resultant.normal.deviation);
+  CHECK_FALSE(result.answer.data);
 }
 
 TEST_CASE("nothing changes where arrays become large", "[lab][large]") {

@@ -18,8 +18,6 @@
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/skin_recording_solver.hpp"
-#include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/scene/any_scene.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -92,6 +90,18 @@ struct SensorProblem {
   [[nodiscard]] FilterFrame analysed(std::span<const double> g) const {
     return problem.family().analyse(g);
   }
+  [[nodiscard]] lab::RecordingSolver solver(lab::RecordingSolverOptions options = {}) const {
+    return lab::RecordingSolver(problem, Method::tikhonov, options);
+  }
+  [[nodiscard]] static FrameNumbers answer(lab::RecordingSolver& solver, std::vector<double> g) {
+    auto found = solver.solve(g);
+    REQUIRE(found);
+    return numbers_of(lab::with_bands(solver.problem(), g, *std::move(found)));
+  }
+  [[nodiscard]] FrameNumbers solve(const std::vector<double>& g) const {
+    lab::RecordingSolver one = solver();
+    return answer(one, g);
+  }
 
   Problem problem;
 };
@@ -110,7 +120,6 @@ struct Lines : SensorProblem<lab::SceneProblem> {
   /// A contact whose middle, or whose edge, lies above the last taxel.
   static constexpr const char* beyond = "center = 5.0";
   static constexpr const char* within = "center = 3.5";
-  using Solver = lab::RecordingSolver;
 
   explicit Lines(const std::string& toml) : Lines(parse_scene(toml, "line.toml")) {}
   explicit Lines(Scene scene) : SensorProblem{lab::SceneProblem(std::move(scene))} {}
@@ -148,41 +157,17 @@ struct Lines : SensorProblem<lab::SceneProblem> {
                 "\nfriction = " + std::to_string(friction) + "\n",
             {centre}};
   }
-  [[nodiscard]] static FrameNumbers answer(Solver& solver, std::vector<double> g) {
-    std::vector<double> tractions(solver.tractions());
-    const auto result = solver.solve(g, tractions);
-    REQUIRE(result);
-    REQUIRE(result->status == FrameStatus::ok);
-    return numbers_of(lab::with_bands(lab::SceneFrame(solver.problem(), g), tractions, *result));
-  }
   /// What `run` makes of the scene's own readings.
   [[nodiscard]] FrameNumbers run() const {
     UnusedSimulator simulator;
     const lab::Experiment experiment = lab::run(problem.scene(), simulator);
     const lab::MethodResult& found = experiment.results.front();
     REQUIRE(found.has_answer());
-    lab::FrameAnswer answer{.tractions = found.normal.traction,
-                            .deviations = found.normal.deviation,
-                            .alpha = *found.alpha,
-                            .verdict = found.verdict,
-                            .data = found.data,
-                            .offsets = found.offsets,
-                            .bands = lab::FrameUncertainty{.resultant = *found.resultant}};
-    const auto append = [](std::vector<double>& to, const std::vector<double>& values) {
-      to.insert(to.end(), values.begin(), values.end());
-    };
-    append(answer.tractions, found.tangential.traction);
-    append(answer.deviations, found.tangential.deviation);
-    for (const lab::Remark& one : found.remarks)
-      if (!std::holds_alternative<lab::remark::Hidden>(one)) answer.remarks.push_back(one);
+    lab::FrameAnswer answer = found.answer;
+    std::erase_if(answer.remarks, [](const lab::Remark& one) {
+      return std::holds_alternative<lab::remark::Hidden>(one);
+    });
     return numbers_of(std::move(answer));
-  }
-  [[nodiscard]] Solver solver(lab::RecordingSolverOptions options = {}) const {
-    return {problem, Method::tikhonov, options};
-  }
-  [[nodiscard]] FrameNumbers solve(const std::vector<double>& g) const {
-    Solver one = solver();
-    return answer(one, g);
   }
   /// The reading of taxel `t`'s mirror image, and what becomes of its sign.
   [[nodiscard]] static std::vector<double> mirrored_readings(const std::vector<double>& g) {
@@ -218,7 +203,6 @@ struct Skins : SensorProblem<lab::SkinSceneProblem> {
   static constexpr const char* centre = "place = [0.3, -0.2]";
   static constexpr const char* beyond = "place = [1.75, 0.1]";
   static constexpr const char* within = "place = [0.55, 0.1]";
-  using Solver = lab::SkinRecordingSolver;
 
   explicit Skins(const std::string& toml)
       : Skins(std::get<SkinScene>(parse_any_scene(toml, "skin.toml"))) {}
@@ -262,22 +246,10 @@ struct Skins : SensorProblem<lab::SkinSceneProblem> {
                 std::to_string(friction) + "\ndirection = " + std::to_string(direction) + "\n",
             {y, z}};
   }
-  [[nodiscard]] static FrameNumbers answer(Solver& solver, std::vector<double> g) {
-    const auto found = solver.solve(g);
-    REQUIRE(found);
-    return numbers_of(*found);
-  }
   [[nodiscard]] FrameNumbers run() const {
-    const lab::SkinExperiment experiment = lab::run(problem.scene());
-    REQUIRE(experiment.answer);
-    return numbers_of(*experiment.answer);
-  }
-  [[nodiscard]] Solver solver(lab::RecordingSolverOptions options = {}) const {
-    return Solver(problem, options);
-  }
-  [[nodiscard]] FrameNumbers solve(const std::vector<double>& g) const {
-    Solver one = solver();
-    return answer(one, g);
+    const lab::Experiment experiment = lab::run(problem.scene());
+    REQUIRE(experiment.results.front().has_answer());
+    return numbers_of(experiment.results.front().answer);
   }
   /// About y = 0: the drag along y turns its sign, and what reads it.
   [[nodiscard]] static std::vector<double> mirrored(const std::vector<double>& x, std::size_t down,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tactile_net/lab/answer.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
@@ -32,6 +34,12 @@ std::vector<double> bump(std::size_t channels) {
     for (int i = -20; i <= 20; ++i)
       readings.push_back((c == 0 ? 1.0 : 0.1 * i) * std::exp(-0.05 * i * i));
   return readings;
+}
+
+bool ignores_constraints(const Remarks& remarks) {
+  return std::any_of(remarks.begin(), remarks.end(), [](const Remark& one) {
+    return std::holds_alternative<remark::ConstraintsIgnored>(one);
+  });
 }
 
 }  // namespace
@@ -80,8 +88,11 @@ TEST_CASE("a frame of another size, or with NaN, is refused and leaves the room 
   CHECK(solver->solve(std::vector<double>(40), f).status == FrameStatus::wrong_size);
   std::vector<double> readings = bump(1);
   CHECK(solver->solve(readings, std::span(f).first(3)).status == FrameStatus::wrong_size);
-  readings[7] = std::numeric_limits<double>::quiet_NaN();
-  CHECK(solver->solve(readings, f).status == FrameStatus::not_finite);
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    readings[7] = bad;
+    CHECK(solver->solve(readings, f).status == FrameStatus::not_finite);
+  }
   CHECK(f == std::vector<double>(f.size(), 7.0));
 }
 
@@ -162,7 +173,19 @@ TEST_CASE("a method that does not know the scene's constraints says so in its ve
     scene.reconstruct.nonnegative = constrained;
     for (const MethodResult& result : run(scene, not_needed).results) {
       const bool knows = traits(result.method).takes_constraints;
-      CHECK((result.verdict == Verdict::unconstrained) == (constrained && !knows));
+      CHECK((result.answer.verdict == Verdict::unconstrained) == (constrained && !knows));
+      // A recording's frame says what run says of the same readings, and so do its bands.
+      const AnyProblem problem = SceneProblem(scene);
+      RecordingSolver recorded(problem, result.method);
+      std::vector<double> readings = simulate(scene).readings;
+      const auto frame = recorded.solve(readings);
+      REQUIRE(frame);
+      CHECK((frame->verdict == Verdict::unconstrained) == (constrained && !knows));
+      CHECK(ignores_constraints(frame->remarks) == (constrained && !knows));
+      if (!traits(result.method).has_bands) continue;
+      const FrameAnswer again = with_bands(recorded.problem(), readings, *frame);
+      CHECK((again.verdict == Verdict::unconstrained) == (constrained && !knows));
+      CHECK(ignores_constraints(again.remarks) == (constrained && !knows));
     }
   }
 }
@@ -182,31 +205,6 @@ TEST_CASE("dft takes no surface but the taxels", "[lab][method]") {
 TEST_CASE("the circuit solves no frames, and says so", "[lab][method]") {
   CHECK_THROWS_AS(make_solver(scene_that_reads(one_stress, ""), Method::network),
                   std::invalid_argument);
-}
-
-TEST_CASE("frames that share an alpha flicker hardly more than with a fixed one", "[lab][method]") {
-  const Scene scene = scene_that_reads("\"stress_x\"",
-                                       "[noise]\nrms = 0.02\n[[contact]]\nshape = \"cylinder\"\n"
-                                       "center = 0.4\nhalf_width = 2.0\nforce = 6.0\n"
-                                       "[time]\nrate = 100.0\nframes = 60\n");
-  const SceneProblem problem(scene);
-  const auto flicker = [&](FrameSolver& solver) {
-    SensorRecording recording(scene);
-    std::vector<double> last;
-    std::vector<double> f(solver.tractions());
-    double sum = 0.0;
-    for (int k = 0; recording.next(true); ++k) {
-      REQUIRE(solver.solve(recording.readings(), f).status == FrameStatus::ok);
-      for (std::size_t i = 0; i < f.size() && k > 30; ++i) sum += std::pow(f[i] - last[i], 2);
-      last = f;
-    }
-    return std::sqrt(sum);
-  };
-  const auto sharing = make_sharing_solver(problem, Method::tikhonov, 30);
-  const double shared = flicker(*sharing);
-  std::vector<double> room(sharing->tractions());
-  const double alpha = sharing->solve(simulate(scene).readings, room).alpha->value;
-  CHECK(shared <= 1.1 * flicker(*make_solver(problem, Method::tikhonov, alpha)));
 }
 
 TEST_CASE("a single frame shares its alpha with none", "[lab][method]") {

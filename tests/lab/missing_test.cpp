@@ -1,9 +1,12 @@
 #include "tactile_net/lab/missing.hpp"
 
 #include <cmath>
+#include <memory>
 #include <random>
 
+#include "lab/pattern_cache.hpp"
 #include "tactile_net/lab/frame_runs.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -40,7 +43,7 @@ TEST_CASE("a frame that misses taxels is solved as the scene with these dead", "
   CAPTURE(rest);
   const Scene scene = two_quantity_scene("[dead_taxels]\nindices = [9, 2]\n" + rest);
   const SceneProblem whole{scene};
-  IncompleteFrames incomplete(whole, method);
+  RecordingSolver incomplete(whole, method, {.missing = Missing::estimate});
   std::mt19937 draw(5);
   for (int round = 0; round < 6; ++round) {
     std::vector<double> readings = frame(draw);
@@ -53,16 +56,16 @@ TEST_CASE("a frame that misses taxels is solved as the scene with these dead", "
     for (double& one : complete)
       if (std::isnan(one)) one = 7.0;  // of a dead taxel: no matter
 
-    std::vector<double> found(2 * taxel_count), expected(2 * taxel_count);
-    const auto result = incomplete.solve(readings, found);
+    std::vector<double> expected(2 * taxel_count);
+    const auto result = incomplete.solve(readings);
     REQUIRE(result);
     const SceneProblem dead{with_dead};
     const FrameResult same = make_solver(dead, method)->solve(complete, expected);
-    CHECK(found == expected);
-    CHECK(result->verdict == same.verdict);
-    CHECK(result->alpha->value == same.alpha->value);
+    CHECK(result->tractions == expected);
+    CHECK(result->solved == same.verdict);
+    CHECK(result->alpha.value == same.alpha->value);
     // And the bands of either problem.
-    const FrameUncertainty a = uncertainty({incomplete.problem(), readings}, found, *result);
+    const FrameUncertainty a = *with_bands(incomplete.problem(), readings, *result).bands;
     for (double& one : complete)
       if (one == 7.0) one = 0.0;
     const FrameUncertainty b = uncertainty({dead, complete}, expected, same);
@@ -71,30 +74,37 @@ TEST_CASE("a frame that misses taxels is solved as the scene with these dead", "
   }
 }
 
-TEST_CASE("patterns of missing taxels are kept, not without end", "[lab][missing]") {
-  IncompleteFrames incomplete(SceneProblem{two_quantity_scene("[reconstruct]\nalpha = 1e-3\n")},
-                              Method::tikhonov);
-  std::mt19937 draw(5);
-  std::vector<double> found(2 * taxel_count);
-  const auto solve = [&](std::size_t pattern) {
-    std::vector<double> readings = frame(draw);
-    for (std::size_t bit = 0; bit < taxel_count; ++bit)
-      if ((pattern >> bit & 1) != 0) readings[bit] = missing_reading;
-    return incomplete.solve(readings, found).has_value();
+TEST_CASE("what patterns of missing taxels need is kept, not without end", "[lab][missing]") {
+  std::size_t made = 0;
+  PatternCache<std::size_t> patterns(10, 35);  // bytes of one, and of all
+  const auto ask = [&](std::size_t taxel) {
+    return patterns(std::vector{taxel}, [&] { return std::make_unique<std::size_t>(made++); });
   };
-  for (std::size_t pattern = 1; pattern <= 20; ++pattern)
-    for (int again = 0; again < 2; ++again) CHECK(solve(pattern));
-  CHECK(incomplete.kept() == 20);
-  CHECK(incomplete.most_kept() < 1000);
-  CHECK(incomplete.most_kept() > 20);
-  for (std::size_t pattern = 1; pattern <= incomplete.most_kept() + 5; ++pattern)
-    (void)solve(pattern);
-  CHECK(incomplete.kept() == incomplete.most_kept());
-  CHECK_FALSE(solve((std::size_t{1} << taxel_count) - 1));  // nothing is left
+  const std::shared_ptr<std::size_t> first = ask(1);
+  for (const std::size_t taxel : {2U, 3U, 1U, 2U}) (void)ask(taxel);
+  CHECK(made == 3);
+  CHECK(patterns.kept() == 3);
+  (void)ask(4);  // in place of 3, which was asked for longest ago
+  CHECK(patterns.kept() == patterns.most_kept());
+  CHECK(ask(1) == first);
+  (void)ask(3);
+  CHECK(made == 5);
+}
+
+TEST_CASE("a frame without any taxel has no answer", "[lab][missing]") {
+  RecordingSolver solver(SceneProblem{two_quantity_scene("[reconstruct]\nalpha = 1e-3\n")},
+                         Method::tikhonov, {.missing = Missing::estimate});
+  std::vector<double> readings(2 * taxel_count, missing_reading);
+  CHECK_FALSE(solver.solve(readings));
 }
 
 TEST_CASE("dft knows no dead taxels, and so none that are missing", "[lab][missing]") {
-  CHECK_THROWS_AS(IncompleteFrames(SceneProblem{two_quantity_scene("")}, Method::dft),
+  const SceneProblem problem{
+      parse_scene("[sensor]\ncount = 17\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"
+                  "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n",
+                  "scene.toml")};
+  CHECK_NOTHROW(RecordingSolver(problem, Method::dft));
+  CHECK_THROWS_AS(RecordingSolver(problem, Method::dft, {.missing = Missing::estimate}),
                   std::invalid_argument);
 }
 

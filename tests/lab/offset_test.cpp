@@ -12,7 +12,7 @@
 #include "tactile_net/lab/data_verdict.hpp"
 #include "tactile_net/lab/identify.hpp"
 #include "tactile_net/lab/method.hpp"
-#include "tactile_net/lab/missing.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/lab/workload.hpp"
@@ -95,17 +95,17 @@ TEST_CASE("missing readings leave offsets to the taxels that are there", "[lab][
   std::vector<double> readings =
       moved(scene, frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", scene, 5), 0.2);
   readings[7] = std::numeric_limits<double>::quiet_NaN();
-  IncompleteFrames frames(SceneProblem(scene), Method::tikhonov);
-  std::vector<double> f(SceneProblem(scene).tractions());
-  REQUIRE(frames.solve(readings, f));
+  RecordingSolver frames(SceneProblem(scene), Method::tikhonov, {.missing = Missing::estimate});
+  const auto found = frames.solve(readings);
+  REQUIRE(found);
 
   Scene without = scene;
   without.dead_taxels = {7};
-  CHECK(relative_l2_error(f, judged_answer(without, readings).f) < 1e-8);
+  CHECK(relative_l2_error(found->tractions, judged_answer(without, readings).f) < 1e-8);
 
   for (std::size_t i = 1; i < readings.size(); ++i)
     readings[i] = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(frames.solve(readings, f));  // one taxel: its offset is all that it reads
+  CHECK_FALSE(frames.solve(readings));  // one taxel: its offset is all that it reads
 }
 
 TEST_CASE("circuits find the tractions whatever the offsets", "[lab][offset][relaxation]") {

@@ -67,7 +67,6 @@ TEST_CASE("the list to order is stable with the scene's op-amps, and its draws m
     counted += std::accumulate(array.counts.begin(), array.counts.end(), std::size_t{0});
   }
   CHECK(counted + chosen.pairs == ordered);
-  CHECK_THAT(report::in_words(list), StartsWith("For 0.3 % in 95 of 100 builds: lattice"));
 
   // What is ordered, the bill and the board are of the same parts.
   const auto rows_of = [](const std::string& csv) {
@@ -232,7 +231,6 @@ TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_
   const lab::SceneCircuit circuit = board_circuit();
   const lab::PartsList none = lab::parts_list(circuit, 1e-6);
   CHECK_FALSE(none.choice);
-  CHECK_THAT(report::in_words(none), StartsWith("No resistors keep"));
   CHECK_THROWS_AS(lab::parts_list(circuit, 0.0), std::invalid_argument);
 }
 
@@ -258,6 +256,7 @@ TEST_CASE("the parts of a ladder are ordered as all are, and make its answer",
   const double volts = circuit.options().parts.scale.volts;
   for (double& one : soldered) one /= volts;
   CHECK(relative_l2_error(soldered, circuit.direct()) < 1.5 * chosen.rounding);
-  CHECK_THAT(report::in_words(list), ContainsSubstring("least_squares with a ladder, 82 op-amps"));
+  CHECK(chosen.realization == Realization::least_squares);
+  CHECK(chosen.opamps == 82);
   CHECK_THAT(report::board_text(list), ContainsSubstring("\"Rg0p"));
 }

@@ -109,20 +109,4 @@ TEST_CASE("a plan's force beside the solver's: the same, but for constraints",
   CHECK_FALSE(planned_force(empty, plan_controller(empty, *plan_alpha(empty)).estimator.plan));
 }
 
-TEST_CASE("dead taxels of a line leave its plan the symmetry, and the solver's answer",
-          "[lab][controller]") {
-  const SceneProblem problem = line_problem(
-      cylinder_contact + "[reconstruct]\nalpha = 1e-4\n[dead_taxels]\nindices = [4, 9]\n");
-  PlannerOptions options;
-  options.structure = Structure::reflections;
-  const EstimatorPlan plan = plan_controller(problem, *plan_alpha(problem), options).estimator.plan;
-  REQUIRE(plan.fill);
-  CHECK(plan.fill->rows == 2);
-  const PlannedForce force = planned_force(problem, plan).value();
-  CHECK_THAT(force.planned, WithinRel(force.solved, 1e-6));
-  options.structure = Structure::fft;
-  options.accuracy = 1e-3;
-  CHECK(plan_controller(problem, *plan_alpha(problem), options).estimator.plan.fill);
-}
-
 }  // namespace tactile_net::lab

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <variant>
 #include <vector>
@@ -26,6 +27,11 @@ Scene pressed_over_time() {
 
 std::vector<double> simulated_readings(const Scene& scene) { return simulate(scene).readings; }
 
+/// Of the problem that the last frame was solved with.
+const std::vector<std::size_t>& dead_of(const RecordingSolver& solver) {
+  return std::get<SceneProblem>(solver.problem()).scene().dead_taxels;
+}
+
 struct Steps : Observer {
   explicit Steps(std::size_t most) : most_(most) {}
   void step(const Step& step) override {
@@ -45,15 +51,14 @@ TEST_CASE("frames are solved as the method solves them, and judged", "[lab][reco
   const SceneProblem problem(scene);
   RecordingSolver recorded(problem, Method::tikhonov);
   const auto alone = make_solver(problem, Method::tikhonov);
-  std::vector<double> found(recorded.tractions());
   std::vector<double> expected(alone->tractions());
   SensorRecording sensor(scene);
   while (sensor.next()) {
     std::vector<double> readings(sensor.readings().begin(), sensor.readings().end());
-    const auto result = recorded.solve(readings, found);
+    const auto result = recorded.solve(readings);
     REQUIRE(result);
     REQUIRE(alone->solve(sensor.readings(), expected).status == FrameStatus::ok);
-    CHECK(found == expected);
+    CHECK(result->tractions == expected);
     REQUIRE(result->data);
     CHECK(result->data->consistent());
   }
@@ -68,32 +73,30 @@ TEST_CASE("a frame with a missing reading is skipped, or solved from the others"
   readings[4] = missing_reading;
   const Missing missing = GENERATE(Missing::skip, Missing::estimate);
   RecordingSolver solver(SceneProblem(scene), Method::tikhonov, {.missing = missing});
-  std::vector<double> tractions(solver.tractions(), 7.0);
-  const auto result = solver.solve(readings, tractions);
+  const auto result = solver.solve(readings);
   CHECK(result.has_value() == (missing == Missing::estimate));
   CHECK(solver.solved().frames == 1);
   if (result) {
-    CHECK(solver.problem().scene().dead_taxels == std::vector<std::size_t>{4});
+    CHECK(dead_of(solver) == std::vector<std::size_t>{4});
+    CHECK(readings[4] == 0.0);
     CHECK(solver.solved().estimated.count() == 1);
   } else {
-    CHECK(tractions == std::vector<double>(solver.tractions(), 7.0));
     CHECK(solver.solved().skipped.count() == 1);
   }
   std::vector<double> whole = simulated_readings(scene);
-  REQUIRE(solver.solve(whole, tractions));
-  CHECK(solver.problem().scene().dead_taxels.empty());
+  REQUIRE(solver.solve(whole));
+  CHECK(dead_of(solver).empty());
 }
 
 TEST_CASE("a bad frame does not count", "[lab][recording]") {
   RecordingSolver solver(SceneProblem(pressed_over_time()), Method::tikhonov);
-  std::vector<double> tractions(solver.tractions(), 7.0);
   std::vector<double> readings(17, 1.0);
   readings[3] = missing_reading;
-  const auto result = solver.solve(readings, tractions);
-  REQUIRE(result);
-  CHECK(result->status == FrameStatus::not_finite);
+  CHECK_THROWS_AS(solver.solve(readings), std::invalid_argument);
+  for (std::size_t i = 0; i < readings.size(); ++i) readings[i] = i % 2 == 0 ? 1.7e308 : -1.7e308;
+  CHECK_THROWS_AS(solver.solve(readings), FrameOverflow);
+  CHECK_THROWS_AS(solver.solve(std::span(readings).first(5)), std::invalid_argument);
   CHECK(solver.solved().frames == 0);
-  CHECK(tractions == std::vector<double>(solver.tractions(), 7.0));
 }
 
 TEST_CASE("whoever observes a simulation hears every frame, and may end it", "[lab][recording]") {
@@ -119,8 +122,7 @@ TEST_CASE("taxels at the end of a line's range are left out, as if dead",
   // Nobody states the range: they are named, and taken for what they say.
   const std::vector<double> clipped = readings;
   RecordingSolver guessing(SceneProblem(scene), Method::tikhonov);
-  std::vector<double> found(guessing.tractions());
-  auto result = guessing.solve(readings, found);
+  auto result = guessing.solve(readings);
   REQUIRE(result);
   CHECK(result->verdict == Verdict::clipped);
   CHECK(readings == clipped);
@@ -130,7 +132,7 @@ TEST_CASE("taxels at the end of a line's range are left out, as if dead",
 
   scene.saturation = Saturation{.range = {{Quantity::stress_x, {-limit, limit}}}};
   RecordingSolver knowing(SceneProblem(scene), Method::tikhonov);
-  result = knowing.solve(readings, found);
+  result = knowing.solve(readings);
   REQUIRE(result);
   CHECK(result->verdict == Verdict::clipped);
   CHECK(std::get<remark::Clipped>(result->remarks.back()).left_out);
@@ -139,7 +141,7 @@ TEST_CASE("taxels at the end of a line's range are left out, as if dead",
   const auto without = make_solver(scene, Method::tikhonov);
   std::vector<double> expected(without->tractions());
   REQUIRE(without->solve(readings, expected).status == FrameStatus::ok);
-  CHECK(found == expected);
+  CHECK(result->tractions == expected);
 }
 
 TEST_CASE("what solve notices comes from the same functions", "[lab][check]") {
@@ -153,7 +155,7 @@ TEST_CASE("what solve notices comes from the same functions", "[lab][check]") {
   std::vector<double> tractions(11);
   for (const auto& frame : recording.frames) {
     const auto result = solver->solve(frame, tractions);
-    doubts.add(problem, frame, tractions, result.alpha->value);
+    doubts.add(problem, frame, {.tractions = tractions, .alpha = *result.alpha});
   }
   Names names;
   for (const Finding& one : doubts.findings()) names.emplace(name(one));
@@ -167,8 +169,7 @@ namespace {
 /// A recording whose frames are all solved.
 RecordingSolver solver_through(const RecordedLine& recording) {
   RecordingSolver solver(SceneProblem(recording.scene), Method::tikhonov);
-  std::vector<double> tractions(solver.tractions());
-  for (std::vector<double> frame : recording.frames) REQUIRE(solver.solve(frame, tractions));
+  for (std::vector<double> frame : recording.frames) REQUIRE(solver.solve(frame));
   return solver;
 }
 
@@ -209,13 +210,12 @@ TEST_CASE("a solver finds in frames and their times what a check of them finds",
   recording.frames[30][4] = missing_reading;
   ReadingsChecker checker(recording.scene);
   RecordingSolver solver(SceneProblem(recording.scene), Method::tikhonov, {.missing = missing});
-  std::vector<double> tractions(solver.tractions());
   for (std::size_t k = 0; k < recording.frames.size(); ++k) {
     std::optional<double> time;  // runs backwards once, stands still once, and is missing once
     if (k != 50) time = 0.01 * static_cast<double>(k < 200 ? k : k < 300 ? k - 100 : k - 101);
     checker.add(time, recording.frames[k]);
     std::vector<double> readings = recording.frames[k];
-    (void)solver.solve(readings, tractions, time);
+    (void)solver.solve(readings, time);
   }
   const ReadingsCheck expected = checker.result();
   const Names names = kinds(expected);

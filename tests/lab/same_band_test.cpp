@@ -41,6 +41,7 @@ Hand one_finger_hand(FingertipScene tip) {
   HandFinger finger;
   finger.finger.links = {1.0, 1.0};
   finger.finger.angles = {0.5, 0.5};
+  finger.finger.pad.center = 0.5;
   finger.half_width = 1e3;
   finger.contact = std::move(tip);
   Hand hand;
@@ -112,20 +113,47 @@ TEST_CASE("a simulated frame has the same band from run, solve and grasp", "[lab
   const Experiment experiment = lab::run(scene, simulator);
   REQUIRE(experiment.results.size() == 1);
   const MethodResult& result = experiment.results[0];
-  REQUIRE(result.resultant.has_value());
+  REQUIRE(result.resultant());
   const GraspResult grasp = hold(one_finger_hand({.scene = SCENES + name, .readings = {}}), {});
   const std::vector<double> band = force_numbers(fingertip_force(solved.resultant, 1.0));
   CHECK(force_numbers(*grasp.tips[0].force) == band);
-  REQUIRE(result.normal.deviation.size() == scene.sensor.count);
+  const auto deviations = component(result.answer.deviations, experiment.places(), 0);
+  REQUIRE(deviations.size() == scene.sensor.count);
   // With the rule's alpha in hand, `run` takes the product M s where a solver of frames filters:
   // the same to rounding.
-  const FingertipForce run = fingertip_force(*result.resultant, 1.0);
+  const FingertipForce run = fingertip_force(*result.resultant(), 1.0);
   const FingertipForce& held = *grasp.tips[0].force;
   CHECK_THAT(run.normal, WithinRel(held.normal, 1e-9));
   CHECK_THAT(run.centre, WithinRel(held.centre, 1e-9));
   for (const ContactValue value :
        {ContactValue::normal, ContactValue::tangential, ContactValue::centre})
     CHECK_THAT(run.covariance.deviation(value), WithinRel(held.covariance.deviation(value), 1e-9));
-  for (std::size_t i = 0; i < result.normal.deviation.size(); ++i)
-    CHECK_THAT(result.normal.deviation[i], WithinRel(solved.deviation[i], 1e-9));
+  for (std::size_t i = 0; i < deviations.size(); ++i)
+    CHECK_THAT(deviations[i], WithinRel(solved.deviation[i], 1e-9));
+}
+
+TEST_CASE("a fingertip leaves out what stands at the end of its range, as run does", "[lab]") {
+  const std::string pad = SCENES "/effects/saturation.toml";
+  NoSimulator simulator;
+  const Experiment experiment = lab::run(read_scene(pad), simulator);
+  const MethodResult& result = experiment.results.front();
+  REQUIRE(result.answer.verdict == Verdict::clipped);
+  const GraspResult grasp = hold(one_finger_hand({.scene = pad, .readings = {}}), {});
+  const FingertipForce& held = *grasp.tips[0].force;
+  CHECK_THAT(held.normal, WithinRel(result.resultant()->normal.value, 1e-9));
+  CHECK_THAT(held.covariance.deviation(ContactValue::normal),
+             WithinRel(result.resultant()->normal.deviation, 1e-9));
+  // What run says of the frame, the fingertip says too.
+  std::vector<Verdict> doubts;
+  std::vector<std::size_t> said;
+  for (const FingertipRemark& one : grasp.tips[0].remarks) {
+    if (const auto* doubtful = std::get_if<remark::Doubtful>(&one))
+      doubts.push_back(doubtful->verdict);
+    if (const auto* of_answer = std::get_if<Remark>(&one)) said.push_back(of_answer->index());
+  }
+  CHECK(doubts == std::vector{Verdict::clipped});
+  std::vector<std::size_t> of_run;
+  for (const Remark& one : result.answer.remarks)
+    if (!std::holds_alternative<remark::Hidden>(one)) of_run.push_back(one.index());
+  CHECK(said == of_run);
 }

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "tactile_net/lab/readings_check.hpp"
-#include "tactile_net/lab/skin_recording.hpp"
-#include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/recording.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
-#include "tactile_net/pages/skin_page.hpp"
-#include "tactile_net/report/json/skin_json.hpp"
+#include "tactile_net/pages/recording_page.hpp"
+#include "tactile_net/report/json/solve_json.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "tests/catch.hpp"
 #include "tests/lab/checked_recording.hpp"
@@ -275,19 +275,19 @@ TEST_CASE("a skin's drift is told whoever solves it, frame by frame or all at on
   const lab::ReadingsCheck checked = checker.result();
   CHECK(kinds(checked).contains("time_backwards"));
   const auto doubts_of = [&](auto solve) {
-    lab::SkinRecordingSolver solver{lab::SkinSceneProblem(recording.scene)};
+    lab::RecordingSolver solver{lab::SkinSceneProblem(recording.scene)};
     solve(solver);
     CHECK(in_sentences(solver.findings(), recording.scene) ==
           in_sentences(checked.findings, recording.scene));
     return solver.doubts();
   };
-  const lab::Findings one_by_one = doubts_of([&](lab::SkinRecordingSolver& solver) {
+  const lab::Findings one_by_one = doubts_of([&](lab::RecordingSolver& solver) {
     for (std::size_t k = 0; k < recording.frames.size(); ++k) {
       std::vector<double> frame = recording.frames[k];
       (void)solver.solve(frame, time_of(k));
     }
   });
-  const lab::Findings at_once = doubts_of([&](lab::SkinRecordingSolver& solver) {
+  const lab::Findings at_once = doubts_of([&](lab::RecordingSolver& solver) {
     std::size_t next = 0;
     solver.solve_all(
         [&](std::vector<double>& readings, std::optional<double>& time) {
@@ -344,12 +344,13 @@ TEST_CASE("a skin's page and its JSON have every finding", "[lab][check][skin]")
   RecordedSkin recording = recorded_skin(skin_pad("\"stress_x\"", false));
   for (auto& frame : recording.frames) frame[middle_taxel] = frame[middle_taxel + 1];
   const lab::SkinSceneProblem problem(recording.scene);
-  lab::SkinRecordingAnswer all{.scene = recording.scene, .grid = problem.grid()};
-  all.add({}, recording.frames[100], lab::solve(problem, recording.frames[100]));
+  lab::Recording solved(problem);
+  solved.add({}, problem, recording.frames[100], lab::solve(problem, recording.frames[100]));
+  lab::RecordingOverview all = solved.overview();
   all.findings = check(recording).findings;
   REQUIRE_FALSE(all.findings.empty());
-  const std::string page = pages::recording_page(all, "skin.csv", {}).html;
-  const std::string json = report::recording_json(all, "skin.csv");
+  const std::string page = pages::recording_page(all, "skin.csv", {}, {}).html;
+  const std::string json = report::solve_json(all, {}, {.readings = "skin.csv"});
   for (const lab::Finding& one : all.findings) {
     CHECK_THAT(page, ContainsSubstring(report::in_words(one, recording.scene)));
     CHECK_THAT(page, ContainsSubstring("indices = ["));

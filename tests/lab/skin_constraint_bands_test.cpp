@@ -8,10 +8,9 @@
 
 #include "lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/answer.hpp"
-#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
-#include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -181,11 +180,11 @@ indices = [18, 19, 27, 36, 44, 45]
 friction_limit = 0.8
 )",
       "skin.toml"));
-  const lab::SkinExperiment found = lab::run(scene);
-  CAPTURE(found.refusal);
-  REQUIRE(found.answer);
-  CHECK(std::abs(found.answer->wrench.normal.value - 718.4) <
-        3.0 * found.answer->wrench.normal.deviation);
+  const lab::Experiment found = lab::run(scene);
+  CAPTURE(found.results.front().refusal);
+  REQUIRE(found.results.front().has_answer());
+  CHECK(std::abs(found.results.front().answer.wrench.normal.value - 718.4) <
+        3.0 * found.results.front().answer.wrench.normal.deviation);
 }
 
 TEST_CASE("what an offset lets noise press everywhere is no contact's",
@@ -221,15 +220,13 @@ TEST_CASE("a baseline that is no reading of a contact makes no frame doubtful",
   const std::vector<double> after =
       lab::without_offsets(problem, readings, lab::solve(problem, readings).tractions);
   for (std::size_t i = 0; i < before.size(); ++i) CHECK_THAT(after[i], WithinAbs(before[i], 1e-6));
-  // Found offsets are said in the scene's unit.
+  // Found offsets know the scene's units.
   SkinScene units = problem.scene();
   units.units.emplace();
-  lab::SkinExperiment experiment{.scene = units};
-  experiment.answer = lab::solve(lab::SkinSceneProblem(units), readings);
-  const std::vector<std::string> said = report::remarks_in_words(experiment).notes;
-  CHECK(std::any_of(said.begin(), said.end(), [](const std::string& note) {
-    return note.find("offset that is not known") != std::string::npos &&
-           note.find("Pa") != std::string::npos;
+  const lab::Remarks said = lab::solve(lab::SkinSceneProblem(units), readings).remarks;
+  CHECK(std::any_of(said.begin(), said.end(), [](const lab::Remark& remark) {
+    const auto* found = std::get_if<lab::remark::OffsetsFound>(&remark);
+    return found != nullptr && found->units.has_value();
   }));
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tactile_net/lab/answer.hpp"
-#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -40,8 +40,8 @@ SkinScene with_noise(SkinScene scene, double share, std::uint64_t seed) {
 }
 
 /// The largest error of force and centre over their deviations.
-double off(const lab::SkinExperiment& experiment) {
-  const UncertainWrench& found = experiment.answer->wrench;
+double off(const lab::Experiment& experiment) {
+  const UncertainWrench& found = experiment.results.front().answer.wrench;
   const auto centre = *experiment.frame.wrench.centre();
   const auto times = [](const Uncertain& one, double exact) {
     return std::abs(one.value - exact) / one.deviation;
@@ -55,14 +55,15 @@ double off(const lab::SkinExperiment& experiment) {
 TEST_CASE("deviations hold what presses over the edge of a skin", "[lab][skin][edge][long]") {
   // Centred beyond the last taxels, where a grid that ends with them was 8 and 37 deviations off.
   for (const auto& [y, z] : {std::pair{8.5, 0.0}, std::pair{8.9, 8.9}}) {
-    const lab::SkinExperiment found = lab::run(with_noise(touched_skin(y, z, 3.0), 0.01, 1));
-    REQUIRE(found.answer);
-    CAPTURE(y, z, found.answer->unseen);
-    CHECK(found.answer->unseen > lab::most_unseen);
+    const lab::Experiment found = lab::run(with_noise(touched_skin(y, z, 3.0), 0.01, 1));
+    REQUIRE(found.results.front().has_answer());
+    CAPTURE(y, z, found.results.front().answer.unseen);
+    CHECK(found.results.front().answer.unseen > lab::most_unseen);
     CHECK(off(found) < 4.0);
     // The outermost taxels are pressed as hard as any, and the answer says so.
-    CHECK(found.answer->verdict == lab::Verdict::cut_off);
-    const std::vector<std::string> warnings = report::remarks_in_words(found).warnings;
+    CHECK(found.results.front().answer.verdict == lab::Verdict::cut_off);
+    const std::vector<std::string> warnings =
+        report::remarks_in_words(found.results.front().answer).warnings;
     CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
       return warning.find("lies beyond the taxels") != std::string::npos;
     }));
@@ -75,11 +76,11 @@ TEST_CASE("deviations hold what presses over the edge of a skin", "[lab][skin][e
     const double along = 9.0 * unit(random);
     const double across = (i % 4 < 2 ? 1.0 : -1.0) * (7.5 + unit(random));
     const std::string constraint = i % 3 == 0 ? "[reconstruct]\nfriction_limit = 0.8\n" : "";
-    const lab::SkinExperiment found =
+    const lab::Experiment found =
         lab::run(with_noise(touched_skin(i % 2 ? along : across, i % 2 ? across : along,
                                          2.5 + unit(random), constraint),
                             i % 2 ? 0.01 : 0.001, static_cast<std::uint64_t>(i + 1)));
-    REQUIRE(found.answer);
+    REQUIRE(found.results.front().has_answer());
     held += off(found) < 2.0;
     CHECK(off(found) < 4.0);
   }
@@ -90,10 +91,11 @@ TEST_CASE("deviations hold what presses where taxels are dead", "[lab][skin][edg
   std::string dead;
   for (int i = 0; i < 40; ++i) dead += (i > 0 ? ", " : "") + std::to_string(i);
   for (const double y : {-1.0, 1.0}) {
-    const lab::SkinExperiment found = lab::run(with_noise(
+    const lab::Experiment found = lab::run(with_noise(
         touched_skin(y, 1.0, 2.5, "[dead_taxels]\nindices = [" + dead + "]\n"), 0.01, 1));
-    REQUIRE(found.answer);
-    CAPTURE(y, found.answer->wrench.normal.value, found.answer->wrench.normal.deviation);
+    REQUIRE(found.results.front().has_answer());
+    CAPTURE(y, found.results.front().answer.wrench.normal.value,
+            found.results.front().answer.wrench.normal.deviation);
     CHECK(off(found) < 4.0);
   }
 }
@@ -119,7 +121,7 @@ TEST_CASE("a friction limit below the true one is doubted, an honest one is not"
           "[lab][skin][data][long]") {
   const auto data = [](const std::string& limit) {
     const SkinScene scene = with_noise(touched_skin(1.0, 0.5, 3.0, limit), 0.01, 2);
-    return *lab::run(scene).answer->data;
+    return *lab::run(scene).results.front().answer.data;
   };
   CHECK(data("").consistent());
   CHECK(data("[reconstruct]\nfriction_limit = 0.8\n").consistent());
@@ -130,17 +132,17 @@ TEST_CASE("a friction limit below the true one is doubted, an honest one is not"
 
 TEST_CASE("a radius by Hertz' law holds the true one, and is not named where there is none",
           "[lab][skin][edge][long]") {
-  const auto said = [](const lab::SkinExperiment& experiment) {
+  const auto said = [](const lab::Experiment& experiment) {
     std::string text;
     for (const auto& row : report::found_cells(experiment))
       for (const std::string& cell : row) text += cell + "|";
     return text;
   };
   const SkinScene sphere = with_noise(touched_skin(1.0, 0.5, 3.0), 0.01, 2);
-  const lab::SkinExperiment found = lab::run(sphere);
-  REQUIRE(found.answer->ellipse);
-  CHECK(std::abs(found.answer->ellipse->radius.value - 3.0) <
-        2.5 * found.answer->ellipse->radius.deviation);
+  const lab::Experiment found = lab::run(sphere);
+  REQUIRE(found.results.front().answer.ellipse);
+  CHECK(std::abs(found.results.front().answer.ellipse->radius.value - 3.0) <
+        2.5 * found.results.front().answer.ellipse->radius.deviation);
   CHECK_THAT(said(found), ContainsSubstring("radius (Hertz)") && ContainsSubstring("|3|"));
   SkinScene punch = sphere;
   std::get<SkinContact>(punch.contacts[0]).shape = SkinShape::punch;
@@ -149,7 +151,7 @@ TEST_CASE("a radius by Hertz' law holds the true one, and is not named where the
 
 TEST_CASE("force and centre of a skin know no units", "[lab][skin][edge][long]") {
   const SkinScene one = with_noise(touched_skin(1.0, 0.5, 3.0), 0.01, 2);
-  const lab::SkinExperiment here = lab::run(one);
+  const lab::Experiment here = lab::run(one);
   for (const double metre : {1e-150, 1e150})
     for (const double pascal : {1.0, 1e-5}) {
       SkinScene other = one;
@@ -165,12 +167,12 @@ TEST_CASE("force and centre of a skin know no units", "[lab][skin][edge][long]")
       CAPTURE(metre, pascal);
       REQUIRE(there.wrench.centre_y);
       CHECK_THAT(there.wrench.centre_y->value / metre,
-                 WithinRel(here.answer->wrench.centre_y->value, 1e-6));
+                 WithinRel(here.results.front().answer.wrench.centre_y->value, 1e-6));
       CHECK_THAT(there.wrench.centre_y->deviation / metre,
-                 WithinRel(here.answer->wrench.centre_y->deviation, 1e-6));
+                 WithinRel(here.results.front().answer.wrench.centre_y->deviation, 1e-6));
       CHECK_THAT(there.wrench.normal.value / metre / metre / pascal,
-                 WithinRel(here.answer->wrench.normal.value, 1e-6));
+                 WithinRel(here.results.front().answer.wrench.normal.value, 1e-6));
       CHECK_THAT(there.wrench.normal.deviation / metre / metre / pascal,
-                 WithinRel(here.answer->wrench.normal.deviation, 1e-6));
+                 WithinRel(here.results.front().answer.wrench.normal.deviation, 1e-6));
     }
 }

@@ -9,7 +9,7 @@
 
 #include "lab/skin_data_verdict.hpp"
 #include "tactile_net/lab/answer.hpp"
-#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -32,9 +32,9 @@ SkinScene pressed_skin(double y, double z, const std::string& more = "",
 }
 
 lab::FrameAnswer answer_of_skin(const SkinScene& scene) {
-  lab::SkinExperiment found = lab::run(scene);
-  REQUIRE(found.answer);
-  return *std::move(found.answer);
+  lab::Experiment found = lab::run(scene);
+  REQUIRE(found.results.front().has_answer());
+  return std::move(found.results.front().answer);
 }
 
 const lab::remark::Clipped* clipped_of(const lab::FrameAnswer& answer) {

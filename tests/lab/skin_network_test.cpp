@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "tactile_net/lab/relaxation.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
-#include "tactile_net/lab/skin_run.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/deck.hpp"
@@ -143,9 +143,9 @@ TEST_CASE("what ngspice makes of a skin's scene is the digital answer, as far as
   REQUIRE(relaxation.certificate);
   CHECK(relaxation.certificate->stability == Stability::stable);
   // The answer is that of the library: this scene states alpha, and has no constraints.
-  const lab::SkinExperiment run = lab::run(skin);
-  REQUIRE(run.answer);
-  CHECK(l2_difference(circuit.direct(), run.answer->tractions) < 1e-12);
+  const lab::Experiment run = lab::run(skin);
+  REQUIRE(run.results.front().has_answer());
+  CHECK(l2_difference(circuit.direct(), run.results.front().answer.tractions) < 1e-12);
 }
 
 TEST_CASE("a circuit of a skin has the scene's alpha and weight, and cells of its own",

@@ -88,32 +88,6 @@ TEST_CASE("a controller of a skin finds what `solve` finds, dead taxels or not",
   }
 }
 
-TEST_CASE("a plan in a file's units takes its raw numbers", "[lab][skin]") {
-  const lab::SkinSceneProblem problem = skin_problem(
-      "[reconstruct]\nalpha = 1e-3\n[units]\nlength = \"m\"\nmodulus = \"Pa\"\n"
-      "stress = \"kPa\"\nforce = \"N\"\n");
-  const SkinScene& scene = problem.scene();
-  const auto alpha = lab::plan_alpha(problem);
-  const lab::PlannedController planned = lab::plan_controller(problem, *alpha);
-  CHECK(planned.for_raw_numbers);
-  std::vector<double> readings(planned.estimator.plan.readings());
-  for (std::size_t i = 0; i < readings.size(); ++i) readings[i] = std::sin(static_cast<double>(i));
-  const std::vector<double> raw = raw_numbers(scene, readings);
-  ContactEstimator estimator(planned.estimator.plan);
-  std::vector<double> f(estimator.tractions());
-  ContactEstimate estimate{.tractions = f};
-  REQUIRE(estimator.update(raw, estimate) == FrameStatus::ok);
-  const std::vector<double> exact =
-      problem.family().solve(problem.family().analyse(readings), 1e-3);
-  double apart = 0.0;
-  double size = 0.0;
-  for (std::size_t i = 0; i < f.size(); ++i) {
-    apart = std::hypot(apart, f[i] - exact[i]);
-    size = std::hypot(size, exact[i]);
-  }
-  CHECK(apart <= 1e-6 * size);
-}
-
 TEST_CASE("a plan for more memory than there is is refused before it is made", "[lab][skin]") {
   const SkinScene scene = skin_problem("").scene();
   CHECK_NOTHROW(lab::check_memory(scene, 1e9));

@@ -1,13 +1,12 @@
 // A skin's scene from contacts to tractions and back.
-#include "tactile_net/lab/skin_run.hpp"
-
 #include <cmath>
 #include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "tactile_net/lab/skin_recording.hpp"
+#include "tactile_net/lab/recording.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -28,9 +27,9 @@ SkinScene dragged_skin(const std::string& more = "") {
 }  // namespace
 
 TEST_CASE("what was found is the truth within its own deviations", "[lab][skin]") {
-  const lab::SkinExperiment experiment = lab::run(dragged_skin());
-  REQUIRE(experiment.answer);
-  const UncertainWrench& found = experiment.answer->wrench;
+  const lab::Experiment experiment = lab::run(dragged_skin());
+  REQUIRE(experiment.results.front().has_answer());
+  const UncertainWrench& found = experiment.results.front().answer.wrench;
   const SkinWrench& exact = experiment.frame.wrench;
   CHECK_THAT(exact.force[0], WithinRel(1.0, 1e-12));
   const auto near = [](const Uncertain& one, double value, double scale) {
@@ -42,17 +41,17 @@ TEST_CASE("what was found is the truth within its own deviations", "[lab][skin]"
   near(*found.tangential_z, exact.force[2], 1.0);
   near(*found.centre_y, 0.3, 1.0);
   near(*found.centre_z, -0.2, 1.0);
-  CHECK(experiment.relative[0] < 0.3);
-  CHECK(experiment.answer->patches.size() == 1);
+  CHECK(experiment.results.front().errors.front().relative < 0.3);
+  CHECK(experiment.results.front().answer.patches.size() == 1);
 }
 
 TEST_CASE("under a friction limit every cell obeys it", "[lab][skin]") {
   const double limit = 0.5;
-  const lab::SkinExperiment experiment =
+  const lab::Experiment experiment =
       lab::run(dragged_skin("[reconstruct]\nfriction_limit = 0.5\n"));
-  REQUIRE(experiment.answer);
+  REQUIRE(experiment.results.front().has_answer());
   const auto of = [&](Traction which) {
-    return lab::component(experiment.answer->tractions, experiment.grid, which);
+    return lab::component(experiment.results.front().answer.tractions, experiment.grid, which);
   };
   const auto p = of(Traction::normal);
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -60,8 +59,22 @@ TEST_CASE("under a friction limit every cell obeys it", "[lab][skin]") {
     CHECK(std::hypot(of(Traction::tangential_y)[i], of(Traction::tangential_z)[i]) <=
           limit * p[i] * (1.0 + 1e-12) + 1e-15);
   }
-  REQUIRE(experiment.answer->cone);
-  CHECK(experiment.answer->cone->residual < 1e-5);
+  REQUIRE(experiment.results.front().answer.cone);
+  CHECK(experiment.results.front().answer.cone->residual < 1e-5);
+}
+
+TEST_CASE("the rule that was used has chosen the answer's alpha among all rules", "[lab][skin]") {
+  const auto reconstruct =
+      GENERATE(as<std::string>{}, "", "[reconstruct]\ntangential_weight = \"evidence\"\n",
+               "[reconstruct]\nfriction_limit = 0.5\n", "[reconstruct]\nalpha = \"gml\"\n");
+  CAPTURE(reconstruct);
+  const lab::Experiment experiment = lab::run(dragged_skin(reconstruct));
+  REQUIRE(experiment.results.front().has_answer());
+  REQUIRE(experiment.sweep);
+  const lab::ChosenAlpha& alpha = experiment.results.front().answer.alpha;
+  CHECK_THAT(experiment.sweep->choice(*alpha.rule).alpha, WithinRel(alpha.value, 1e-6));
+  CHECK(experiment.sweep->curves.size() > 1);
+  CHECK_FALSE(lab::run(dragged_skin("[reconstruct]\nalpha = 1e-3\n")).sweep);
 }
 
 TEST_CASE("under constraints the residual is the noise, whatever the draw", "[lab][skin]") {
@@ -69,9 +82,9 @@ TEST_CASE("under constraints the residual is the noise, whatever the draw", "[la
   double squares = 0.0;
   constexpr std::uint64_t draws = 12;
   for (scene.noise->seed = 1; scene.noise->seed <= draws; ++scene.noise->seed) {
-    const lab::SkinExperiment experiment = lab::run(scene);
-    REQUIRE(experiment.answer);
-    squares += std::pow(experiment.answer->noise.residual_rms, 2);
+    const lab::Experiment experiment = lab::run(scene);
+    REQUIRE(experiment.results.front().has_answer());
+    squares += std::pow(experiment.results.front().answer.noise.residual_rms, 2);
   }
   CHECK_THAT(std::sqrt(squares / draws), WithinRel(1e-4, 0.15));
 }
@@ -81,9 +94,9 @@ TEST_CASE("two contacts apart are both summed, whatever the draw", "[lab][skin]"
       "[[contact]]\nshape = \"sphere\"\nplace = [-2.5, 2.2]\nradius = 1.0\nforce = 0.4\n"
       "[reconstruct]\nfriction_limit = 0.5\n");
   for (scene.noise->seed = 1; scene.noise->seed <= 6; ++scene.noise->seed) {
-    const lab::SkinExperiment experiment = lab::run(scene);
-    REQUIRE(experiment.answer);
-    const Uncertain& force = experiment.answer->wrench.normal;
+    const lab::Experiment experiment = lab::run(scene);
+    REQUIRE(experiment.results.front().has_answer());
+    const Uncertain& force = experiment.results.front().answer.wrench.normal;
     CAPTURE(force.value, force.deviation);
     CHECK(std::abs(force.value - 1.4) < 3.0 * force.deviation + 0.03);
   }
@@ -93,9 +106,9 @@ TEST_CASE("without contacts nothing is found that is larger than its deviation",
   SkinScene scene = dragged_skin();
   scene.contacts.clear();
   scene.trajectories.clear();
-  const lab::SkinExperiment experiment = lab::run(scene);
-  REQUIRE(experiment.answer);
-  CHECK(experiment.answer->cells.empty());
+  const lab::Experiment experiment = lab::run(scene);
+  REQUIRE(experiment.results.front().has_answer());
+  CHECK(experiment.results.front().answer.cells.empty());
   CHECK(experiment.frame.remarks.size() == 1);
 }
 
@@ -119,13 +132,13 @@ TEST_CASE("equal scenes give equal bytes, and each frame noise of its own", "[la
 
 TEST_CASE("dead taxels read zero, and are not believed", "[lab][skin]") {
   SkinScene scene = dragged_skin("[dead_taxels]\nindices = [20, 21]\n");
-  const lab::SkinExperiment experiment = lab::run(scene);
-  REQUIRE(experiment.answer);
+  const lab::Experiment experiment = lab::run(scene);
+  REQUIRE(experiment.results.front().has_answer());
   for (std::size_t i = 0; const Site& site : sites(scene.sensor)) {
     if (site.taxel == 20) CHECK(experiment.frame.readings[i] == 0.0);
     ++i;
   }
-  const Uncertain& force = experiment.answer->wrench.normal;
+  const Uncertain& force = experiment.results.front().answer.wrench.normal;
   CHECK(std::abs(force.value - 1.0) < 2.5 * force.deviation);
   CHECK(force.deviation < 0.1);
 }
@@ -134,39 +147,43 @@ TEST_CASE("a recording keeps the frame that presses hardest", "[lab][skin]") {
   const SkinScene scene = dragged_skin();
   const lab::SkinSceneProblem problem(scene);
   std::vector<double> readings = lab::simulate(scene).readings;
-  lab::SkinRecordingAnswer recording{.scene = scene, .grid = problem.grid()};
+  lab::Recording recording(problem);
   for (const double share : {0.5, 1.0, 0.7}) {
     std::vector<double> part = readings;
     for (double& reading : part) reading *= share;
-    recording.add({}, part, solve(problem, part));
+    recording.add({}, problem, part, solve(problem, part));
   }
-  CHECK(recording.frames.size() == 3);
-  CHECK(recording.hardest == 1);
-  CHECK(recording.readings == readings);
+  const lab::RecordingOverview overview = recording.overview();
+  CHECK(overview.rows.size() == 3);
+  CHECK(overview.hardest == 1);
+  CHECK(overview.readings == readings);
 }
 
 TEST_CASE("of a long recording each frame is shown, or a neighbour that presses harder",
           "[lab][skin]") {
-  const SkinScene scene = dragged_skin();
-  lab::SkinRecordingAnswer recording{.scene = scene};
+  const lab::SkinSceneProblem problem(dragged_skin());
+  lab::Recording recording(problem);
   lab::FrameAnswer answer;
-  answer.tractions.resize(lab::SkinRecordingAnswer::most_values / 20);
+  answer.tractions.resize(lab::Recording::most_skin_values / 20);
   const auto force = [](std::size_t k) { return std::sin(2.7 * static_cast<double>(k)); };
   for (std::size_t k = 0; k < 150; ++k) {
     answer.wrench.normal = {force(k), 0.1};
     answer.tractions[0] = force(k);
-    recording.add(0.01 * static_cast<double>(k), std::vector<double>{force(k)}, answer);
+    recording.add(0.01 * static_cast<double>(k), problem, std::vector<double>{force(k)}, answer);
+    const lab::RecordingOverview overview = recording.overview();
     std::size_t first = 0;
-    for (const lab::SkinRecordingAnswer::Shown& shown : recording.shown) {
-      REQUIRE(shown.frame >= first);
-      REQUIRE(shown.frame < first + shown.count);
-      for (std::size_t i = first; i < first + shown.count; ++i)
-        REQUIRE(force(i) <= force(shown.frame));
-      REQUIRE(shown.tractions[0] == force(shown.frame));
-      REQUIRE(shown.readings == std::vector<double>{force(shown.frame)});
-      first += shown.count;
+    for (const lab::FrameGroup& group : overview.groups) {
+      REQUIRE(group.first == first);
+      REQUIRE(group.shown >= first);
+      REQUIRE(group.shown < first + group.count);
+      for (std::size_t i = first; i < first + group.count; ++i)
+        REQUIRE(force(i) <= force(group.shown));
+      REQUIRE(group.answer.tractions[0] == force(group.shown));
+      REQUIRE(group.readings == std::vector<double>{force(group.shown)});
+      first += group.count;
     }
     REQUIRE(first == k + 1);
-    REQUIRE(recording.shown.size() <= 20);
+    REQUIRE(overview.groups.size() <= 20);
+    REQUIRE(overview.peak().shown == overview.hardest);
   }
 }

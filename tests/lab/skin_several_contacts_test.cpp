@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tactile_net/lab/answer.hpp"
-#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -80,16 +80,16 @@ Coverage coverage(std::size_t contacts, std::uint64_t first, std::uint64_t count
   Coverage all;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const SkinScene scene = scene_of(contacts, seed);
-    const lab::SkinExperiment found = lab::run(scene);
-    REQUIRE(found.answer);
-    if (found.answer->verdict != lab::Verdict::ok) continue;
-    const Uncertain& force = found.answer->wrench.normal;
+    const lab::Experiment found = lab::run(scene);
+    REQUIRE(found.results.front().has_answer());
+    if (found.results.front().answer.verdict != lab::Verdict::ok) continue;
+    const Uncertain& force = found.results.front().answer.wrench.normal;
     const double off = (force.value - found.frame.wrench.force[0]) / force.deviation;
     CAPTURE(contacts, seed, off, force.value, force.deviation, found.frame.wrench.force[0]);
     CHECK(std::abs(off) < 5.0);
     ++all.judged;
     all.held += std::abs(off) <= 2.0;
-    all.split += found.answer->patches.size() > scene.contacts.size();
+    all.split += found.results.front().answer.patches.size() > scene.contacts.size();
   }
   return all;
 }
@@ -108,52 +108,14 @@ TEST_CASE("the weaker of two contacts counts, and the stronger too", "[lab][skin
       "[[contact]]\nshape = \"sphere\"\nplace = [3.5, 3.0]\nradius = 1.5\nforce = " +
           std::to_string(weaker) + "\n[noise]\nrms = 0.2\n[reconstruct]\nnonnegative = true\n",
       "two.toml"));
-  const lab::SkinExperiment found = lab::run(scene);
-  REQUIRE(found.answer);
-  const Uncertain& force = found.answer->wrench.normal;
+  const lab::Experiment found = lab::run(scene);
+  REQUIRE(found.results.front().has_answer());
+  const Uncertain& force = found.results.front().answer.wrench.normal;
   CAPTURE(weaker, force.value, force.deviation);
-  CHECK(found.answer->verdict == lab::Verdict::ok);
-  CHECK(found.answer->patches.size() == 2);
+  CHECK(found.results.front().answer.verdict == lab::Verdict::ok);
+  CHECK(found.results.front().answer.patches.size() == 2);
   CHECK(std::abs(force.value - 500.0 - weaker) < 3.0 * force.deviation);
   CHECK(force.deviation < 0.05 * force.value);
-}
-
-TEST_CASE("contacts that are dragged apart slip as one of them alone", "[lab][skin][contacts]") {
-  const double limit = 0.8;
-  const double used = 0.9;
-  const auto friction = [&](bool left, bool right, double of_right) {
-    const auto contact = [&](double y, double drag) {
-      return "[[contact]]\nshape = \"sphere\"\nplace = [" + std::to_string(y) +
-             ", 0.0]\nradius = 2.0\nforce = 500.0\nfriction = " + std::to_string(std::abs(drag)) +
-             "\ndirection = " + (drag < 0.0 ? "180.0\n" : "0.0\n");
-    };
-    const auto scene = std::get<SkinScene>(parse_any_scene(
-        "[sensor]\nrows = 7\ncolumns = 5\npitch = 2.0\ndepth = 1.5\n"
-        "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
-        "[material]\nyoungs_modulus = 250.0\npoisson_ratio = 0.48\n" +
-            (left ? contact(-4.0, used * limit) : "") + (right ? contact(4.0, of_right) : "") +
-            "[noise]\nrms = 0.3\n[reconstruct]\nfriction_limit = " + std::to_string(limit) + "\n",
-        "apart.toml"));
-    const lab::SkinExperiment found = lab::run(scene);
-    REQUIRE(found.answer);
-    REQUIRE(found.answer->friction);
-    return *found.answer->friction;
-  };
-  const SkinFriction alone = friction(true, false, 0.0);
-  const SkinFriction both = friction(true, true, -used * limit);
-  CHECK(alone.contacts == 1);
-  CHECK(both.contacts == 2);
-  const double deviation = std::hypot(alone.slip_margin->deviation, both.slip_margin->deviation);
-  CHECK_THAT(both.slip_margin->value, WithinAbs(alone.slip_margin->value, 3.0 * deviation));
-  CHECK(both.slip_margin->value < 0.3);
-  CHECK_THAT(
-      both.ratio.value,
-      WithinAbs(alone.ratio.value, 3.0 * std::hypot(alone.ratio.deviation, both.ratio.deviation)));
-  // The one that is held well does not speak for the other.
-  const SkinFriction one = friction(true, true, -0.1 * limit);
-  REQUIRE(one.wrench);
-  CHECK_THAT(one.wrench->centre_y->value, WithinAbs(-4.0, 0.5));
-  CHECK_THAT(one.slip_margin->value, WithinAbs(alone.slip_margin->value, 3.0 * deviation));
 }
 
 TEST_CASE("deviations hold the forces of one, two and three contacts", "[lab][skin][contacts]") {
@@ -185,9 +147,9 @@ TEST_CASE("noise alone is no contact", "[lab][skin][contacts][long]") {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SkinScene scene = scene_of(1, seed);
     scene.contacts.clear();
-    const lab::SkinExperiment experiment = lab::run(scene);
-    REQUIRE(experiment.answer);
-    found += !experiment.answer->patches.empty();
+    const lab::Experiment experiment = lab::run(scene);
+    REQUIRE(experiment.results.front().has_answer());
+    found += !experiment.results.front().answer.patches.empty();
   }
   CHECK(found == 0);
 }

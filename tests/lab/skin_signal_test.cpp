@@ -1,11 +1,10 @@
 // What a skin's effects make of its frames, and frames of recordings: readings that miss, offsets
 // that nobody knows, an alpha that neighbours share.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -89,48 +88,6 @@ TEST_CASE("sampled readings leave out the drags that nothing has", "[lab][skin][
   CHECK(distance(readings, all) <= 1e-14 * norm(all));
 }
 
-TEST_CASE("a frame that misses readings is solved as if their taxels were dead",
-          "[lab][skin][missing]") {
-  const SkinScene scene = strain_skin("[noise]\nrms = 1e-4\n");
-  const std::vector<double> whole = lab::simulate(scene).readings;
-  std::vector<double> readings = whole;
-  readings[7] = readings[20 + 3] = missing_reading;
-  lab::SkinRecordingSolver solver(lab::SkinSceneProblem(scene),
-                                  {.missing = lab::Missing::estimate});
-  std::vector<double> given = readings;
-  const auto found = solver.solve(given);
-  REQUIRE(found);
-  CHECK(given[23] == 0.0);
-  CHECK(given[40 + 7] == 0.0);  // with all its channels
-
-  SkinScene dead = scene;
-  dead.dead_taxels = {3, 7};
-  std::vector<double> zeros = readings;
-  for (std::size_t i = 0; i < zeros.size(); ++i)
-    if (i % 20 == 3 || i % 20 == 7) zeros[i] = 0.0;
-  const lab::FrameAnswer expected = lab::solve(lab::SkinSceneProblem(dead), zeros);
-  CHECK(distance(found->tractions, expected.tractions) <= 1e-9 * norm(expected.tractions));
-  CHECK_THAT(found->alpha.value, WithinRel(expected.alpha.value, 1e-6));
-  CHECK(solver.problem().scene().dead_taxels == dead.dead_taxels);
-
-  // The next frame that misses nothing is the recording's again; one without a taxel has no answer.
-  given = whole;
-  REQUIRE(solver.solve(given));
-  CHECK(solver.problem().scene().dead_taxels.empty());
-  given.assign(whole.size(), missing_reading);
-  CHECK_FALSE(solver.solve(given));
-  CHECK(solver.solved().frames == 3);
-  CHECK(solver.solved().estimated.count() == 1);
-  CHECK(solver.solved().skipped.count() == 1);
-
-  lab::SkinRecordingSolver skipping(lab::SkinSceneProblem(scene), {.missing = lab::Missing::skip});
-  given = readings;
-  CHECK_FALSE(skipping.solve(given));
-  lab::SkinRecordingSolver refusing{lab::SkinSceneProblem(scene)};
-  given = readings;
-  CHECK_THROWS_AS(refusing.solve(given), std::invalid_argument);
-}
-
 TEST_CASE("an alpha that frames share is each one's where they are equal", "[lab][skin]") {
   const SkinScene scene = strain_skin("[reconstruct]\nalpha = \"aicc\"\n");
   const lab::SkinSceneProblem problem(scene);
@@ -138,7 +95,7 @@ TEST_CASE("an alpha that frames share is each one's where they are equal", "[lab
   for (std::size_t i = 0; i < readings.size(); ++i)
     readings[i] += 1e-4 * std::sin(7.0 * static_cast<double>(i));
   const double own = lab::solve(problem, readings).alpha.value;
-  lab::SkinRecordingSolver sharing(problem, {.share_alpha = 3});
+  lab::RecordingSolver sharing(problem, Method::tikhonov, {.share_alpha = 3});
   for (int frame = 0; frame < 4; ++frame) {
     const auto answer = sharing.solve(readings);
     REQUIRE(answer);
@@ -156,30 +113,11 @@ TEST_CASE("an alpha that frames share is each one's where they are equal", "[lab
 
   SkinScene given = scene;
   given.reconstruct.alpha = 1e-4;
-  CHECK_THROWS_WITH(lab::SkinRecordingSolver(lab::SkinSceneProblem(given), {.share_alpha = 3}),
-                    ContainsSubstring("this scene gives one"));
-  CHECK_THROWS_WITH(lab::SkinRecordingSolver(problem, {.share_alpha = 0}),
+  CHECK_THROWS_WITH(
+      lab::RecordingSolver(lab::SkinSceneProblem(given), Method::tikhonov, {.share_alpha = 3}),
+      ContainsSubstring("this scene gives one"));
+  CHECK_THROWS_WITH(lab::RecordingSolver(problem, Method::tikhonov, {.share_alpha = 0}),
                     ContainsSubstring("at least one frame"));
-}
-
-TEST_CASE("offsets that are not known change no answer, and are said", "[lab][skin][offset]") {
-  const SkinScene scene = strain_skin("[reconstruct]\nalpha = 1e-3\noffset = true\n");
-  const lab::SkinSceneProblem problem(scene);
-  const std::vector<double> readings = lab::simulate(scene).readings;
-  std::vector<double> moved = readings;
-  const std::vector<double> off{0.5, -0.25, 2.0};
-  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += off[i / 20];
-  const lab::FrameAnswer a = lab::solve(problem, readings);
-  const lab::FrameAnswer b = lab::solve(problem, moved);
-  CHECK(distance(a.tractions, b.tractions) <= 1e-9 * norm(a.tractions));
-  REQUIRE(b.offsets.size() == 3);
-  for (std::size_t c = 0; c < 3; ++c)
-    CHECK_THAT(b.offsets[c] - a.offsets[c], WithinAbs(off[c], 1e-9));
-  CHECK(std::any_of(b.remarks.begin(), b.remarks.end(), [](const lab::Remark& remark) {
-    return std::holds_alternative<lab::remark::OffsetsFound>(remark);
-  }));
-  CHECK(lab::solve(lab::SkinSceneProblem(strain_skin("[reconstruct]\nalpha = 1e-3\n")), readings)
-            .offsets.empty());
 }
 
 TEST_CASE("an alpha that double precision cannot hold is refused, as on lines", "[lab][skin]") {

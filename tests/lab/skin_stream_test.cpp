@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "lab/in_order.hpp"
-#include "tactile_net/lab/skin_recording_solver.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -56,7 +56,7 @@ struct Solved {
 
 Solved solved_recording(const SkinScene& scene, const std::vector<std::vector<double>>& frames,
                         std::size_t threads, const lab::RecordingSolverOptions& options) {
-  lab::SkinRecordingSolver solver(lab::SkinSceneProblem(scene), options);
+  lab::RecordingSolver solver(lab::SkinSceneProblem(scene), Method::tikhonov, options);
   Solved result;
   std::size_t at = 0;
   solver.solve_all(
@@ -70,7 +70,7 @@ Solved solved_recording(const SkinScene& scene, const std::vector<std::vector<do
       },
       threads);
   result.summary = solver.solved();
-  result.dead = solver.problem().scene().dead_taxels;
+  result.dead = std::get<lab::SkinSceneProblem>(solver.problem()).scene().dead_taxels;
   return result;
 }
 
@@ -83,7 +83,7 @@ void check_threads(const SkinScene& scene) {
   frames[7][15] += 0.2;                                  // one liar
   frames[9][14] = missing;
   const lab::RecordingSolverOptions options{.missing = lab::Missing::estimate};
-  lab::SkinRecordingSolver one(lab::SkinSceneProblem{scene}, options);
+  lab::RecordingSolver one(lab::SkinSceneProblem{scene}, Method::tikhonov, options);
   std::vector<std::vector<double>> expected;
   for (std::vector<double> readings : frames)
     expected.push_back(answer_numbers(one.solve(readings)));
@@ -160,7 +160,7 @@ TEST_CASE("a frame that fails does so after all before it were used",
   const auto threads = GENERATE(std::size_t{1}, std::size_t{4});
   std::size_t used = 0;
   std::size_t at = 0;
-  lab::SkinRecordingSolver solver{lab::SkinSceneProblem(scene)};
+  lab::RecordingSolver solver{lab::SkinSceneProblem(scene)};
   const auto next = [&](std::vector<double>& readings, std::optional<double>&) {
     if (at == frames.size()) return false;
     readings = frames[at++];

@@ -1,12 +1,11 @@
-#include "tactile_net/lab/skin_survey.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "lab/skin_unseen_width.hpp"
-#include "tactile_net/report/words/skin_survey_words.hpp"
+#include "tactile_net/lab/identify.hpp"
+#include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tests/catch.hpp"
@@ -37,34 +36,34 @@ bool says(const std::vector<std::string>& sentences, const std::string& text) {
 TEST_CASE("what determines p and the drags is told, and what nothing shows is named",
           "[lab][skin][identify][long]") {
   const SkinScene all = skin_that_reads(three_stresses);
-  const lab::SkinSurvey told = lab::identify(all);
+  const lab::Survey told = lab::identify(all);
   CHECK(lab::hidden_waves(told.own) == 0);
-  CHECK(told.own.told.finite->hidden == 0);
+  CHECK(told.own.array->hidden == 0);
   REQUIRE(told.shares.size() == 3);
   CHECK(told.shares[0].signal[2] == 0.0);  // stress_x and the curl
   CHECK(told.shares[1].signal[1] == 0.0);  // k x = 1: no shear of the drag along the wave
   CHECK(told.shares[1].signal[2] > 0.0);
-  CHECK(report::hidden_in_words(told.own).empty());
+  CHECK(report::hidden_in_words(told).empty());
 
   const SkinScene pressure = skin_that_reads("\"stress_x\"", "depths = [1.0, 1.5]");
-  const lab::SkinSurvey blind = lab::identify(pressure);
-  const auto words = report::verdict_in_words(pressure, blind);
+  const lab::Survey blind = lab::identify(pressure);
+  const auto words = report::verdict_in_words(blind);
   CHECK(says(words, "The curl of q is seen by no depth of stress_x"));
   CHECK(says(words, "What is uniform of the drag q_y and the drag q_z"));
   CHECK(says(words, "no drag across it (the curl)"));
   CHECK_FALSE(blind.own.resolvable(SkinRipple::drag_across));
   CHECK(blind.own.resolvable(SkinRipple::pressure));
   // The advice reads more than one quantity, and shows every wave.
-  REQUIRE(blind.best);
-  CHECK(lab::hidden_waves(blind.alternatives[*blind.best]) == 0);
+  REQUIRE(blind.advice.best);
+  CHECK(lab::hidden_waves(blind.alternatives[*blind.advice.best]) == 0);
 
   // The three normal stresses show drags along waves of any direction, but by the ends alone the
   // curl of waves along y and z.
   const SkinScene normal = skin_that_reads("\"stress_x\", \"stress_y\", \"stress_z\"");
-  const lab::SkinSurvey half = lab::identify(normal);
-  CHECK(says(report::verdict_in_words(normal, half), "The curl of q of waves along y"));
-  CHECK(says(report::verdict_in_words(normal, half), "only at the ends of the skin"));
-  CHECK(half.own.told.finite->boundary_only > 0);
+  const lab::Survey half = lab::identify(normal);
+  CHECK(says(report::verdict_in_words(half), "The curl of q of waves along y"));
+  CHECK(says(report::verdict_in_words(half), "only at the ends of the skin"));
+  CHECK(half.own.array->boundary_only > 0);
 }
 
 TEST_CASE("the narrowest circle that is seen causes just the noise, by the exact model",
@@ -146,14 +145,14 @@ TEST_CASE("a survey of a skin knows no units", "[lab][skin][identify][long]") {
   auto& contact = std::get<SkinContact>(large.contacts[0]);
   contact.radius *= metre;
   contact.force *= pascal * metre * metre;
-  const lab::SkinSurvey a = lab::identify(one);
-  const lab::SkinSurvey b = lab::identify(large);
-  CHECK(a.own.told.finite->dead > 0);
-  CHECK(a.own.told.finite->dead == b.own.told.finite->dead);
+  const lab::Survey a = lab::identify(one);
+  const lab::Survey b = lab::identify(large);
+  CHECK(a.own.array->dead > 0);
+  CHECK(a.own.array->dead == b.own.array->dead);
   REQUIRE(a.alternatives.size() == b.alternatives.size());
   CHECK_THAT(*b.own.unseen, WithinRel(metre * *a.own.unseen, 1e-3));
   for (std::size_t i = 0; i < a.alternatives.size(); ++i)
-    for (const SkinRipple ripple : lab::ripples_of(a.alternatives[i].components)) {
+    for (const SkinRipple ripple : lab::ripples_of(a.alternatives[i].unknowns)) {
       const auto of_a = a.alternatives[i].resolvable(ripple);
       const auto of_b = b.alternatives[i].resolvable(ripple);
       REQUIRE(of_a.has_value() == of_b.has_value());
@@ -166,7 +165,7 @@ TEST_CASE("more noise hides more ripples, and what is asked is checked",
   const SkinScene scene = skin_that_reads(three_stresses);
   double before = 0.0;
   for (const double noise : {0.001, 0.05, 0.3}) {
-    const lab::SkinSurvey survey = lab::identify(scene, {.relative_noise = noise});
+    const lab::Survey survey = lab::identify(scene, {.relative_noise = noise});
     const double now = lab::coarsest(survey.own);
     CHECK(now >= before);
     before = now;

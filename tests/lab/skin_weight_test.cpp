@@ -10,8 +10,8 @@
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
-#include "tactile_net/lab/skin_recording_solver.hpp"
-#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -67,29 +67,33 @@ std::vector<double> truth_of_pad(std::size_t wanted, const SurfaceGrid& grid) {
 }  // namespace
 
 TEST_CASE("a stated weight of 1 is none, the same bits", "[lab][skin][weights]") {
-  const SkinExperiment plain = run(weighted_skin(""));
-  const SkinExperiment one = run(weighted_skin("tangential_weight = 1\n"));
-  REQUIRE(plain.answer);
-  CHECK(one.answer->tractions == plain.answer->tractions);
-  CHECK_FALSE(one.answer->alpha.tangential_weight.has_value());
+  const Experiment plain = run(weighted_skin(""));
+  const Experiment one = run(weighted_skin("tangential_weight = 1\n"));
+  REQUIRE(plain.results.front().has_answer());
+  CHECK(one.results.front().answer.tractions == plain.results.front().answer.tractions);
+  CHECK_FALSE(one.results.front().answer.alpha.tangential_weight.has_value());
 }
 
 TEST_CASE("a skin's estimated weight is the answer that stating it gives", "[lab][skin][weights]") {
   const std::string rest = GENERATE("", "alpha = 1e-3\n", "friction_limit = 0.8\n",
                                     "offset = true\nnonnegative = true\n");
   CAPTURE(rest);
-  const SkinExperiment found = run(weighted_skin(rest + estimated_weight));
-  REQUIRE(found.answer);
-  REQUIRE(found.answer->alpha.tangential_weight);
-  const double weight = *found.answer->alpha.tangential_weight;
+  const Experiment found = run(weighted_skin(rest + estimated_weight));
+  REQUIRE(found.results.front().has_answer());
+  REQUIRE(found.results.front().answer.alpha.tangential_weight);
+  const double weight = *found.results.front().answer.alpha.tangential_weight;
   CHECK(weight > 1.0);
-  const SkinExperiment stated = run(weighed(found.scene, weight));
-  CHECK(stated.answer->tractions == found.answer->tractions);
-  CHECK(stated.answer->alpha.value == found.answer->alpha.value);
-  CHECK(stated.answer->wrench.normal.deviation == found.answer->wrench.normal.deviation);
-  const report::Sentences said = report::remarks_in_words(found);
-  CHECK(said.warnings == report::remarks_in_words(stated).warnings);  // it is the normal course
-  CHECK(said.notes.size() == report::remarks_in_words(stated).notes.size() + 1);
+  const Experiment stated = run(weighed(found.skin(), weight));
+  CHECK(stated.results.front().answer.tractions == found.results.front().answer.tractions);
+  CHECK(stated.results.front().answer.alpha.value == found.results.front().answer.alpha.value);
+  CHECK(stated.results.front().answer.wrench.normal.deviation ==
+        found.results.front().answer.wrench.normal.deviation);
+  const report::Sentences said = report::remarks_in_words(found.results.front().answer);
+  CHECK(
+      said.warnings ==
+      report::remarks_in_words(stated.results.front().answer).warnings);  // it is the normal course
+  CHECK(said.notes.size() ==
+        report::remarks_in_words(stated.results.front().answer).notes.size() + 1);
 }
 
 TEST_CASE("of a skin's weights the one with the largest posterior is taken",
@@ -118,13 +122,13 @@ TEST_CASE("a weight of its own makes no seed worse, and presses lose their drag"
     const SkinScene scene = weighted_skin("friction_limit = 0.8\n", friction, seed);
     double error[2] = {};
     for (const std::size_t own : {0U, 1U}) {
-      const SkinExperiment found = run(own == 0 ? scene : weighed(scene, std::nullopt));
-      REQUIRE(found.answer);
+      const Experiment found = run(own == 0 ? scene : weighed(scene, std::nullopt));
+      REQUIRE(found.results.front().has_answer());
       std::vector<double> truth = found.frame.truth;
-      truth.resize(found.answer->tractions.size());
-      error[own] = relative_l2_error(found.answer->tractions, truth);
-      drag[own] += std::hypot(found.answer->wrench.tangential_y->value,
-                              found.answer->wrench.tangential_z->value);
+      truth.resize(found.results.front().answer.tractions.size());
+      error[own] = relative_l2_error(found.results.front().answer.tractions, truth);
+      drag[own] += std::hypot(found.results.front().answer.wrench.tangential_y->value,
+                              found.results.front().answer.wrench.tangential_z->value);
     }
     CAPTURE(friction, seed, error[0], error[1]);
     CHECK(error[1] < 1.01 * error[0]);
@@ -136,13 +140,13 @@ TEST_CASE("the finite-element pad is found better with a weight of its own",
           "[lab][skin][weights][long]") {
   const std::string pad = std::string(SCENES) + "/recorded/skin-pad";
   const SkinScene scene = std::get<SkinScene>(read_any_scene(pad + ".toml"));
-  SkinRecordingSolver one(SkinSceneProblem{scene});
-  SkinRecordingSolver own(SkinSceneProblem{weighed(scene, std::nullopt)});
+  RecordingSolver one(SkinSceneProblem{scene});
+  RecordingSolver own(SkinSceneProblem{weighed(scene, std::nullopt)});
   frames::ReadingsFile file(pad + ".csv", scene);
   std::vector<double> readings(file.source().columns().size());
   double gained = 0.0;
   for (std::size_t frame = 0; file.source().next(readings); ++frame) {
-    const std::vector<double> truth = truth_of_pad(frame, one.problem().grid());
+    const std::vector<double> truth = truth_of_pad(frame, SkinSceneProblem(scene).grid());
     const auto plain = one.solve(readings);
     const auto better = own.solve(readings);
     REQUIRE((plain && better));
@@ -162,7 +166,7 @@ TEST_CASE("frames with a weight each have no plan, and share no alpha", "[lab][s
   const SkinSceneProblem problem(weighted_skin(estimated_weight));
   CHECK_THROWS_WITH(plan_controller(problem, {.value = 1e-3}, {}),
                     ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
-  CHECK_THROWS_WITH(SkinRecordingSolver(problem, {.share_alpha = 5}),
+  CHECK_THROWS_WITH(RecordingSolver(problem, Method::tikhonov, {.share_alpha = 5}),
                     ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
   CHECK_NOTHROW(plan_controller(SkinSceneProblem(weighted_skin("tangential_weight = 2\n")),
                                 {.value = 1e-3}, {}));

@@ -1,12 +1,12 @@
 // What is said of a skin's work beside what its run does.
-#include "tactile_net/lab/skin_workload.hpp"
-
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <variant>
 
-#include "tactile_net/lab/skin_run.hpp"
-#include "tactile_net/report/words/skin_workload_words.hpp"
+#include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/workload.hpp"
+#include "tactile_net/report/words/workload_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -14,9 +14,6 @@ namespace {
 
 using namespace tactile_net;
 using namespace tactile_net::lab;
-using SkinComputation = SkinWorkload::Computation;
-using SkinCost = SkinWorkload::Cost;
-using SkinReason = SkinWorkload::Reason;
 
 SkinScene skin_of_taxels(const std::string& more,
                          const std::string& taxels = "rows = 6\ncolumns = 5") {
@@ -37,27 +34,29 @@ TEST_CASE("what is said of a skin's work is what its run does", "[lab][skin][wor
                                 "tangential_weight = \"evidence\"\n", "tangential = false\n"}) {
       CAPTURE(noise, options);
       const SkinScene scene = skin_of_taxels(std::string(noise) + "[reconstruct]\n" + options);
-      const SkinWorkload work = workload(scene);
-      const SkinExperiment experiment = run(scene);
-      REQUIRE(experiment.answer);
-      const FrameAnswer& answer = *experiment.answer;
-      const auto does = [&](SkinComputation what) { return work.task(what).done; };
-      CHECK(does(SkinComputation::tangential) == (answer.tractions.size() > grid(scene).count()));
-      CHECK(does(SkinComputation::constraints) == answer.cone.has_value());
-      CHECK(does(SkinComputation::weights) == answer.alpha.tangential_weight.has_value());
-      CHECK(does(SkinComputation::data_verdict) == answer.data->noise_known);
-      CHECK(does(SkinComputation::bands) == !answer.deviations.empty());
-      CHECK_FALSE(does(SkinComputation::report));
-      const SkinWorkload::Task& rule = work.task(SkinComputation::alpha_rule);
-      CHECK((rule.why == SkinReason::prior_by_rule) == !answer.alpha.rule.has_value());
-      CHECK(rule.rule == scene.reconstruct.alpha_rule);
-      if (rule.rule) CHECK(rule.rule == answer.alpha.rule);
-      CHECK(work.task(SkinComputation::tikhonov).cost == SkinCost::classes);
-      CHECK(work.task(SkinComputation::tikhonov).count == answer.tractions.size());
-      CHECK(work.task(SkinComputation::tikhonov).rows == experiment.frame.readings.size());
-      CHECK(work.effects.size() == (*noise != '\0' ? 2U : 1U));  // friction, noise
-      for (const SkinWorkload::Task& one : work.tasks) {
-        CHECK(&work.task(one.what) == &one);
+      const Workload work = workload(scene);
+      const Experiment experiment = run(scene);
+      REQUIRE(experiment.results.front().has_answer());
+      const FrameAnswer& answer = experiment.results.front().answer;
+      const auto does = [&](Computation what) { return work.does(what); };
+      CHECK(does(Computation::tangential) == (answer.tractions.size() > grid(scene).count()));
+      CHECK(does(Computation::constraints) == answer.cone.has_value());
+      CHECK(does(Computation::weights) == answer.alpha.tangential_weight.has_value());
+      CHECK(does(Computation::data_verdict) == answer.data->noise_known);
+      CHECK(does(Computation::bands) == !answer.deviations.empty());
+      CHECK_FALSE(does(Computation::report));
+      const Workload::Task& rule = *work.task(Computation::alpha_rule);
+      CHECK((rule.why.reason == WorkloadReason::prior_by_rule) == !answer.alpha.rule.has_value());
+      CHECK(rule.why.rule == scene.reconstruct.alpha_rule);
+      if (rule.why.rule) CHECK(rule.why.rule == answer.alpha.rule);
+      const Workload::Cost& solved = *work.task(Computation::tikhonov)->cost;
+      CHECK(solved.kind == WorkloadCost::classes);
+      CHECK(solved.columns == answer.tractions.size());
+      CHECK(solved.rows == experiment.frame.readings.size());
+      const auto simulated = std::count_if(work.effects.begin(), work.effects.end(),
+                                           [](const auto& effect) { return effect.simulated; });
+      CHECK(simulated == (*noise != '\0' ? 2 : 1));  // friction, noise
+      for (const Workload::Task& one : work.tasks) {
         CHECK(one.cost.has_value() == one.done);
         CHECK_FALSE(report::why_in_words(one).empty());
         CHECK(report::cost_in_words(one).empty() == !one.done);
@@ -69,14 +68,15 @@ TEST_CASE("a large skin is said to be solved by products", "[lab][skin][workload
   const SkinScene wide =
       skin_of_taxels("[time]\nframes = 3\nrate = 10.0\n[reconstruct]\nfriction_limit = 0.6\n",
                      "rows = 60\ncolumns = 60");
-  const SkinWorkload told = workload(wide, true);
-  CHECK(told.task(SkinComputation::tikhonov).cost == SkinCost::tiles);
-  CHECK(told.task(SkinComputation::tikhonov).count == 3 * 64 * 64);
-  CHECK(told.task(SkinComputation::alpha_rule).cost == SkinCost::probes);
-  CHECK(told.task(SkinComputation::constraints).cost == SkinCost::projected_gradients);
-  CHECK(told.task(SkinComputation::bands).cost == SkinCost::solves);
-  CHECK(told.task(SkinComputation::report).done);
-  CHECK(told.task(SkinComputation::history).done);
+  const Workload told = workload(wide, {.report = true});
+  const auto cost = [&](Computation what) { return *told.task(what)->cost; };
+  CHECK(cost(Computation::tikhonov).kind == WorkloadCost::tiles);
+  CHECK(cost(Computation::tikhonov).count == 3 * 64 * 64);
+  CHECK(cost(Computation::alpha_rule).kind == WorkloadCost::probes);
+  CHECK(cost(Computation::constraints).kind == WorkloadCost::projected_gradients);
+  CHECK(cost(Computation::bands).kind == WorkloadCost::solves);
+  CHECK(told.does(Computation::report));
+  CHECK(told.does(Computation::history));
   std::ostringstream words;
   report::print_workload(words, wide, told);
   CHECK_THAT(words.str(), ContainsSubstring("60 x 60 taxels") &&

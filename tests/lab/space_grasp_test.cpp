@@ -103,6 +103,9 @@ TEST_CASE("recorded readings of a skin press as simulated ones do", "[grasp]") {
   CHECK_THAT(action.torsion, WithinAbs(1.571e-4, 3.0 * action.deviation(3)));
   CHECK(grasp.tips[0].source == Fingertip::Source::readings);
   CHECK(grasp.tips[0].corners);
+  // One contact is all that presses.
+  REQUIRE(grasp.tips[0].patches.size() == 1);
+  CHECK_THAT(grasp.tips[0].patches[0].wrench.normal.value, WithinRel(action.normal, 1e-9));
 }
 
 TEST_CASE("pads that are no skins, or that nothing presses, are refused by name", "[grasp]") {

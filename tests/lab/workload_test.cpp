@@ -1,7 +1,10 @@
 #include "tactile_net/lab/workload.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/scene/reader.hpp"
@@ -33,34 +36,56 @@ std::vector<Computation> done(const std::string& rest, const WorkloadRequest& re
 }
 
 using List = std::vector<Computation>;
-using Reason = Workload::Reason;
-using Kind = Workload::Cost::Kind;
+using Reason = WorkloadReason;
+using Kind = WorkloadCost;
 
 Workload::Task task(const Workload& work, Computation which) {
-  for (const Workload::Task& one : work.tasks)
-    if (one.what == which) return one;
-  FAIL("not listed: " << name(which));
-  return {};
+  const Workload::Task* const found = work.task(which);
+  if (found == nullptr) FAIL("not listed: " << name(which));
+  return *found;
 }
 
 }  // namespace
 
-TEST_CASE("every computation is named once, whether it is done or not", "[workload]") {
-  const Workload work = workload(parse(""));
-  for (const Workload::Task& one : work.tasks)
-    CHECK(std::count_if(work.tasks.begin(), work.tasks.end(), [&](const auto& other) {
-            return name(other.what) == name(one.what);
-          }) == 1);
-  CHECK(work.tasks.size() == static_cast<std::size_t>(Computation::report) + 1);
+TEST_CASE("every computation of a sensor is told once, whether it is done or not", "[workload]") {
+  const SkinScene skin = std::get<SkinScene>(parse_any_scene(
+      "[sensor]\nrows = 3\ncolumns = 3\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"
+      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n",
+      "s.toml"));
+  std::set<Computation> of_either;
+  for (const Workload& work : {workload(parse("")), workload(skin)}) {
+    for (std::size_t i = 0; i < work.tasks.size(); ++i) {
+      CHECK((i == 0 || work.tasks[i - 1].what < work.tasks[i].what));
+      CHECK(work.task(work.tasks[i].what) == &work.tasks[i]);
+      of_either.insert(work.tasks[i].what);
+    }
+    CHECK(work.effects.size() == scene_effects().size());
+  }
+  CHECK(of_either.size() == std::size(computations));
+}
+
+TEST_CASE("a line says what a skin says of its weight, constraints and data", "[workload]") {
+  using enum Computation;
+  const std::string friction = "friction = 0.1\n";
+  const std::string evidence = "[reconstruct]\ntangential_weight = \"evidence\"\n";
+  CHECK(workload(parse(friction + evidence)).does(weights));
+  CHECK_FALSE(workload(parse(evidence)).does(weights));
+  const std::string limited = "[reconstruct]\nalpha = 1\nnonnegative = true\n";
+  CHECK(workload(parse(limited)).does(constraints));
+  CHECK(task(workload(parse(limited + "methods = [\"closed_form\"]\n")), constraints).why.reason ==
+        Reason::limits_of_tikhonov);
+  CHECK(workload(parse("")).does(data_verdict));
+  CHECK(task(workload(parse("[reconstruct]\nmethods = [\"dft\"]\n")), data_verdict).why.reason ==
+        Reason::no_matrix_method);
 }
 
 TEST_CASE("rules are compared where one chooses alpha, or on request", "[workload]") {
   using enum Computation;
   const std::string given = "[reconstruct]\nalpha = 1e-3\n";
-  CHECK(done("") == List{readings, tikhonov, rule_comparison, bands, hidden_modes});
-  CHECK(done(given) == List{readings, tikhonov, bands, hidden_modes});
+  CHECK(done("") == List{readings, tikhonov, rule_comparison, bands, hidden_modes, data_verdict});
+  CHECK(done(given) == List{readings, tikhonov, bands, hidden_modes, data_verdict});
   CHECK(done(given, {.compare_rules = true}) ==
-        List{readings, tikhonov, rule_comparison, bands, hidden_modes});
+        List{readings, tikhonov, rule_comparison, bands, hidden_modes, data_verdict});
   CHECK(done("[reconstruct]\nmethods = [\"dft\"]\n", {.compare_rules = true}) ==
         List{readings, dft});
 }
@@ -77,7 +102,7 @@ TEST_CASE("a circuit brings what its table asks for, and nothing else", "[worklo
         List{readings, circuit, certificate, tolerance});
   // The table alone builds no circuit.
   CHECK(done("[network]\nsettling = { accuracy = 1e-3 }\n[reconstruct]\nalpha = 1\n") ==
-        List{readings, tikhonov, bands, hidden_modes});
+        List{readings, tikhonov, bands, hidden_modes, data_verdict});
 }
 
 TEST_CASE("the second unknown and the layer's integrals come only where they are called for",
@@ -143,7 +168,7 @@ TEST_CASE("reasons tell apart what the scene asks for and what it leaves out", "
     return task(workload(parse(rest), request), which).why;
   };
   const std::string given = "[reconstruct]\nalpha = 1e-3\n";
-  CHECK(why("", rule_comparison).reason == Reason::rule_chooses);
+  CHECK(why("", rule_comparison).reason == Reason::rules_judge);
   CHECK(why("[reconstruct]\nalpha = \"l_curve\"\n", rule_comparison).rule == AlphaRule::l_curve);
   CHECK(why(given, rule_comparison).reason == Reason::alpha_given);
   CHECK(why(given, rule_comparison, {.compare_rules = true}).reason ==

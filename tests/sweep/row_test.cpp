@@ -85,8 +85,8 @@ TEST_CASE("a row's lists and resultants are those of the scene's own run", "[swe
   const auto scene = std::get<Scene>(study.scene(study.point(13)));
   const lab::Experiment experiment = lab::run(scene, *simulator);
   CHECK(row.readings == experiment.frame.readings);
-  CHECK(row.truth == experiment.frame.truth.normal);
-  CHECK(row.tractions == experiment.results.at(0).normal.traction);
+  CHECK(row.truth == experiment.frame.truth);
+  CHECK(row.tractions == experiment.results.at(0).answer.tractions);
   const Surface on = surface(scene);
   REQUIRE(row.tractions.size() == on.count);
   double force = 0.0;

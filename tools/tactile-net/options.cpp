@@ -15,21 +15,21 @@ namespace tactile_net::tool {
 void add_schema(AllCommands& all) {
   auto [command, options] = all.add<SchemaOptions>(
       {.name = "schema",
-       .text = "Print the JSON Schema of a document that another command writes: its keys, what "
-               "they hold, and in which units",
+       .text = "Print the JSON Schema of a document that another command writes: its keys, their "
+               "meanings and their units",
        .pages = {"results.md"},
        .examples = {{"schema", "the kinds of documents, a line each"},
-                    {"schema check", "of what check --json writes"}}});
+                    {"schema check", "the schema of the document that check --json writes"}}});
   const auto kinds = report::schema_kinds();
   command.add_option("KIND", options.kind, choice({kinds.begin(), kinds.end()}),
-                     "What stands in the document under kind (default: all of them, a line each)");
+                     "The document's kind (default: list all kinds, a line each)");
 }
 
 void add_completion(AllCommands& all) {
   auto [command, options] = all.add<CompletionOptions>(
       {.name = "completion",
-       .text = "Print the script by which a shell completes commands, options, their values and "
-               "files; an installed tactile-net brings them along",
+       .text = "Print the script with which a shell completes commands, options, their values and "
+               "files; an installed tactile-net has it installed too",
        .pages = {"terminal.md"},
        .examples = {{"completion bash > ~/.tactile-net.bash",
                      "for bash, with source ~/.tactile-net.bash in ~/.bashrc"},
@@ -41,14 +41,14 @@ void add_completion(AllCommands& all) {
 void add_help(AllCommands& all) {
   auto [command, options] = all.add<HelpOptions>(
       {.name = "help",
-       .text = "Say what a command does, which options it takes, with examples",
+       .text = "Print what a command does and which options it takes, with examples",
        .pages = {"terminal.md"},
        .examples = {{"help solve", "the same as solve --help"},
                     {"help --man > tactile-net.1", "the manual page; man -l tactile-net.1"}}});
   std::vector<std::string> names;
   for (const CommandTable& one : all.line.commands) names.push_back(one.name);
   command.add_option("COMMAND", options.command, choice(std::move(names)),
-                     "Which command (default: all of them, a line each)");
+                     "The command (default: list all commands, a line each)");
   command.add_flag("--man", options.man, "Print the manual page, in roff");
 }
 
@@ -62,7 +62,7 @@ AllCommands::AllCommands() {
   line.release = {.names = {"-V", "--version"},
                   .text = "Print the version, the FFT, and what confines ngspice"};
   line.quiet = {.names = {"-q", "--quiet"},
-                .text = "No notes, warnings or progress: standard error gets errors alone",
+                .text = "Print no notes, warnings or progress: only errors go to standard error",
                 .set = [this](const std::string&) { quiet = true; }};
   line.sections = {
       {"units",
@@ -71,12 +71,13 @@ AllCommands::AllCommands() {
        "error."},
       {"exit status", "0: done. 1: a computation or a check failed. 2: wrong usage or bad input."},
       {"environment",
-       "NO_COLOR: nothing is bold. COLUMNS: how wide help is where it goes to no "
-       "terminal. TMPDIR: where ngspice's private folders are made."},
+       "NO_COLOR: no bold text. COLUMNS: the width of help when it does not go to a terminal. "
+       "TMPDIR: the place of ngspice's private folders."},
       {"more", "help COMMAND, with examples; docs/terminal.md, docs/scene.md, docs/results.md"}};
-  for (const auto add_to : {add_init, add_check, add_solve, add_identify, add_calibrate, add_plan,
-                            add_grasp, add_run, add_simulate, add_tradeoff, add_sweep, add_merge,
-                            add_gen, add_relax, add_certify, add_schema, add_completion, add_help})
+  for (const auto add_to :
+       {add_init, add_check, add_solve, add_report, add_identify, add_calibrate, add_plan,
+        add_grasp, add_run, add_simulate, add_tradeoff, add_sweep, add_merge, add_gen, add_relax,
+        add_certify, add_schema, add_completion, add_help})
     add_to(*this);
 }
 

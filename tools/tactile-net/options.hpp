@@ -17,6 +17,7 @@
 #include "commands/init.hpp"
 #include "commands/plan.hpp"
 #include "commands/relax.hpp"
+#include "commands/report.hpp"
 #include "commands/run.hpp"
 #include "commands/schema.hpp"
 #include "commands/simulate.hpp"
@@ -29,9 +30,9 @@ namespace tactile_net::tool {
 /// What one command was asked for: `run` takes it.
 using Command =
     std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
-                 SolveOptions, IdentifyOptions, PlanOptions, TradeoffOptions, GraspOptions,
-                 SweepOptions, MergeOptions, InitOptions, CheckOptions, CalibrateOptions,
-                 SchemaOptions, HelpOptions, CompletionOptions, ReleaseOptions>;
+                 SolveOptions, ReportOptions, IdentifyOptions, PlanOptions, TradeoffOptions,
+                 GraspOptions, SweepOptions, MergeOptions, InitOptions, CheckOptions,
+                 CalibrateOptions, SchemaOptions, HelpOptions, CompletionOptions, ReleaseOptions>;
 
 struct Invocation {
   Command command{};

@@ -6,10 +6,10 @@
 ///     if (answer.verdict == lab::Verdict::ok) use(answer.tractions);
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/inverse/data_verdict.hpp"
@@ -22,15 +22,24 @@
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/lab/verdict.hpp"
+#include "tactile_net/scene/any_scene.hpp"
 #include "tactile_net/skin/resultant.hpp"
 
 namespace tactile_net::lab {
 
+/// A line's problem or a skin's. A copy shares what was made of it.
+using AnyProblem = std::variant<SceneProblem, SkinSceneProblem>;
+
+/// Costs nothing yet.
+[[nodiscard]] AnyProblem any_problem(AnyScene scene);
+[[nodiscard]] AnyScene scene_of(const AnyProblem& problem);
+
 struct FrameAnswer {
   std::vector<double> tractions{};   ///< components x places on the surface [Pa]
   std::vector<double> deviations{};  ///< of each, one standard deviation [Pa]; empty: not known
-  ChosenAlpha alpha{};
+  ChosenAlpha alpha{};               ///< of value 0 where the method has none
   Verdict verdict = Verdict::ok;
+  Verdict solved = Verdict::ok;          ///< before readings and bands were judged
   std::optional<Condition> condition{};  ///< of the system that was solved
   /// |P W (K f - g)|_2, what the tractions leave of the readings; absent: nobody has asked.
   std::optional<double> residual{};
@@ -72,6 +81,9 @@ struct FrameAnswer {
   /// tell nothing of it, and the value comes from the prior alone.
   double assumed = 0.0;
   double unseen = 0.0;  ///< share of their force where no taxel sees (skin_sight.hpp)
+
+  /// Whether it is known how far the tractions may be from the truth, and so what they amount to.
+  [[nodiscard]] bool has_bands() const noexcept { return !deviations.empty(); }
 };
 
 /// A frame's tractions overflow a double.
@@ -80,30 +92,37 @@ class FrameOverflow : public std::domain_error {
   FrameOverflow() : domain_error("the frame's tractions overflow a double; scale the readings") {}
 };
 
-/// What chooses the alpha of a skin's frame, before constraints.
-using SkinAlphaChooser = std::function<AlphaChoice(const FilterFrame& frame)>;
-
-/// @param choose   absent: the scene's alpha or rule, of this frame alone
-/// @param repeats  a taxel that frames before have shown to repeat itself (repeating_taxels.hpp)
 /// @throw std::invalid_argument  readings have the wrong size or are not finite, or the scene
 ///                               cannot be solved: as `make_problem`
 /// @throw FrameOverflow          the tractions overflow a double
 /// @throw std::domain_error      alpha is so small that double precision cannot tell the tractions
 ///                               apart
-[[nodiscard]] FrameAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings,
-                                const SkinAlphaChooser& choose = {},
-                                std::optional<std::size_t> repeats = {});
+[[nodiscard]] FrameAnswer solve(const SkinSceneProblem& problem, std::span<const double> readings);
 
-/// A line's frame that a `RecordingSolver` has solved, with its bands and all that they tell: what
-/// `run` says of the frame.
+/// A line's frame, by tikhonov.
 ///
-/// @param frame      of the problem that it was solved with
-/// @param tractions  that were found [Pa]
-/// @pre  the method has bands, and so has the problem; the status is ok
-[[nodiscard]] FrameAnswer with_bands(const SceneFrame& frame, std::span<const double> tractions,
-                                     const FrameResult& result);
+/// @param solver  of the problem; null: one is made
+/// @throw  as of a skin
+[[nodiscard]] FrameAnswer solve(const SceneProblem& problem, std::span<const double> readings,
+                                FrameSolver* solver = nullptr);
 
-/// Of one component, of values as the answer has them; empty where it was not solved for.
+/// Whether that method's answers have bands, at once or by `with_bands`.
+[[nodiscard]] bool has_bands(const AnyProblem& problem, Method method);
+
+/// A frame that a `RecordingSolver` has solved, with its bands and all that they tell: what `run`
+/// says of the frame. Of a skin it is the answer itself, which has them.
+///
+/// @param problem   that it was solved with
+/// @param readings  as they were solved
+/// @pre  `has_bands`
+[[nodiscard]] FrameAnswer with_bands(const AnyProblem& problem, std::span<const double> readings,
+                                     FrameAnswer answer);
+
+/// Of one component of several, of values as the answer has them; empty where it was not solved
+/// for.
+/// @param places  values of a component
+[[nodiscard]] std::span<const double> component(std::span<const double> values, std::size_t places,
+                                                std::size_t which);
 [[nodiscard]] std::span<const double> component(std::span<const double> values,
                                                 const SurfaceGrid& grid, Traction which);
 

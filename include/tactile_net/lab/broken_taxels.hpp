@@ -10,10 +10,9 @@
 #include <functional>
 #include <span>
 
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/readings_check.hpp"
-#include "tactile_net/lab/scene_problem.hpp"
-#include "tactile_net/lab/skin_problem.hpp"
 
 namespace tactile_net::lab {
 
@@ -32,5 +31,6 @@ namespace tactile_net::lab {
 /// was
 Findings leave_out_broken(SceneProblem& problem, const ReadingsCheck& check);
 Findings leave_out_broken(SkinSceneProblem& problem, const ReadingsCheck& check);
+Findings leave_out_broken(AnyProblem& problem, const ReadingsCheck& check);
 
 }  // namespace tactile_net::lab

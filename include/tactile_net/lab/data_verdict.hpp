@@ -10,6 +10,7 @@
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/lab/remark.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
 
 namespace tactile_net::lab {
 
@@ -35,6 +36,7 @@ namespace tactile_net::lab {
 /// What is to be said of a frame whose data are doubted, with the scene's names and units.
 /// @param data  not consistent
 [[nodiscard]] remark::DataDoubted data_doubted(const DataVerdict& data, const Scene& scene);
+[[nodiscard]] remark::DataDoubted data_doubted(const DataVerdict& data, const SkinScene& scene);
 
 /// Adds what frames before have shown of a taxel (repeating_taxels.hpp).
 void doubt(DataVerdict& data, std::optional<std::size_t> bad_taxel);

@@ -12,6 +12,7 @@
 
 #include "tactile_net/grasp/finger.hpp"
 #include "tactile_net/grasp/fingertip_force.hpp"
+#include "tactile_net/inverse/contact_patch.hpp"
 #include "tactile_net/lab/remark.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/verdict.hpp"
@@ -35,13 +36,7 @@ using FingertipRemark = std::variant<SceneRemark, Remark, CutOffNote, remark::Do
 
 struct Fingertip {
   /// What the contact is known from.
-  enum class Source {
-    assumed,    ///< its place is; its force is not known
-    resultant,  ///< the hand's file gives its force
-    tractions,  ///< a file of tractions
-    readings,   ///< a file of readings, reconstructed by tikhonov
-    simulated,  ///< a scene's contacts, simulated and reconstructed
-  };
+  enum class Source { assumed, resultant, tractions, readings, simulated };
 
   Finger finger{};  ///< with its pad
   FingerPose pose{};
@@ -53,8 +48,26 @@ struct Fingertip {
   Source source = Source::assumed;
   std::filesystem::path file{};  ///< of the source, as the hand's file names it; empty: none
   std::size_t frame = 0;         ///< row of that file, from 0
+  /// Each contact on the pad by itself, the strongest first: where readings tell them. Forces are
+  /// those of the whole breadth [N].
+  std::vector<ContactPatch> patches{};
   std::vector<FingertipRemark> remarks{};
 };
+
+}  // namespace tactile_net::lab
+
+template <>
+struct tactile_net::Enumerators<tactile_net::lab::Fingertip::Source> {
+  using Source = lab::Fingertip::Source;
+  static constexpr Enumerator<Source> all[] = {
+      {Source::assumed, "assumed", "Its place is assumed; its force is not known."},
+      {Source::resultant, "resultant", "The hand's file gives its force."},
+      {Source::tractions, "tractions", "A file of tractions."},
+      {Source::readings, "readings", "A file of readings, reconstructed."},
+      {Source::simulated, "simulated", "A scene's contacts, simulated and reconstructed."}};
+};
+
+namespace tactile_net::lab {
 
 /// The spelling in JSON: "assumed", "resultant", "tractions", "readings", "simulated".
 [[nodiscard]] std::string_view name(Fingertip::Source source) noexcept;

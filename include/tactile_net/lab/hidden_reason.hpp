@@ -1,5 +1,5 @@
 /// @file
-/// Why a scene's sensors do not tell some tractions apart: a type and its numbers each. The
+/// Why a line's sensors do not tell some tractions apart: a type and its numbers each. The
 /// sentences are `report::in_words`.
 #pragma once
 

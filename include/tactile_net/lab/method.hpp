@@ -28,8 +28,6 @@ struct FrameResult {
   FrameStatus status = FrameStatus::ok;  ///< else there is no answer, and nothing below means much
   std::optional<ChosenAlpha> alpha{};    ///< absent: the method has none
   Verdict verdict = Verdict::ok;
-  /// Before readings and bands were judged; absent: nobody has.
-  std::optional<Verdict> solved{};
   std::optional<Condition> condition{};  ///< of the system that was solved
   Remarks remarks{};
   std::optional<ConstrainedSolution> constrained{};

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "tactile_net/scene/sensor_effects.hpp"
 #include "tactile_net/sensing/signal_path.hpp"
 
 namespace tactile_net::lab {
@@ -42,5 +44,35 @@ class PadSignal {
   std::vector<double> pure_{};      // at that time, before the effects
   std::vector<double> recorded_{};  // after them
 };
+
+/// One sensor of a scene and what it remembers. Not thread-safe.
+///
+/// @tparam Model  what all sensors of the scene share: `PadModel`, `SkinPadModel`
+template <typename Model>
+class SimulatedPadOf {
+ public:
+  explicit SimulatedPadOf(std::shared_ptr<const Model> model)
+      : model_(std::move(model)),
+        signal_([shared = model_] { return shared->path(); }, model_->aperture()) {}
+
+  /// What the sensor records at a moment, through all of the scene's effects: as `PadSignal`.
+  ///
+  /// @param time      [s]
+  /// @param readings  in the sensor's order
+  void read(double time, std::span<const typename Model::Patch> patches,
+            std::span<double> readings) {
+    model_->readings(patches, readings);
+    signal_.apply(time, readings);
+  }
+
+ private:
+  std::shared_ptr<const Model> model_;
+  PadSignal signal_;
+};
+
+/// The sampling window [s]; 0: readings are taken in a moment.
+[[nodiscard]] inline double aperture_of(const SensorEffects& effects) noexcept {
+  return effects.sampling ? effects.sampling->aperture : 0.0;
+}
 
 }  // namespace tactile_net::lab

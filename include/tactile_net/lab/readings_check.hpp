@@ -18,9 +18,9 @@
 #include <tuple>
 #include <vector>
 
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/finding.hpp"
 #include "tactile_net/lab/observer.hpp"
-#include "tactile_net/lab/scene_problem.hpp"
 #include "tactile_net/scene/reader.hpp"
 
 namespace tactile_net::lab {
@@ -148,22 +148,25 @@ class ReadingsChecker {
 [[nodiscard]] Findings scene_findings(const Scene& scene);
 [[nodiscard]] Findings scene_findings(const SkinScene& scene);
 
-/// What a line's answers tell as they come: the whole pad pulled in every frame, and a residual
-/// that cannot be with the noise stated. A few operations a frame; a residual for the first frames,
-/// then ever rarer ones.
+[[nodiscard]] Findings scene_findings(const AnyScene& scene);
+
+/// What answers tell as they come: the whole pad pulled in every frame, and a residual that cannot
+/// be with the noise stated. A few operations a frame; a residual for the first frames, then ever
+/// rarer ones.
 class SolvingDoubts {
  public:
-  explicit SolvingDoubts(SceneProblem problem);
+  explicit SolvingDoubts(const AnyProblem& problem);
 
   /// @param problem  that the frame was solved with
-  void add(const SceneProblem& problem, std::span<const double> readings,
-           std::span<const double> tractions, double alpha);
+  /// @param answer   by a method without an alpha: nothing is taken from it
+  void add(const AnyProblem& problem, std::span<const double> readings, const FrameAnswer& answer);
 
   /// With `scene_findings`.
   [[nodiscard]] Findings findings() const;
 
  private:
-  SceneProblem problem_;
+  AnyScene scene_;
+  std::optional<double> stated_noise_;
   struct Count {
     std::size_t loaded = 0;
     std::size_t pulled = 0;

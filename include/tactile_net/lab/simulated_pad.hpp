@@ -19,27 +19,21 @@ namespace tactile_net::lab {
 
 /// What all pads of a scene share. Its contacts, [time] and [forward] are not looked at.
 struct PadModel {
+  using Patch = LoadPatch;
+
   /// @throw std::invalid_argument  as `PatchModel`
   explicit PadModel(Scene of) : scene(std::move(of)), forward(scene.sensor, scene.material) {}
+
+  void readings(std::span<const LoadPatch> patches, std::span<double> readings) const {
+    forward.readings(patches, readings);
+  }
+  [[nodiscard]] SignalPath path() const { return signal_path(scene); }
+  [[nodiscard]] double aperture() const noexcept { return aperture_of(scene); }
 
   Scene scene;
   PatchModel forward;
 };
 
-/// One sensor and what it remembers. Not thread-safe.
-class SimulatedPad {
- public:
-  explicit SimulatedPad(std::shared_ptr<const PadModel> model);
-
-  /// What the sensor records at a moment, through all of the scene's effects: as `PadSignal`.
-  ///
-  /// @param time      [s]
-  /// @param readings  channels x count
-  void read(double time, std::span<const LoadPatch> patches, std::span<double> readings);
-
- private:
-  std::shared_ptr<const PadModel> model_;
-  PadSignal signal_;
-};
+using SimulatedPad = SimulatedPadOf<PadModel>;
 
 }  // namespace tactile_net::lab

@@ -29,6 +29,8 @@ namespace tactile_net::lab {
 /// counts as a point load's; of a Hertzian contact two depths wide that is right to a per cent.
 class SkinPadModel {
  public:
+  using Patch = SampledPatch;
+
   /// @throw std::invalid_argument  as `make_problem`; or cells as wide as the least depth would
   ///                               still take more
   explicit SkinPadModel(SkinScene scene);
@@ -41,6 +43,8 @@ class SkinPadModel {
   ///
   /// @param readings  in the order of the skin's readings
   void readings(std::span<const SampledPatch> patches, std::span<double> readings) const;
+  [[nodiscard]] SignalPath path() const { return signal_path(scene_); }
+  [[nodiscard]] double aperture() const noexcept { return aperture_of(scene_); }
 
  private:
   void add_beyond(double y, double z, const std::array<double, 3>& tractions,
@@ -53,20 +57,6 @@ class SkinPadModel {
   std::map<double, SkinKernel> kernels_{};  // of each depth
 };
 
-/// One skin and what it remembers. Not thread-safe.
-class SimulatedSkinPad {
- public:
-  explicit SimulatedSkinPad(std::shared_ptr<const SkinPadModel> model);
-
-  /// What the skin records at a moment, through all of the scene's effects: as `PadSignal`.
-  ///
-  /// @param time      [s]
-  /// @param readings  in the order of the skin's readings
-  void read(double time, std::span<const SampledPatch> patches, std::span<double> readings);
-
- private:
-  std::shared_ptr<const SkinPadModel> model_;
-  PadSignal signal_;
-};
+using SimulatedSkinPad = SimulatedPadOf<SkinPadModel>;
 
 }  // namespace tactile_net::lab

@@ -66,6 +66,8 @@ class SkinSceneProblem {
 
   /// Of one frame, constraints aside: the scene's, or by that rule.
   [[nodiscard]] ChosenAlpha alpha(std::span<const double> readings) const;
+  /// Every rule on one frame, constraints aside. @throw std::invalid_argument  it is large
+  [[nodiscard]] AlphaSweep sweep(std::span<const double> readings) const;
 
   /// Whether each frame has a tangential weight of its own. Until a frame is there it is 1.
   [[nodiscard]] bool estimates_weight() const;

@@ -46,6 +46,7 @@ struct SpaceFingertip {
   std::size_t frame = 0;         ///< row of that file, from 0
   /// The corners of the pad along y and z [m], least and largest; absent: not known.
   std::optional<std::array<Vector3, 4>> corners{};
+  std::vector<ContactPatch> patches{};  ///< each contact on the pad by itself, the strongest first
   std::vector<FingertipRemark> remarks{};
   std::optional<remark::TorsionLeftOut> torsion_left_out{};
 };

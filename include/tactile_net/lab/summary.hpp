@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/frame_runs.hpp"
-#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 
@@ -30,10 +30,15 @@ struct SolvedFrames {
   double largest_alpha = 0.0;
   std::optional<double> least_weight{};  ///< of the tangential ones that were estimated
   std::optional<double> largest_weight{};
-  FrameResult last{};  ///< of the last frame that was solved
+  struct Last {
+    ChosenAlpha alpha{};
+    std::optional<Condition> condition{};
+    Remarks remarks{};
+  };
+  Last last{};  ///< of the last frame that was solved
 
   /// Of the next frame. @param incomplete  it was solved without the taxels it misses
-  void add(const FrameResult& result, bool incomplete = false);
+  void add(const FrameAnswer& answer, bool incomplete = false);
   /// The next frame has no answer.
   void skip();
 };

@@ -100,7 +100,8 @@ class NoContactTest {
     return true;
   }
 
-  /// Of the last pattern, the share that no load explains; 1: all.
+  /// Of the last pattern, the share that no load explains; 1: all. Of one that a contact explains
+  /// it may be too large.
   [[nodiscard]] double unexplained() const noexcept { return unexplained_; }
 
   /// Where each of two states is within noise, or that of a contact, what has changed is a contact
@@ -139,7 +140,7 @@ class NoContactTest {
 
   /// A contact explains the pattern but for so much.
   [[nodiscard]] bool presses(std::span<const double> pattern, double most) {
-    const auto pressed = solver_.press(pattern, living_);
+    const auto pressed = solver_.press(pattern, living_, most);
     if (!pressed) return false;
     unexplained_ = std::min(unexplained_, pressed->residual / weighted_.rms(pattern));
     return pressed->residual <= most;

@@ -64,8 +64,9 @@ class WornSearch {
   /// Taxels without which a contact explains the frame, and which read far less than that contact
   /// lets them.
   [[nodiscard]] std::vector<Worn> found() {
-    const auto whole = solver_.press(frame_, evidence_.living);
-    if (!whole || !is_off(whole->residual)) return {};
+    const double sound = most_of_sound();
+    const auto whole = solver_.press(frame_, evidence_.living, sound);
+    if (!whole || !(whole->residual > sound)) return {};
     std::vector<bool> living = without_seed(*whole);
     if (living.empty()) return {};
     const auto seed = solver_.press(frame_, living);
@@ -74,13 +75,13 @@ class WornSearch {
   }
 
  private:
-  [[nodiscard]] bool is_off(double residual) const {
+  /// What a contact leaves of sound taxels, at most.
+  [[nodiscard]] double most_of_sound() const {
     double squares = 0.0;  // of the noise of a weighted reading
     for (std::size_t i = 0; i < frame_.size(); ++i)
       squares += std::pow(evidence_.sensor.weights[evidence_.sites()[i].channel] * noise_[i], 2);
     const double usual = std::sqrt(squares / static_cast<double>(frame_.size()));
-    return residual > times_noise * usual &&
-           residual > of_readings * rms_of(evidence_, frame_, evidence_.living);
+    return std::max(times_noise * usual, of_readings * rms_of(evidence_, frame_, evidence_.living));
   }
 
   /// A contact that must explain worn taxels, too, errs at all of them: those at which it errs most

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
+#include "lab/lines_and_skins.hpp"
 #include "lab/pattern_cache.hpp"
 #include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/constrained.hpp"
@@ -13,7 +15,7 @@
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
-#include "tactile_net/lab/missing.hpp"
+#include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
@@ -75,13 +77,25 @@ struct Presser {
   LinearProblem problem;  // without them
   Cone cone;
 
+  /// @param enough  as `PatternSolver::press`
   [[nodiscard]] std::optional<PressedPattern> press(const LinearProblem& whole,
-                                                    std::span<const double> readings) const {
-    const auto solution = cone.solve(readings, most_steps);
+                                                    std::span<const double> readings,
+                                                    double enough) const {
+    const auto left_by = [&](std::span<const double> tractions) {
+      return estimate_noise(problem, readings, tractions, 0.0).residual_rms;
+    };
+    const auto solution = [&] {
+      if constexpr (std::is_same_v<Cone, ConeTikhonov>)
+        return cone.solve(readings, most_steps, 1e-6,
+                          [&](std::span<const double> tractions, std::size_t) {
+                            return enough > 0.0 && left_by(tractions) <= enough;
+                          });
+      else
+        return cone.solve(readings, most_steps);
+    }();
     if (solution.status != FrameStatus::ok) return std::nullopt;
-    PressedPattern pressed{
-        .residual = estimate_noise(problem, readings, solution.tractions, 0.0).residual_rms,
-        .read = std::vector<double>(readings.size())};
+    PressedPattern pressed{.residual = left_by(solution.tractions),
+                           .read = std::vector<double>(readings.size())};
     for (std::size_t i = 0; i < readings.size(); ++i) {
       if (!(whole.weights[i] > 0.0)) continue;
       const std::span<const double> row = whole.kernel.row(i);
@@ -122,17 +136,18 @@ namespace {
 
 class LineSolver final : public PatternSolver {
  public:
-  explicit LineSolver(const Scene& scene)
-      : problem_(unconstrained(scene)), frames_(problem_, Method::tikhonov) {}
+  explicit LineSolver(const Scene& scene) : problem_(unconstrained(scene)) {}
 
   std::optional<SolvedPattern> solve(std::span<const double> readings,
                                      const std::vector<bool>& living) override {
-    std::vector<double> frame = with_missing(readings, living);
+    const auto known = without_dead(readings, living);
+    if (!known) return std::nullopt;
+    const auto& [frame, rest] = *known;
     std::vector<double> tractions(problem_.tractions());
-    const auto result = frames_.solve(frame, tractions);
-    if (!result || result->status != FrameStatus::ok) return std::nullopt;
-    SolvedPattern solved{
-        .residual = residual_rms(frames_.problem(), frame, tractions, result->alpha->value)};
+    const FrameResult result = rest->solver->solve(frame, tractions);
+    if (result.status != FrameStatus::ok) return std::nullopt;
+    SolvedPattern solved{.residual =
+                             residual_rms(rest->problem, frame, tractions, result.alpha->value)};
     solved.unexplained = solved.residual;
     const Surface& places = problem_.surface();
     tractions.resize(places.count);
@@ -142,7 +157,7 @@ class LineSolver final : public PatternSolver {
   }
 
   std::optional<PressedPattern> press(std::span<const double> readings,
-                                      const std::vector<bool>& living) override {
+                                      const std::vector<bool>& living, double enough) override {
     if (problem_.is_large()) return std::nullopt;
     std::vector<double> frame = with_missing(readings, living);
     const Scene& scene = problem_.scene();
@@ -162,23 +177,47 @@ class LineSolver final : public PatternSolver {
                                press_of(options.unknowns, problem_.scene().reconstruct));
       presser_ = {.dead = dead, .problem = std::move(left), .cone = std::move(cone)};
     }
-    return presser_->press(*whole_contacts_, frame);
+    return presser_->press(*whole_contacts_, frame, enough);
   }
 
   std::optional<double> negative_log_evidence(std::span<const double> readings,
                                               const std::vector<bool>& living) override {
-    if (!solve(readings, living)) return std::nullopt;
-    const SceneProblem& problem = frames_.problem();  // without what is dead
-    if (problem.is_large()) return std::nullopt;
-    std::vector<double> frame(readings.begin(), readings.end());
-    for (std::size_t i = 0; i < frame.size(); ++i)
-      if (!living[i]) frame[i] = 0.0;
-    const FilterFrame analysed = problem.family().analyse(frame);
+    const auto known = without_dead(readings, living);
+    if (!known || known->rest->problem.is_large()) return std::nullopt;
+    const SceneProblem& problem = known->rest->problem;
+    const FilterFrame analysed = problem.family().analyse(known->frame);
     return tactile_net::negative_log_evidence(analysed, problem.alpha_tables(analysed),
                                               problem.stated_noise());
   }
 
  private:
+  /// The problem without what is dead in a frame.
+  struct Rest {
+    explicit Rest(SceneProblem without)
+        : problem(std::move(without)), solver(make_solver(problem, Method::tikhonov)) {}
+
+    SceneProblem problem;
+    std::unique_ptr<FrameSolver> solver;
+  };
+  struct RestOfFrame {
+    std::vector<double> frame;  // with zeros for what is dead
+    std::shared_ptr<Rest> rest;
+  };
+  /// Nothing where no taxel is left.
+  std::optional<RestOfFrame> without_dead(std::span<const double> readings,
+                                          const std::vector<bool>& living) {
+    std::vector<double> frame = with_missing(readings, living);
+    const Scene& scene = problem_.scene();
+    const std::vector<Site> all = sites(scene.sensor);
+    const std::vector<std::size_t> dead = dead_with_missing(scene.dead_taxels, all, frame);
+    if (!measures_without(problem_, dead)) return std::nullopt;
+    for (std::size_t i = 0; i < frame.size(); ++i)
+      if (std::binary_search(dead.begin(), dead.end(), all[i].taxel)) frame[i] = 0.0;
+    return RestOfFrame{std::move(frame), rests_(dead, [&] {
+                         return std::make_unique<Rest>(problem_.without(dead));
+                       })};
+  }
+
   /// Of a grid on which narrow contacts, too, are possible.
   [[nodiscard]] LineProblemOptions contact_options() const {
     constexpr std::size_t most_values = 512;
@@ -190,7 +229,7 @@ class LineSolver final : public PatternSolver {
   }
 
   SceneProblem problem_;
-  IncompleteFrames frames_;
+  PatternCache<Rest> rests_{bytes_of_frames(problem_)};
   std::optional<LinearProblem> whole_contacts_{};
   std::optional<Presser<ConstrainedTikhonov>> presser_{};
 };
@@ -227,7 +266,7 @@ class SkinSolver final : public PatternSolver {
   }
 
   std::optional<PressedPattern> press(std::span<const double> readings,
-                                      const std::vector<bool>& living) override {
+                                      const std::vector<bool>& living, double enough) override {
     const auto frame = without_dead(readings, living);
     if (!frame) return std::nullopt;
     const SkinScene& scene = whole_.scene();
@@ -247,7 +286,7 @@ class SkinSolver final : public PatternSolver {
                         press_of(left.components, scene.reconstruct));
       presser_ = {.dead = dead_, .problem = std::move(left), .cone = std::move(cone)};
     }
-    return presser_->press(*whole_contacts_, *frame);
+    return presser_->press(*whole_contacts_, *frame, enough);
   }
 
   std::optional<double> negative_log_evidence(std::span<const double> readings,
@@ -269,7 +308,7 @@ class SkinSolver final : public PatternSolver {
     const SkinScene& scene = whole_.scene();
     const std::vector<Site> all = sites(scene.sensor);
     const std::vector<std::size_t> dead = dead_with_missing(scene.dead_taxels, all, frame);
-    if (!is_measured(scene.sensor, dead, scene.reconstruct.offset)) return std::nullopt;
+    if (!measures_without(whole_, dead)) return std::nullopt;
     for (std::size_t i = 0; i < frame.size(); ++i)
       if (std::binary_search(dead.begin(), dead.end(), all[i].taxel)) frame[i] = 0.0;
     if (dead != dead_) {

@@ -42,8 +42,15 @@ class PatternSolver {
                                                            const std::vector<bool>& living) = 0;
 
   /// Nothing of an array solved without a matrix, or without a taxel.
+  /// @param enough  a residual at which any contact will do: a search that comes to the nearest one
+  ///                step by step ends there
   [[nodiscard]] virtual std::optional<PressedPattern> press(std::span<const double> readings,
-                                                            const std::vector<bool>& living) = 0;
+                                                            const std::vector<bool>& living,
+                                                            double enough) = 0;
+  [[nodiscard]] std::optional<PressedPattern> press(std::span<const double> readings,
+                                                    const std::vector<bool>& living) {
+    return press(readings, living, 0.0);
+  }
 
   /// How little the readings are to be expected of any load: `negative_log_evidence` at the
   /// likeliest alpha. Nothing where it cannot be told: of an array solved without a matrix, or

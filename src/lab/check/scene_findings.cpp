@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <variant>
 #include <vector>
 
 #include "tactile_net/lab/readings_check.hpp"
@@ -56,6 +57,10 @@ Findings scene_findings(const SkinScene& scene) {
   const double pitch_z = !even || skin.columns > 1 ? skin.pitch_z : 0.0;
   const double length = std::max(high[0] - low[0] + pitch_y, high[1] - low[1] + pitch_z);
   return findings_of(scene.material.youngs_modulus, length, std::max(pitch_y, pitch_z), depths);
+}
+
+Findings scene_findings(const AnyScene& scene) {
+  return std::visit([](const auto& one) { return scene_findings(one); }, scene);
 }
 
 }  // namespace tactile_net::lab

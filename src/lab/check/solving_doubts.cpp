@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "lab/check/judgement.hpp"
 #include "numeric/robust.hpp"
@@ -12,30 +13,51 @@ namespace {
 /// The first frames, then ever rarer ones.
 bool is_taken(std::size_t frame) { return frame < 16 || (frame & (frame - 1)) == 0; }
 
+/// A rms, where it may be a thousandth of the noise or a thousand times it; else what takes no
+/// decomposition to tell that it is not. 0: nothing is left to tell it by.
+double suspicious_residual(const SceneProblem& problem, std::span<const double> readings,
+                           const FrameAnswer& answer, double noise) {
+  if (problem.is_large()) return 0.0;
+  const double residual =
+      estimate_noise(problem.problem(), readings, answer.tractions, 0.0).residual_rms;
+  return is_thousandfold(residual / noise)
+             ? residual_rms(problem, readings, answer.tractions, answer.alpha.value)
+             : residual;
+}
+double suspicious_residual(const SkinSceneProblem&, std::span<const double>,
+                           const FrameAnswer& answer, double) {
+  return answer.noise.residual_rms;
+}
+
+std::size_t count_of_places(const SceneProblem& problem) { return problem.surface().count; }
+std::size_t count_of_places(const SkinSceneProblem& problem) { return problem.grid().count(); }
+
 }  // namespace
 
-SolvingDoubts::SolvingDoubts(SceneProblem problem) : problem_(std::move(problem)) {}
+SolvingDoubts::SolvingDoubts(const AnyProblem& problem)
+    : scene_(scene_of(problem)),
+      stated_noise_(std::visit([](const auto& one) { return one.stated_noise(); }, problem)) {}
 
-void SolvingDoubts::add(const SceneProblem& problem, std::span<const double> readings,
-                        std::span<const double> tractions, double alpha) {
-  const Pull pull = pull_of(tractions.first(problem.surface().count));
+void SolvingDoubts::add(const AnyProblem& problem, std::span<const double> readings,
+                        const FrameAnswer& answer) {
+  if (answer.alpha.value == 0.0) return;
+  const std::size_t count =
+      std::visit([](const auto& one) { return count_of_places(one); }, problem);
+  const Pull pull = pull_of(std::span(answer.tractions).first(count));
   if (pull.load > 0.0) {
-    Count& count = by_load_[std::ilogb(pull.load)];
-    ++count.loaded;
-    if (pull.pulled) ++count.pulled;
+    Count& same_load = by_load_[std::ilogb(pull.load)];
+    ++same_load.loaded;
+    if (pull.pulled) ++same_load.pulled;
   }
-  const auto stated = problem_.stated_noise();
-  if (!is_taken(frames_++) || !stated || problem.is_large()) return;
-  // tr H takes a decomposition: it is asked for only where the residual is
-  // suspicious without it.
-  double residual = estimate_noise(problem.problem(), readings, tractions, 0.0).residual_rms;
-  if (is_thousandfold(residual / *stated))
-    residual = residual_rms(problem, readings, tractions, alpha);
-  if (residual > 0.0) residuals_.push_back(residual / *stated);
+  if (!is_taken(frames_++) || !stated_noise_) return;
+  const double residual = std::visit(
+      [&](const auto& one) { return suspicious_residual(one, readings, answer, *stated_noise_); },
+      problem);
+  if (residual > 0.0) residuals_.push_back(residual / *stated_noise_);
 }
 
 Findings SolvingDoubts::findings() const {
-  Findings findings = scene_findings(problem_.scene());
+  Findings findings = scene_findings(scene_);
   finding::WholePadPulled sign;  // of the frames that hold at least a quarter of the largest load
   for (auto at = by_load_.rbegin(); at != by_load_.rend(); ++at) {
     if (at->first + 1 < by_load_.rbegin()->first) break;

@@ -51,6 +51,7 @@ void add_relax(AllCommands& all);
 void add_certify(AllCommands& all);
 void add_simulate(AllCommands& all);
 void add_solve(AllCommands& all);
+void add_report(AllCommands& all);
 void add_identify(AllCommands& all);
 void add_plan(AllCommands& all);
 void add_tradeoff(AllCommands& all);

@@ -11,7 +11,7 @@ void add_gen(AllCommands& all) {
        .pages = {"circuits.md"},
        .examples = {{"gen scenes/nic.toml -o nic.cir", "the circuit that the scene asks for"},
                     {"gen scenes/circuits/board.toml --budget 0.3% -o board.cir",
-                     "of parts that are sold, and how exact each must be"},
+                     "from parts that are sold, with the tolerance that each needs"},
                     {"gen scenes/nic.toml --subcircuit pad -o pad.lib --symbol pad.asy",
                      "a sub-circuit with pins for the readings, and its symbol"}}});
   add_scene(command, options.scene);
@@ -19,16 +19,15 @@ void add_gen(AllCommands& all) {
                      "Deck (default: standard output)");
   command.add_choice(
       "--dialect", options.dialect, dialects,
-      "The simulator that is to read it; a deck that breaks its rules is not written");
-  command.add_option(
-      "--budget", options.budget, text("SHARE"),
-      "Of resistors that are sold, the cheapest with which 95 of 100 builds err by at "
-      "most this, such as 0.3%, each with its tolerance as a comment");
+      "Simulator that will read the deck; a deck that breaks its rules is not written");
+  command.add_option("--budget", options.budget, text("SHARE"),
+                     "Use resistors that are sold: the cheapest with which the error of 95 of 100 "
+                     "builds is at most this, such as 0.3%; a comment has the tolerance of each");
   command.add_option("--subcircuit", options.subcircuit, text("NAME"),
-                     "In place of a deck a sub-circuit of that name: its pins are the nodes that "
-                     "readings' currents flow into, then the outputs");
+                     "Write a sub-circuit of that name instead of a deck: its pins are the nodes "
+                     "into which the readings' currents flow, then the outputs");
   command.add_option("--symbol", options.symbol, output_file({"asy"}),
-                     "Symbol of the sub-circuit for LTspice");
+                     "Write the sub-circuit's symbol for LTspice");
   add_network(command, options.network);
 }
 
@@ -38,17 +37,16 @@ void add_relax(AllCommands& all) {
        .text = "Run a circuit in ngspice: a scene's, compared with the direct solve of P f = b, "
                "or a deck (FILE.cir), compared with the voltages that its header expects",
        .pages = {"circuits.md", "strangers.md"},
-       .examples = {{"relax scenes/nic.toml", "the scene's circuit beside the direct solve"},
-                    {"relax scenes/circuits/crossbar.toml --simulator library",
-                     "by ngspice's library, without starting the program"},
-                    {"relax nic.cir --tolerance 1e-6",
-                     "a deck that gen wrote, perhaps edited "
-                     "since"}}});
+       .examples = {
+           {"relax scenes/nic.toml", "the scene's circuit, compared with the direct solve"},
+           {"relax scenes/circuits/crossbar.toml --simulator library",
+            "by ngspice's library instead of the program"},
+           {"relax nic.cir --tolerance 1e-6", "a deck that gen wrote; you may have edited it"}}});
   add_scene(command, options.scene, "Scene file (TOML), or deck (.cir)", {"toml", "cir"});
   add_json(command, options.json, "Write the result as JSON");
   command.add_option("--tolerance", options.tolerance, number(),
-                     "For a deck: largest relative difference that counts as agreement (default: "
-                     "its `* within` line, or 1e-9)");
+                     "For a deck: largest relative difference that passes (default: its `* within` "
+                     "line, or 1e-9)");
   add_network(command, options.network);
   add_simulator(command, options.simulator);
 }
@@ -56,24 +54,23 @@ void add_relax(AllCommands& all) {
 void add_certify(AllCommands& all) {
   auto [command, options] = all.add<CertifyOptions>(
       {.name = "certify",
-       .text = "Say, without a simulator, whether the scene's circuit is stable, how fast it "
+       .text = "Compute, without a simulator, whether the scene's circuit is stable, how fast it "
                "settles, which errors of components it tolerates, and which realisation to choose",
        .pages = {"circuits.md"},
        .examples = {{"certify scenes/circuits/crossbar.toml --out out",
                      "with poles, settling and builds as plots"},
                     {"certify scenes/circuits/board.toml --budget 0.3% --out out",
-                     "what to order for it in out/parts.csv, and the board in out/board.kicad_pcb"},
+                     "the parts to order in out/parts.csv, and the board in out/board.kicad_pcb"},
                     {"certify scenes/nic.toml --realization crossbar --bandwidth 10e6",
-                     "another circuit, of op-amps of 10 MHz"}}});
+                     "another circuit, with op-amps of 10 MHz"}}});
   add_scene(command, options.scene);
   add_results(command, options.results,
               "Folder for report.html, certificate.json and the plots' data (CSV)",
               "Write the certificate as JSON");
-  command.add_option(
-      "--budget", options.budget, text("SHARE"),
-      "The cheapest resistors with which 95 of 100 builds err by at most this, such "
-      "as 0.3%, for each realisation; with --out, of the cheapest: parts.csv to order "
-      "from, BOM.csv, board.kicad_pcb");
+  command.add_option("--budget", options.budget, text("SHARE"),
+                     "Find, for each realisation, the cheapest resistors with which the error of "
+                     "95 of 100 builds is at most this, such as 0.3%; with --out, write parts.csv, "
+                     "BOM.csv and board.kicad_pcb of the cheapest realisation");
   add_network(command, options.network);
 }
 

@@ -6,12 +6,23 @@
 #include "tactile_net/lab/method.hpp"
 
 namespace tactile_net::tool {
+namespace {
+
+void add_missing(Arguments& command, lab::Missing& missing) {
+  constexpr std::array policies = {lab::Missing::fail, lab::Missing::skip, lab::Missing::estimate};
+  command.add_choice("--missing", missing, policies,
+                     "Where a reading is missing (empty, NaN, NA): fail; skip the frame, whose "
+                     "row is then empty; or estimate it from the other taxels, as if those "
+                     "without a reading were dead");
+}
+
+}  // namespace
 
 void add_init(AllCommands& all) {
   auto [command, options] = all.add<InitOptions>(
       {.name = "init",
-       .text = "Write a scene for recorded readings, with comments; asks on a terminal for what no "
-               "option says",
+       .text = "Write a scene for recorded readings, with comments; on a terminal it asks for each "
+               "value that no option gives",
        .pages = {"check.md", "tutorial.md"},
        .examples = {
            {"init --from-csv mine.csv -o pad.toml", "asks for pitch, depth and modulus"},
@@ -28,38 +39,38 @@ void add_init(AllCommands& all) {
   command.add_option("--quantity", options.quantities, text("LIST"),
                      "What every taxel measures: stress_x, stress_y, shear_xy, strain_x, strain_y, "
                      "or several with commas (default: as the columns are named)");
-  command.add_option("--pitch", options.pitch, number(), "From one taxel to the next");
+  command.add_option("--pitch", options.pitch, number(), "Distance from one taxel to the next");
   command.add_option("--depth", options.depths, text("LIST"),
-                     "Of the taxels below the surface; 1.0,1.5: two");
+                     "Depth of the taxels below the surface; several with commas: 1.0,1.5");
   command.add_option("--modulus", options.modulus, number(), "Young's modulus of the pad");
   command.add_option("--poisson", options.poisson, number(), "Poisson's ratio (default: 0.45)");
   command.add_option("--layer", options.layer, number(),
                      "Thickness of the pad on a rigid base (default: a half plane)");
   constexpr std::array bases = {Base::bonded, Base::frictionless};
-  command.add_choice("--base", options.base, bases, "What holds a layer");
+  command.add_choice("--base", options.base, bases, "How the base holds a layer");
   command.add_option("--noise", options.noise, text("LIST"),
-                     "Rms of the readings' noise; with commas one for each quantity");
+                     "Noise of the readings, rms; with commas one for each quantity");
   command.add_option("--length-unit", options.length_unit, text("UNIT"),
-                     "Of pitch, depth and layer: mm, ...");
+                     "Unit of pitch, depth and layer: mm, ...");
   command.add_option("--modulus-unit", options.modulus_unit, text("UNIT"),
-                     "Of Young's modulus: MPa, ...");
+                     "Unit of Young's modulus: MPa, ...");
   command.add_option("--unit", options.stress_unit, text("UNIT"),
-                     "Of the readings: kPa, ... (default: as the header says)");
+                     "Unit of the readings: kPa, ... (default: as the header says)");
   command.add_option("--force-unit", options.force_unit, text("UNIT"),
-                     "Of loads in the scene: N/mm, ...");
+                     "Unit of loads in the scene: N/mm, ...");
   add_columns(command, options.columns);
 }
 
 void add_check(AllCommands& all) {
   auto [command, options] = all.add<CheckOptions>(
       {.name = "check",
-       .text = "Look at recorded readings before they are trusted: units, sign, dead and noisy "
-               "taxels, baseline, drift, noise; and say what to write in the scene",
+       .text = "Check recorded readings before you trust them: units, sign, dead and noisy taxels, "
+               "baseline, drift, noise; and say what to write in the scene",
        .pages = {"check.md"},
        .examples = {{"check scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv",
                      "what was understood, and what looks wrong"},
                     {"check pad.toml --readings mine.csv --strict",
-                     "for scripts: exit status 1 where anything is suspicious"}}});
+                     "for scripts: exit status 1 if anything is suspicious"}}});
   add_scene(command, options.scene);
   command
       .add_option("--readings", options.readings, file("FILE", {"csv", "npy"}),
@@ -74,28 +85,28 @@ void add_calibrate(AllCommands& all) {
   auto [command, options] = all.add<CalibrateOptions>(
       {.name = "calibrate",
        .text = "Find depth, layer, moduli, gains and offsets from a log of known presses, and say "
-               "what cannot be known from it",
+               "what the log cannot determine",
        .pages = {"calibration.md"},
        .examples = {
            {"calibrate scenes/calibration/fe-rods.csv --scene scenes/calibration/fe-rods.toml "
             "-o calibrated.toml",
             "a scene that solve, run, identify and plan take"},
            {"calibrate log.csv --scene pad.toml --robust --out out",
-            "with a page, in out/report.html; wrong readings and forces count little"},
+            "with a page, out/report.html; readings and forces that stand out have little weight"},
            {"calibrate skin-balls.csv --scene skin-balls.toml "
             "-o skin.toml",
-            "of a skin, from presses by balls"}}});
+            "for a skin, from presses by balls"}}});
   command
       .add_option("LOG", options.log, file("LOG", {"csv"}),
                   "Log of presses (CSV): a row a press, and 20 rows without load")
       .required = true;
   command
       .add_option("--scene", options.scene, file("SCENE", {"toml"}),
-                  "Scene file (TOML) with what is stated of the pad; - reads standard input")
+                  "Scene file (TOML) that says what is known of the pad; - reads standard input")
       .required = true;
-  command.add_option(
-      "-o,--output", options.output, output_file({"toml"}),
-      "Scene file to write: the scene with what was found, comments kept (- = standard output)");
+  command.add_option("-o,--output", options.output, output_file({"toml"}),
+                     "Scene file to write: the scene with the values that were found; comments "
+                     "stay (- = standard output)");
   command.add_option("--out", options.results.folder, folder(),
                      "Folder for report.html and result.json");
   add_json(command, options.results.json, "Write values, deviations and verdicts as JSON");
@@ -103,15 +114,15 @@ void add_calibrate(AllCommands& all) {
                    "Give little weight to readings, forces and positions that stand out, and leave "
                    "out a force that does not fit");
   command.add_option("--next", options.next, number(),
-                     "Recommend so many presses to do next, and say what each improves");
-  command.add_option(
-      "--target", options.target, text("NAME"),
-      "What these presses are to determine best: depth, ... (default: readings under any load)");
+                     "Recommend this many presses to do next, and say what each improves");
+  command.add_option("--target", options.target, text("NAME"),
+                     "What the presses of --next determine best: depth, ... (default: the readings "
+                     "under any load)");
   command.add_option("--fix", options.fixed, text("LIST"),
-                     "Keep these as the scene states them: poisson_ratio,thickness, ...");
+                     "Keep the scene's values of these: poisson_ratio,thickness, ...");
   command.add_flag("--force", options.results.force,
-                   "Write -o although the fit is poor; let --out replace files that tactile-net "
-                   "has not written there");
+                   "Write -o although the fit is poor, and let --out replace files that "
+                   "tactile-net did not write");
 }
 
 void add_solve(AllCommands& all) {
@@ -124,10 +135,10 @@ void add_solve(AllCommands& all) {
                      "the page of a recording, out/report.html"},
                     {"solve pad.toml --readings mine.csv --columns 2-42 --missing estimate -o "
                      "tractions.csv",
-                     "columns by their place, and frames in which a reading is missing"},
+                     "columns by their numbers, and frames in which a reading is missing"},
                     {"solve skin.toml --readings long.npy --plan skin.plan -o tractions.npy "
                      "--contacts contacts.csv",
-                     "a long recording, by a plan of the command plan"}}});
+                     "a long recording, by a plan that the command plan wrote"}}});
   add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
   command
       .add_option("--readings", options.readings, file("FILE", {"csv", "npy"}),
@@ -148,47 +159,74 @@ void add_solve(AllCommands& all) {
                      "CSV file for each frame's forces, centre and angle with their standard "
                      "deviations, the deviation of every traction, alpha and the verdict");
   add_columns(command, options.columns);
-  constexpr std::array policies = {lab::Missing::fail, lab::Missing::skip, lab::Missing::estimate};
-  command.add_choice("--missing", options.missing, policies,
-                     "Where a reading is missing (empty, NaN, NA): fail; skip the frame, whose "
-                     "row is then empty; or estimate it from the other taxels, as if those "
-                     "without a reading were dead");
-  command.add_option("--share-alpha", options.share_alpha, number(),
-                     "Choose alpha for each frame and the ones before it together, so many in "
-                     "all, such as 20: tractions flicker less (default: for each frame alone)");
+  add_missing(command, options.missing);
+  command.add_option(
+      "--share-alpha", options.share_alpha, number(),
+      "Choose alpha for this many frames together, each frame and those before it, such as 20: "
+      "tractions then change less from frame to frame (default: for each frame alone)");
   command.add_option("--plan", options.plan, file("FILE", {"plan"}),
-                     "Plan file of this scene: answer frames as its controller would, thousands a "
-                     "second, with one alpha and no bands");
+                     "Plan file of this scene: solve frames as its controller does, thousands a "
+                     "second, with one alpha and without bands");
   command.add_option("--contacts", options.contacts, output_file({"csv"}),
-                     "CSV file for each frame's forces, centre, margins, doubts and status, as "
-                     "the controller with the plan of --plan has them");
+                     "CSV file for each frame's forces, centre, margins, doubts and status, as the "
+                     "controller with the plan of --plan computes them");
   add_json(command, options.results.json,
            "Write a summary as JSON, with verdict and alpha of the frames that the page shows");
+}
+
+void add_report(AllCommands& all) {
+  auto [command, options] = all.add<ReportOptions>(
+      {.name = "report",
+       .text = "Solve many recordings of one sensor, and say in a table which to look at first",
+       .pages = {"results.md"},
+       .examples = {{"report recordings --scene pad.toml --out out",
+                     "every .csv and .npy in a folder; the table in out/report.html, with a page "
+                     "for each recording"},
+                    {"report monday.csv tuesday.csv --scene pad.toml --csv -",
+                     "the table alone, as CSV on standard output"}}});
+  command.add_list("RECORDING", options.recordings, file("RECORDING", {"csv", "npy"}),
+                   "Recorded readings, CSV or .npy, or folders that hold some");
+  command
+      .add_option("--scene", options.scene, file("SCENE", {"toml"}),
+                  "Scene file (TOML) of the sensor that recorded them all; - reads standard input")
+      .required = true;
+  add_results(command, options.results,
+              "Folder for report.html, the table; result.json and recordings.csv, the same rows; "
+              "and recordings/NAME/report.html, the page of each recording",
+              "Write the rows as JSON");
+  command.add_option("--csv", options.csv, output_file({"csv"}),
+                     "Write the rows as CSV (- = standard output)");
+  command.add_flag("--no-pages", options.no_pages,
+                   "No page for each recording in --out: the table alone");
+  command.add_flag("--recursive", options.recursive,
+                   "Search the folders inside of folders too, but not --out");
+  add_columns(command, options.columns);
+  add_missing(command, options.missing);
 }
 
 void add_plan(AllCommands& all) {
   auto [command, options] = all.add<PlanOptions>(
       {.name = "plan",
-       .text = "Make the plan that a controller loads: how to solve a frame fastest for a stated "
-               "accuracy, and why so",
+       .text = "Make the plan that a controller loads: the fastest way to solve a frame with a "
+               "stated accuracy, and the reason",
        .pages = {"control.md"},
        .examples = {
            {"plan scenes/fingertip.toml -o pad.plan", "the fastest with an error of at most 1e-7"},
            {"plan scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv "
             "--deadline 100us -o pad.plan",
-            "alpha from recorded frames, and a failure where a frame takes longer"},
+            "alpha from recorded frames; it fails if a frame takes longer"},
            {"plan scenes/skins/sphere.toml -o skin.plan", "of a skin"}}});
   add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
   command.add_option("-o,--output", options.output, output_file({"plan"}),
-                     "Plan file, to be read by load_plan (default: only say what it would be)");
+                     "Plan file, which load_plan reads (default: only print what it would be)");
   command.add_option("--accuracy", options.accuracy, number(),
                      "Largest error, relative to the tractions, of the planned against the dense "
                      "product");
   command.add_option("--deadline", options.deadline, text("TIME"),
-                     "A frame must be done within this on this machine: 100us, 1ms, ...");
+                     "Longest time for a frame on this machine: 100us, 1ms, ...");
   command.add_option("--readings", options.readings, file("FILE", {"csv", "npy"}),
-                     "Recorded frames (CSV): the scene's rule for alpha is applied to each, and "
-                     "the median taken");
+                     "Recorded frames (CSV or .npy): the plan has the median of the alphas that "
+                     "the scene's rule chooses for them");
   add_columns(command, options.columns);
   command.add_option("--friction", options.friction, number(),
                      "Friction coefficient for the friction margin (default: the scene's "
@@ -196,24 +234,24 @@ void add_plan(AllCommands& all) {
   constexpr std::array structures = {Structure::dense, Structure::low_rank, Structure::reflections,
                                      Structure::reflections_low_rank, Structure::fft};
   command.add_choice("--structure", options.structure, structures,
-                     "Of the product (default: the cheapest); reflections use the array's mirror "
-                     "symmetry, fft is of lines");
+                     "How the product is computed (default: the cheapest way); reflections use the "
+                     "array's mirror symmetry, fft is for lines only");
   constexpr std::array precisions = {Precision::float64, Precision::float32};
   command.add_choice("--precision", options.precision, precisions,
-                     "Of its numbers (default: the cheapest)");
+                     "Precision of the product's numbers (default: the cheapest)");
   command.add_flag("--allow-fft", options.allow_fft,
-                   "Offer fft too, for long arrays: the controller then links "
-                   "tactile_net::spectral (GPL where that was built with FFTW)");
+                   "Allow fft too, for long arrays: the controller then links "
+                   "tactile_net::spectral (GPL if that was built with FFTW)");
   command.add_flag("--no-diagnostics", options.no_diagnostics,
-                   "No residual, no outliers, no dead taxels at run time: faster");
+                   "Leave out residual, outliers and dead taxels at run time: faster");
   add_json(command, options.json, "Write the choice as JSON");
 }
 
 void add_grasp(AllCommands& all) {
   auto [command, options] = all.add<GraspOptions>(
       {.name = "grasp",
-       .text = "Say which joint torques a hand's fingertip forces mean, whether they carry the "
-               "load, and which torques would",
+       .text = "Compute the joint torques that a hand's fingertip forces mean, whether these "
+               "forces carry the load, and which torques would hold it",
        .pages = {"hand.md", "results.md"},
        .examples = {
            {"grasp scenes/hands/two-fingers.toml --out out", "with a drawing of the hand"},
@@ -223,8 +261,9 @@ void add_grasp(AllCommands& all) {
       .add_option("HAND", options.hand, file("HAND", {"toml"}),
                   "Hand file (TOML): fingers, contacts, load; - reads it from standard input")
       .required = true;
-  command.add_flag("--allow-outside", options.allow_outside,
-                   "Let the hand name files outside its own folder: only for a hand of your own");
+  command.add_flag(
+      "--allow-outside", options.allow_outside,
+      "Let the hand name files outside its own folder; use it only for a hand that you wrote");
   add_results(command, options.results, "Folder for report.html and result.json",
               "Write the result as JSON");
   add_columns(command, options.columns);

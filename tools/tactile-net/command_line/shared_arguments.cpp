@@ -26,15 +26,16 @@ void add_simulator(Arguments& command, lab::SimulatorChoice& simulator) {
 void add_network(Arguments& command, NetworkOptions& network) {
   command.add_choice("--realization", network.realization, realizations,
                      "How to build the circuit (default: as the scene says)");
-  command.add_option("--bandwidth", network.bandwidth, number(),
-                     "Gain-bandwidth product of the op-amps [Hz]; asks for the settling time too");
+  command.add_option(
+      "--bandwidth", network.bandwidth, number(),
+      "Gain-bandwidth product of the op-amps [Hz]; the settling time is then computed too");
 }
 
 void add_columns(Arguments& command, std::string& columns) {
-  command.add_option("--columns", columns, text("LIST"),
-                     "Where the readings stand in a row, in their order: numbers of columns from "
-                     "1, ranges or names, as 2-42, or t=1,4-44 with the times in column 1 "
-                     "(default: found by the names in the header)");
+  command.add_option(
+      "--columns", columns, text("LIST"),
+      "Columns that hold the readings, in their order: numbers from 1, ranges or names, such as "
+      "2-42, or t=1,4-44 with the times in column 1 (default: found by the names in the header)");
 }
 
 void add_json(Arguments& command, std::string& json, const std::string& description) {
@@ -44,8 +45,7 @@ void add_json(Arguments& command, std::string& json, const std::string& descript
 void add_folder(Arguments& command, std::string& folder_name, bool& force,
                 const std::string& description) {
   command.add_option("--out", folder_name, folder(), description);
-  command.add_flag("--force", force,
-                   "Let --out replace files that tactile-net has not written there");
+  command.add_flag("--force", force, "Let --out replace files that tactile-net did not write");
 }
 
 void add_results(Arguments& command, ResultOptions& results, const std::string& folder_text,

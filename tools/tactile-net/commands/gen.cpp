@@ -23,8 +23,9 @@ void run(const GenOptions& options, const Streams& streams) {
   if (!options.symbol.empty() && options.subcircuit.empty())
     throw WrongUsage("--symbol", "needs a sub-circuit: name it, --subcircuit NAME");
   if (!options.symbol.empty() && (options.output.empty() || options.output == "-"))
-    throw WrongUsage("--symbol",
-                     "names the sub-circuit's file: say where it is, --output FILE.lib");
+    throw WrongUsage(
+        "--symbol",
+        "names the sub-circuit's file in the symbol: give that file, --output FILE.lib");
   const std::optional<double> budget = share_of(options.budget);
   frames::OutputFile output(options.output, &streams.out);
   const auto symbol = output_if(options.symbol, streams);

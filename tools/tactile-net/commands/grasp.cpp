@@ -7,7 +7,6 @@
 #include "tactile_net/pages/grasp_page.hpp"
 #include "tactile_net/pages/space_grasp_page.hpp"
 #include "tactile_net/report/json/grasp_json.hpp"
-#include "tactile_net/report/json/space_grasp_json.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
 #include "tactile_net/report/words/space_grasp_words.hpp"
 

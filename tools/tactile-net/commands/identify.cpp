@@ -10,13 +10,8 @@
 #include "failure.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/pages/identify_page.hpp"
-#include "tactile_net/pages/skin_survey_page.hpp"
 #include "tactile_net/report/json/identify_json.hpp"
-#include "tactile_net/report/json/skin_survey_json.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
-#include "tactile_net/report/words/scene_words.hpp"
-#include "tactile_net/report/words/skin_survey_words.hpp"
-#include "tactile_net/report/words/table.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -42,24 +37,6 @@ double traction_of(const IdentifyOptions& options, const auto& scene, const Stre
   return lab::traction_behind(scene, largest);
 }
 
-void print(std::ostream& out, const Scene& scene, const lab::Survey& survey) {
-  out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
-      << report::sensor_in_words(scene) << "; " << report::material_in_words(scene) << "\n\n";
-  for (const std::string& sentence : report::verdict_in_words(survey, scene.units))
-    out << sentence << '\n';
-  out << '\n';
-  for (const std::string& line :
-       report::singular_values_in_words(survey.own.identifiability, scene.units))
-    out << line << '\n';
-  out << '\n';
-  report::print_cells(out, report::survey_cells(survey, scene.units));
-  out << report::cells_in_words(scene, survey) << '\n';
-}
-
-void print(std::ostream& out, const SkinScene& scene, const lab::SkinSurvey& survey) {
-  report::print_survey(out, scene, survey);
-}
-
 /// @param scene  of a line or of a skin
 void survey(const auto& scene, const IdentifyOptions& options, const Streams& streams) {
   lab::SurveyOptions survey_options = options.survey;
@@ -74,8 +51,8 @@ void survey(const auto& scene, const IdentifyOptions& options, const Streams& st
                      "nothing says how strong the loads are that must be detected");
   Results results(options.results, streams);
   Progress progress(streams);
-  const auto found = lab::identify(scene, survey_options, progress);
-  results.write({.print = [&](std::ostream& out) { print(out, scene, found); },
+  const lab::Survey found = lab::identify(scene, survey_options, progress);
+  results.write({.print = [&](std::ostream& out) { report::print_survey(out, scene, found); },
                  .json = [&] { return report::survey_json(scene, found); },
                  .page =
                      [&] {

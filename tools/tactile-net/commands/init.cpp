@@ -129,7 +129,7 @@ class Sketching {
     ask_material();
     if (!questions_.open().empty())
       throw WrongUsage(
-          "not known, and nobody is there to be asked: " + join(questions_.open(), ", ") + " (" +
+          "not known, and there is no terminal to ask on: " + join(questions_.open(), ", ") + " (" +
           options_.recording + " has " + understood(layout_, sketch_.count) + ")");
     return std::move(sketch_);
   }

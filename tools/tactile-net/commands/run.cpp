@@ -8,17 +8,10 @@
 #include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/lab/run.hpp"
-#include "tactile_net/lab/skin_run.hpp"
-#include "tactile_net/lab/skin_workload.hpp"
 #include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/pages/run_page.hpp"
-#include "tactile_net/pages/skin_page.hpp"
 #include "tactile_net/report/json/run_json.hpp"
-#include "tactile_net/report/json/skin_json.hpp"
-#include "tactile_net/report/json/skin_workload_json.hpp"
 #include "tactile_net/report/json/workload_json.hpp"
-#include "tactile_net/report/words/skin_words.hpp"
-#include "tactile_net/report/words/skin_workload_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/workload_words.hpp"
 
@@ -36,21 +29,10 @@ Scene scene_of(Scene scene, const RunOptions& options, const Streams& streams) {
   return scene;
 }
 
-void explain(const Scene& scene, const RunOptions& options, const Streams& streams) {
+/// @param scene  of a line or of a skin
+void explain(const auto& scene, const RunOptions& options, const Streams& streams) {
   const lab::Workload work = lab::workload(
       scene, {.compare_rules = options.compare_rules, .report = !options.results.folder.empty()});
-  Results results({.json = options.results.json}, streams);
-  Progress progress(streams);
-  results.write({.print = [&](std::ostream& out) { report::print_workload(out, scene, work); },
-                 .json = [&] { return report::workload_json(scene, work); }},
-                progress);
-}
-
-void explain(const SkinScene& scene, const RunOptions& options, const Streams& streams) {
-  if (options.network.any())
-    throw WrongUsage("--explain",
-                     "counts a skin's work without its circuit: leave out its options");
-  const lab::SkinWorkload work = lab::workload(scene, !options.results.folder.empty());
   Results results({.json = options.results.json}, streams);
   Progress progress(streams);
   results.write({.print = [&](std::ostream& out) { report::print_workload(out, scene, work); },
@@ -66,22 +48,32 @@ void refuse_for_skins(const RunOptions& options) {
   refuse(options.compare_rules, "--compare-rules", "compares rules for line arrays");
 }
 
-void run(SkinScene scene, const RunOptions& options, const Streams& streams) {
-  refuse_for_skins(options);
-  if (options.frame) scene = at_frame(std::move(scene), *options.frame);
-  if (options.explain) return explain(scene, options, streams);
-  apply(options.network, scene.network, streams.err);
-  Results results(options.results, streams);
-  Progress progress(streams);
-  lab::SkinExperiment experiment = lab::run(scene, lab::monotonic_time, progress);
-  if (options.network.any())
-    lab::run_circuit(experiment, *lab::make_simulator(options.simulator), progress);
+void write_results(const lab::Experiment& experiment, Results& results, Progress& progress,
+                   const Streams& streams) {
   results.write({.print = [&](std::ostream& out) { report::print_experiment(out, experiment); },
                  .json = [&] { return report::experiment_json(experiment); },
                  .page = [&] { return pages::run_page(experiment, streams.command); }},
                 progress);
+}
+
+void run(SkinScene scene, const RunOptions& options, const Streams& streams) {
+  refuse_for_skins(options);
+  if (options.frame) scene = at_frame(std::move(scene), *options.frame);
+  if (options.explain) {
+    if (options.network.any())
+      throw WrongUsage("--explain",
+                       "counts a skin's work without its circuit: leave out its options");
+    return explain(scene, options, streams);
+  }
+  apply(options.network, scene.network, streams.err);
+  Results results(options.results, streams);
+  Progress progress(streams);
+  lab::Experiment experiment = lab::run(scene, lab::monotonic_time, progress);
+  if (options.network.any())
+    lab::run_circuit(experiment, *lab::make_simulator(options.simulator), progress);
+  write_results(experiment, results, progress, streams);
   if (!experiment.succeeded())
-    throw CheckFailed(experiment.answer && experiment.network
+    throw CheckFailed(experiment.results.front().has_answer() && options.network.any()
                           ? "the circuit has no answer that holds"
                           : "there is no answer that holds");
 }
@@ -97,10 +89,7 @@ void run(Scene line, const RunOptions& options, const Streams& streams) {
                                                .report = !options.results.folder.empty(),
                                                .clock = lab::monotonic_time},
                                               progress);
-  results.write({.print = [&](std::ostream& out) { report::print_experiment(out, experiment); },
-                 .json = [&] { return report::experiment_json(experiment); },
-                 .page = [&] { return pages::run_page(experiment, streams.command); }},
-                progress);
+  write_results(experiment, results, progress, streams);
   if (!experiment.succeeded()) throw CheckFailed("not every method has an answer that holds");
 }
 

@@ -18,7 +18,6 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/json/simulate_json.hpp"
-#include "tactile_net/report/json/skin_json.hpp"
 #include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/scene/scene_effects.hpp"
 

@@ -36,16 +36,15 @@ void refuse_for_plans(const SolveOptions& options) {
   const auto refuse = [](bool asked, const char* option, const char* why) {
     if (asked) throw WrongUsage(option, why);
   };
-  refuse(options.method != Method::tikhonov, "--method", "a plan is solved by its own product");
+  refuse(options.method != Method::tikhonov, "--method", "a plan has its own way to solve a frame");
   refuse(options.share_alpha.has_value(), "--share-alpha", "a plan has one alpha for all frames");
   refuse(options.missing == lab::Missing::estimate, "--missing",
-         "estimate is not for plans, whose matrix is made for the taxels there are: fail or skip");
+         "estimate does not work with a plan, whose matrix needs every taxel: choose fail or skip");
   refuse(!options.uncertainty.empty(), "--uncertainty",
-         "a plan has no bands of a frame; --contacts writes what it says");
-  refuse(!options.results.folder.empty(), "--out",
-         "a plan has no bands of a frame, and the page shows them");
+         "a plan has no bands; --contacts writes its forces and margins");
+  refuse(!options.results.folder.empty(), "--out", "a plan has no bands, and the page shows them");
   refuse(!options.results.json.empty(), "--json",
-         "a plan has no verdicts of a frame; --contacts writes what it says");
+         "a plan has no verdicts; --contacts writes its doubts and status");
 }
 
 EstimatorPlan read_plan(const std::string& path) {

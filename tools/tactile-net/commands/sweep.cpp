@@ -130,7 +130,7 @@ void run(const SweepOptions& options, const Streams& streams) {
   if (options.slurm && shard.count > 1)
     throw WrongUsage("--shard", "is set for each task by --slurm: leave it out");
   if (!options.slurm && options.time != SweepOptions{}.time)
-    throw WrongUsage("--time", "belongs to a job file: it needs --slurm");
+    throw WrongUsage("--time", "is for a job file: give --slurm");
   const sweep::Study study(read_study(options.study, {options.allow_outside}));
   if (options.slurm) {
     streams.out << sweep::slurm_script({.study = fs::absolute(options.study).string(),
@@ -150,10 +150,10 @@ void run(const SweepOptions& options, const Streams& streams) {
   watcher.line().clear();
   if (progress.deaths > 0)
     streams.err << "note: " << counted(progress.deaths, "worker")
-                << " died; the points that were begun are done again, one at a time\n";
+                << " ended unexpectedly; the points begun are computed again, one at a time\n";
   if (!progress.complete())
     throw CheckFailed("stopped at " + report::in_words(progress) +
-                      "; the same command goes on from here");
+                      "; the same command continues from here");
   if (shard.count > 1) {
     streams.out << "shard " << options.shard << ": " << counted(progress.points, "point")
                 << (progress.points == 1 ? " is" : " are")

@@ -148,7 +148,7 @@ void print(std::ostream& out, const study::Study& study, const study::Requiremen
 void check(const study::Study& study, const study::Requirement& requirement, bool saved) {
   if (!study.complete)
     throw CheckFailed("stopped before the end" +
-                      std::string(saved ? "; --resume goes on from here" : ""));
+                      std::string(saved ? "; --resume continues from here" : ""));
   if ((requirement.accuracy || requirement.deadline) &&
       !study::choose(study.points(), &study::WorkPoint::error_to_solution, study::TimeOf::frame,
                      requirement)

@@ -1,12 +1,8 @@
-#include "tactile_net/lab/skin_survey.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "lab/skin_unseen_width.hpp"
@@ -106,14 +102,14 @@ SkinArray reading(const SkinArray& skin, const std::vector<Quantity>& reads,
 /// The scene's sensors, and what else stands in their place.
 class SkinComparison {
  public:
-  SkinComparison(const SkinScene& scene, SkinSurvey& survey, Observer& observer)
+  SkinComparison(const SkinScene& scene, Survey& survey, Observer& observer)
       : scene_(scene), survey_(survey), observer_(observer) {}
 
   void own() {
     observer_.step({Step::Kind::sensors});
     survey_.own = *study(scene_.sensor, true);
     const std::vector<Channel> all = channels(scene_.sensor);
-    const SkinProblemOptions options = options_of(scene_.sensor, survey_.own.components);
+    const SkinProblemOptions options = options_of(scene_.sensor, survey_.own.unknowns);
     const double k = 2.0 * pi / survey_.wave;
     const double c = std::cos(wave_angle);
     const double s = std::sin(wave_angle);
@@ -125,16 +121,13 @@ class SkinComparison {
       };
       WaveShare share{all[i].quantity, all[i].depth, {}};
       share.signal[0] = std::abs(of(Traction::normal));
-      if (survey_.own.components == 3) {
+      if (survey_.own.unknowns == 3) {
         const std::complex<double> y = of(Traction::tangential_y);
         const std::complex<double> z = of(Traction::tangential_z);
         share.signal[1] = std::abs(c * y + s * z);
         share.signal[2] = std::abs(c * z - s * y);
       }
-      const double most = *std::max_element(share.signal.begin(), share.signal.end());
-      for (double& signal : share.signal)
-        if (signal < 1e-12 * most) signal = 0.0;  // rounding of the turn
-      survey_.shares.push_back(share);
+      survey_.shares.push_back(without_rounding(share));  // of the turn
     }
   }
 
@@ -169,8 +162,8 @@ class SkinComparison {
 
   /// The two best at other depths.
   void best_elsewhere() {
-    std::vector<const SkinSensorChoice*> order;
-    for (const SkinSensorChoice& choice : survey_.alternatives)
+    std::vector<const SensorChoice*> order;
+    for (const SensorChoice& choice : survey_.alternatives)
       if (choice.depths.size() == 1 || !is_even(scene_.sensor)) order.push_back(&choice);
     if (factors().size() == 1) order.push_back(&survey_.own);
     std::stable_sort(order.begin(), order.end(), [](auto a, auto b) { return tells_more(*a, *b); });
@@ -200,11 +193,11 @@ class SkinComparison {
   }
 
   /// Nothing of sensors that this material does not let read.
-  [[nodiscard]] std::optional<SkinSensorChoice> study(const SkinArray& skin, bool is_own) const {
-    SkinSensorChoice choice{.reads = skin.reads, .depths = skin.depths};
-    choice.components =
+  [[nodiscard]] std::optional<SensorChoice> study(const SkinArray& skin, bool is_own) const {
+    SensorChoice choice{.reads = skin.reads, .depths = skin.depths};
+    choice.unknowns =
         channel_count(skin) > 1 && scene_.reconstruct.tangential.value_or(true) ? 3 : 1;
-    SkinProblemOptions options = options_of(skin, choice.components);
+    SkinProblemOptions options = options_of(skin, choice.unknowns);
     if (!is_own) {
       try {
         check(skin, scene_.material, options);
@@ -213,7 +206,7 @@ class SkinComparison {
       }
     }
     choice.resolutions = skin_resolutions(skin, scene_.material, options);
-    for (const SkinRipple ripple : ripples_of(choice.components))
+    for (const SkinRipple ripple : ripples_of(choice.unknowns))
       for (std::size_t d = 0; d < 3; ++d)
         choice.wavelengths[static_cast<std::size_t>(ripple)][d] = resolvable_wavelength(
             choice.resolutions, ripple,
@@ -227,18 +220,18 @@ class SkinComparison {
         skin_unseen_width(skin, scene_.material, options.channel_rms,
                           is_own || is_even(skin) ? scene_.dead_taxels : std::vector<std::size_t>{},
                           survey_.traction);
-    const bool whole =
-        survey_.rows == scene_.sensor.rows && survey_.columns == scene_.sensor.columns;
-    if (is_own && whole) options.dead_taxels = scene_.dead_taxels;
-    choice.told =
+    if (is_own && survey_.is_whole) options.dead_taxels = scene_.dead_taxels;
+    SkinObservability told =
         observability(is_even(skin) ? compared(skin, survey_.rows, survey_.columns) : skin,
                       scene_.material, options);
+    choice.hidden = std::move(told.hidden);
+    choice.array = told.finite;
     return choice;
   }
 
   void add(const std::vector<Quantity>& reads, const std::vector<double>& depth_factors) {
     const SkinArray skin = reading(scene_.sensor, reads, depth_factors);
-    const auto is_there = [&](const SkinSensorChoice& choice) {
+    const auto is_there = [&](const SensorChoice& choice) {
       if (!same(choice.reads, skin.reads) || choice.depths.size() != skin.depths.size())
         return false;
       for (std::size_t i = 0; i < skin.depths.size(); ++i)
@@ -252,60 +245,11 @@ class SkinComparison {
   }
 
   const SkinScene& scene_;
-  SkinSurvey& survey_;
+  Survey& survey_;
   Observer& observer_;
 };
 
-/// The best alternative of those that `counts`, if it is worth a change.
-std::optional<std::size_t> best_of(const SkinSurvey& survey, const auto& counts) {
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < survey.alternatives.size(); ++i)
-    if (const SkinSensorChoice& choice = survey.alternatives[i];
-        counts(choice) && (!best || tells_more(choice, survey.alternatives[*best])))
-      best = i;
-  if (!best) return best;
-  const SkinSensorChoice& choice = survey.alternatives[*best];
-  const bool worth =
-      tells_more(choice, survey.own) && (choice.components > survey.own.components ||
-                                         hidden_waves(choice) < hidden_waves(survey.own) ||
-                                         coarsest(choice) < 0.9 * coarsest(survey.own));
-  return worth ? best : std::nullopt;
-}
-
 }  // namespace
-
-std::span<const SkinRipple> ripples_of(std::size_t components) noexcept {
-  return std::span(skin_ripples).first(components == 1 ? 1 : 3);
-}
-
-std::optional<double> SkinSensorChoice::resolvable(SkinRipple ripple) const noexcept {
-  const auto& [y, z, any] = wavelengths[static_cast<std::size_t>(ripple)];
-  if (!any) return any;
-  return std::max({*any, y.value_or(0.0), z.value_or(0.0)});
-}
-
-std::size_t hidden_waves(const SkinSensorChoice& choice) noexcept {
-  std::size_t hidden = 0;
-  for (const HiddenWaves& one : choice.told.hidden) hidden += one.count();
-  return hidden;
-}
-
-double coarsest(const SkinSensorChoice& choice) noexcept {
-  double most = 0.0;
-  for (const SkinRipple ripple : ripples_of(choice.components))
-    most =
-        std::max(most, choice.resolvable(ripple).value_or(std::numeric_limits<double>::infinity()));
-  return most;
-}
-
-bool tells_more(const SkinSensorChoice& a, const SkinSensorChoice& b) {
-  const auto key = [](const SkinSensorChoice& choice) {
-    return std::tuple(3 - choice.components, hidden_waves(choice), coarsest(choice),
-                      choice.unseen.value_or(std::numeric_limits<double>::infinity()),
-                      choice.wave_condition);
-  };
-  return key(a) < key(b);
-}
 
 bool needs_traction(const SkinScene& scene, const SurveyOptions& options) {
   return lacks_traction(scene, options, peak_skin_traction);
@@ -315,27 +259,39 @@ double traction_behind(const SkinScene& scene, std::span<const double> largest) 
   return traction_of(scene, largest, response_of(scene));
 }
 
-SkinSurvey identify(const SkinScene& scene, const SurveyOptions& options, Observer& observer) {
+Survey identify(const SkinScene& scene, const SurveyOptions& options, Observer& observer) {
   check(options);
-  SkinSurvey result{.traction = assumed_traction(scene, options, peak_skin_traction),
-                    .rows = scene.sensor.rows,
-                    .columns = scene.sensor.columns};
+  Survey result{.traction = assumed_traction(scene, options, peak_skin_traction),
+                .rows = scene.sensor.rows,
+                .columns = scene.sensor.columns};
   if (is_even(scene.sensor) && 3 * taxel_count(scene.sensor) > most_compared_tractions) {
     result.rows = compared_side(scene.sensor.rows);
     result.columns = compared_side(scene.sensor.columns);
+    result.is_whole = result.rows == scene.sensor.rows && result.columns == scene.sensor.columns;
   }
   result.noise = assumed_noise(scene, options, result.traction, response_of(scene));
-  result.wave = std::max(2.0 * pi * least_depth(scene.sensor),
-                         4.0 * std::max(scene.sensor.pitch_y, scene.sensor.pitch_z));
+  result.wave = length_of_wave(least_depth(scene.sensor),
+                               std::max(scene.sensor.pitch_y, scene.sensor.pitch_z));
   SkinComparison comparison(scene, result, observer);
   comparison.own();
   comparison.in_place();
   comparison.best_elsewhere();
-  result.exchange = best_of(result, [&](const SkinSensorChoice& choice) {
-    return choice.depths == result.own.depths && choice.reads.size() <= result.own.reads.size();
-  });
-  result.best = best_of(result, [](const SkinSensorChoice&) { return true; });
-  if (result.best == result.exchange) result.best.reset();
+  const SensorChoice& own = result.own;
+  const auto worth = [&](const SensorChoice& choice) {
+    return tells_more(choice, own) &&
+           (choice.unknowns > own.unknowns || hidden_waves(choice) < hidden_waves(own) ||
+            coarsest(choice) < 0.9 * coarsest(own));
+  };
+  Advice& advice = result.advice;
+  advice.exchange = best_of(
+      result,
+      [&](const SensorChoice& choice) {
+        return choice.depths == own.depths && choice.reads.size() <= own.reads.size();
+      },
+      worth);
+  advice.best = best_of(
+      result, [](const SensorChoice&) { return true; }, worth);
+  if (advice.best == advice.exchange) advice.best.reset();
   return result;
 }
 
