@@ -10,19 +10,13 @@
 namespace tactile_net {
 namespace {
 
-struct Row : Named<PadParameter> {
-  double CalibrationOptions::*sd;
-};
-
-constexpr Row parameters[] = {
-    {{PadParameter::depth, "depth"}, &CalibrationOptions::depth_sd},
-    {{PadParameter::thickness, "thickness"}, &CalibrationOptions::thickness_sd},
-    {{PadParameter::poisson_ratio, "poisson_ratio"}, &CalibrationOptions::poisson_ratio_sd},
-    {{PadParameter::youngs_modulus, "youngs_modulus"}, &CalibrationOptions::youngs_modulus_sd},
-    {{PadParameter::crosstalk, "crosstalk"}, &CalibrationOptions::crosstalk_sd},
-    {{PadParameter::shift, "shift"}, &CalibrationOptions::shift_sd},
-    {{PadParameter::pitch, "pitch"}, &CalibrationOptions::pitch_sd},
-    {{PadParameter::shift_z, "shift_z"}, &CalibrationOptions::shift_z_sd}};
+/// Of each parameter, in the order of `PadParameter`.
+constexpr double CalibrationOptions::*deviations[] = {
+    &CalibrationOptions::depth_sd,         &CalibrationOptions::thickness_sd,
+    &CalibrationOptions::poisson_ratio_sd, &CalibrationOptions::youngs_modulus_sd,
+    &CalibrationOptions::crosstalk_sd,     &CalibrationOptions::shift_sd,
+    &CalibrationOptions::pitch_sd,         &CalibrationOptions::shift_z_sd};
+static_assert(std::size(deviations) == pad_parameter_count);
 
 constexpr Named<GainSharing> sharings[] = {{GainSharing::reading, "reading"},
                                            {GainSharing::taxel, "taxel"},
@@ -34,18 +28,21 @@ void require_sd(std::string_view field, double sd) {
 
 }  // namespace
 
-std::string_view name(PadParameter parameter) noexcept { return name_in<parameters>(parameter); }
+std::string_view name(PadParameter parameter) noexcept {
+  return name_in<Enumerators<PadParameter>::all>(parameter);
+}
 std::string_view name(GainSharing sharing) noexcept { return name_in<sharings>(sharing); }
 
 double CalibrationOptions::sd(PadParameter parameter) const noexcept {
-  return this->*row_in<parameters>(parameter).sd;
+  return this->*deviations[static_cast<std::size_t>(parameter)];
 }
 void CalibrationOptions::set_sd(PadParameter parameter, double sd) noexcept {
-  this->*row_in<parameters>(parameter).sd = sd;
+  this->*deviations[static_cast<std::size_t>(parameter)] = sd;
 }
 
 void check(const CalibrationOptions& options) {
-  for (const Row& row : parameters) require_sd(std::string(row.name) + "_sd", options.*row.sd);
+  for (const auto& [parameter, name, text] : Enumerators<PadParameter>::all)
+    require_sd(std::string(name) + "_sd", options.sd(parameter));
   require_sd("gain_sd", options.gain_sd);
   require_sd("mean_gain_sd", options.mean_gain_sd);
   require_sd("half_width_sd", options.half_width_sd);

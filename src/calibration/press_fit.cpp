@@ -22,23 +22,6 @@ constexpr std::size_t most_reweightings = 25;
 constexpr std::size_t most_robust_steps = 5;  // times those of a start
 constexpr std::size_t most_put_aside = 3;     // rounds; one value of a press
 
-constexpr Named<ValueVerdict> value_verdicts[] = {
-    {ValueVerdict::identified, "identified"}, {ValueVerdict::weak, "weak"},
-    {ValueVerdict::prior_only, "prior_only"}, {ValueVerdict::not_identifiable, "not_identifiable"},
-    {ValueVerdict::at_bound, "at_bound"},     {ValueVerdict::fixed, "fixed"}};
-
-constexpr Named<FitVerdict> fit_verdicts[] = {{FitVerdict::ok, "ok"},
-                                              {FitVerdict::poor_fit, "poor_fit"},
-                                              {FitVerdict::iteration_limit, "iteration_limit"}};
-
-constexpr Named<PressQuantity> quantity_names[] = {
-    {PressQuantity::force, "force"},           {PressQuantity::position, "position"},
-    {PressQuantity::half_width, "half_width"}, {PressQuantity::friction, "friction"},
-    {PressQuantity::position_z, "position_z"}, {PressQuantity::friction_z, "friction_z"}};
-
-constexpr Named<TrendOf> trends[] = {
-    {TrendOf::size, "size"}, {TrendOf::gain, "gain"}, {TrendOf::offset, "offset"}};
-
 /// Several parameters hang together, and what is stated of one of them holds them all: each keeps
 /// its prior, and the standard deviations say how far that goes. Held, the others would take over
 /// the error of what is stated.
@@ -193,10 +176,16 @@ std::vector<ProfilePoint> profile_of(const FitProblem& problem, const Descent& b
 
 }  // namespace
 
-std::string_view name(ValueVerdict verdict) noexcept { return name_in<value_verdicts>(verdict); }
-std::string_view name(FitVerdict verdict) noexcept { return name_in<fit_verdicts>(verdict); }
-std::string_view name(PressQuantity quantity) noexcept { return name_in<quantity_names>(quantity); }
-std::string_view name(TrendOf trend) noexcept { return name_in<trends>(trend); }
+std::string_view name(ValueVerdict verdict) noexcept {
+  return name_in<Enumerators<ValueVerdict>::all>(verdict);
+}
+std::string_view name(FitVerdict verdict) noexcept {
+  return name_in<Enumerators<FitVerdict>::all>(verdict);
+}
+std::string_view name(PressQuantity quantity) noexcept {
+  return name_in<Enumerators<PressQuantity>::all>(quantity);
+}
+std::string_view name(TrendOf trend) noexcept { return name_in<Enumerators<TrendOf>::all>(trend); }
 
 const ValueWithSd& FittedPress::at(PressQuantity quantity) const noexcept {
   const ValueWithSd* const values[] = {&force,    &center,   &half_width,

@@ -376,15 +376,11 @@ void add_dynamics(Certificate& c, const NetworkCircuit& circuit) {
   add_slewing_remarks(c, circuit);
 }
 
-constexpr Named<Stability> stabilities[] = {{Stability::stable, "stable"},
-                                            {Stability::unstable, "unstable"},
-                                            {Stability::not_definite, "not_definite"},
-                                            {Stability::lossless, "lossless"},
-                                            {Stability::not_modelled, "not_modelled"}};
-
 }  // namespace
 
-std::string_view name(Stability stability) noexcept { return name_in<stabilities>(stability); }
+std::string_view name(Stability stability) noexcept {
+  return name_in<Enumerators<Stability>::all>(stability);
+}
 
 StabilityVerdict stability_of(const NetworkCircuit& circuit) {
   const bool definite = is_definite(circuit);

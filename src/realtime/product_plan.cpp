@@ -107,26 +107,6 @@ ClassesOf classes_of(const ProductPlan& plan) {
 
 }  // namespace
 
-std::string_view name(Structure structure) noexcept {
-  switch (structure) {
-    case Structure::dense:
-      return "dense";
-    case Structure::low_rank:
-      return "low_rank";
-    case Structure::fft:
-      return "fft";
-    case Structure::reflections:
-      return "reflections";
-    case Structure::reflections_low_rank:
-      return "reflections_low_rank";
-  }
-  return "unknown";
-}
-
-std::string_view name(Precision precision) noexcept {
-  return precision == Precision::float64 ? "float64" : "float32";
-}
-
 GridBlocks line_blocks(std::size_t count, std::vector<std::int8_t> signs) {
   GridBlocks blocks{.rows = 1, .columns = count};
   blocks.signs_y.assign(signs.size(), 1);

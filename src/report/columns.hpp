@@ -1,34 +1,80 @@
 /// @file
 /// Private. From a type's fields that are numbers, of lines or of skins, the header and the rows of
-/// CSV and of tables.
+/// CSV and of tables. A value with its deviation is two columns.
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "numeric/named.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/numeric/fields.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/text.hpp"
 
 namespace tactile_net::report {
 
 template <Described T>
 [[nodiscard]] std::vector<std::string> columns_of(bool skin) {
   std::vector<std::string> names;
-  for_each_field<T>([&](const auto& one) {
-    if (is_of(one.of, skin)) names.emplace_back(one.key);
+  for_each_field<T>([&]<class Access>(const Field<Access>& one) {
+    if (!is_of(one.of, skin)) return;
+    names.emplace_back(one.key);
+    if constexpr (std::is_convertible_v<FieldValue<T, Access>, std::optional<Uncertain>>)
+      names.push_back(std::string(one.key) + "_deviation");
   });
   return names;
 }
 
-/// Yes and no are 1 and 0.
+/// Yes and no are 1 and 0; NaN where there is none.
 template <Described T>
 [[nodiscard]] std::vector<double> values_of(const T& row, bool skin) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> values;
-  for_each_field<T>([&](const auto& one) {
-    if (is_of(one.of, skin)) values.push_back(static_cast<double>(std::invoke(one.access, row)));
+  for_each_field<T>([&]<class Access>(const Field<Access>& one) {
+    if (!is_of(one.of, skin)) return;
+    const auto& value = std::invoke(one.access, row);
+    if constexpr (std::is_convertible_v<FieldValue<T, Access>, std::optional<Uncertain>>) {
+      const std::optional<Uncertain> known = value;
+      values.push_back(known ? known->value : none);
+      values.push_back(known ? known->deviation : none);
+    } else {
+      values.push_back(static_cast<double>(value));
+    }
   });
   return values;
+}
+
+/// A value as a field of CSV; what is not known is empty. @return quoted where it is text
+[[nodiscard]] std::string csv_field(const auto& value) {
+  using Value = std::remove_cvref_t<decltype(value)>;
+  if constexpr (std::is_enum_v<Value>)
+    return std::string(name_in<Enumerators<Value>::all>(value));
+  else if constexpr (std::is_arithmetic_v<Value>)
+    return shortest(value);
+  else if constexpr (std::is_convertible_v<Value, std::string_view>)
+    return std::string_view(value).empty() ? std::string() : csv_quoted(value);
+  else
+    return value ? csv_field(*value) : std::string();
+}
+
+/// Fields that are numbers or texts as CSV: the header, then a row each.
+template <Described T>
+[[nodiscard]] std::string csv_of(const std::vector<T>& rows, bool skin) {
+  std::string text = join(columns_of<T>(skin), ",") + '\n';
+  for (const T& row : rows) {
+    std::vector<std::string> fields;
+    for_each_field<T>([&](const auto& one) {
+      if (is_of(one.of, skin)) fields.push_back(csv_field(std::invoke(one.access, row)));
+    });
+    text += join(fields, ",") + '\n';
+  }
+  return text;
 }
 
 /// The values in words, for a terminal.

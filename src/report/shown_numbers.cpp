@@ -10,13 +10,22 @@ std::array<std::optional<double>, shown_names.size()> shown_numbers(
   const auto deviation = [](const std::optional<Uncertain>& number) {
     return number ? std::optional(number->deviation) : std::nullopt;
   };
-  const auto alpha = group.alpha ? std::optional(group.alpha->value) : std::nullopt;
-  if (!group.bands) {
+  const double weight = group.answer.alpha.value;
+  const auto alpha = weight > 0.0 ? std::optional(weight) : std::nullopt;
+  if (!overview.is_line()) {
+    const UncertainWrench& wrench = group.answer.wrench;
+    if (!wrench.tangential_y)
+      return {alpha, wrench.normal.value, wrench.normal.deviation, {}, {}, {}, {}, {}};
+    const Uncertain drag = drag_of(wrench);
+    return {alpha, wrench.normal.value, wrench.normal.deviation, drag.value, drag.deviation, {}, {},
+            {}};
+  }
+  if (!group.answer.bands) {
     const auto tangential =
         overview.tangential() ? std::optional(group.resultant.tangential) : std::nullopt;
     return {alpha, group.resultant.normal, {}, tangential, {}, group.resultant.centre(), {}, {}};
   }
-  const UncertainResultant& contact = group.bands->resultant;
+  const UncertainResultant& contact = group.answer.bands->resultant;
   return {alpha,
           contact.normal.value,
           contact.normal.deviation,
@@ -24,7 +33,7 @@ std::array<std::optional<double>, shown_names.size()> shown_numbers(
           deviation(contact.tangential),
           value(contact.centre),
           deviation(contact.centre),
-          group.bands->noise.residual_rms};
+          group.answer.bands->noise.residual_rms};
 }
 
 }  // namespace tactile_net::report

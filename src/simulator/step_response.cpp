@@ -64,14 +64,11 @@ double growth_of(const Waveforms& waveforms) {
   return t1 > t0 && early > 0.0 ? std::log(late / early) / (t1 - t0) : 0.0;
 }
 
-constexpr Named<TransientEnd> transient_ends[] = {{TransientEnd::settles, "settles"},
-                                                  {TransientEnd::grows, "grows"},
-                                                  {TransientEnd::unsettled, "unsettled"},
-                                                  {TransientEnd::unfinished, "unfinished"}};
-
 }  // namespace
 
-std::string_view name(TransientEnd end) noexcept { return name_in<transient_ends>(end); }
+std::string_view name(TransientEnd end) noexcept {
+  return name_in<Enumerators<TransientEnd>::all>(end);
+}
 
 Waveforms step_response(Simulator& simulator, const Circuit& circuit,
                         const StepResponse& response) {

@@ -21,12 +21,6 @@ using Eigen::Index;
 
 using std::numbers::pi;
 
-constexpr Named<WaveDirection> directions[] = {{WaveDirection::any, "any"},
-                                               {WaveDirection::along_y, "along_y"},
-                                               {WaveDirection::along_z, "along_z"},
-                                               {WaveDirection::diagonal, "diagonal"},
-                                               {WaveDirection::mean, "mean"}};
-
 /// What a wave hides.
 HiddenWaves hidden_in(const Eigen::MatrixXcd& matrix, WaveDirection direction) {
   HiddenWaves hidden{.direction = direction};
@@ -129,7 +123,9 @@ FiniteObservability finite_observability(const SkinArray& skin, const Material& 
 
 }  // namespace
 
-std::string_view name(WaveDirection direction) noexcept { return name_in<directions>(direction); }
+std::string_view name(WaveDirection direction) noexcept {
+  return name_in<wave_directions>(direction);
+}
 
 std::vector<std::complex<double>> skin_symbol(const SkinArray& skin, const Material& material,
                                               const SkinProblemOptions& options,

@@ -45,10 +45,18 @@ void take_noise(StudyInput& input, std::optional<double> stated, double largest)
   input.noise_rms = stated.value_or(0.01 * largest);
 }
 
+/// Component by component.
+void take_truth(StudyInput& input, std::span<const double> truth, std::size_t places) {
+  for (std::size_t first = 0; first < truth.size(); first += places) {
+    const auto one = truth.subspan(first, places);
+    input.truth.emplace_back(one.begin(), one.end());
+  }
+}
+
 StudyInput input_of(const Scene& scene) {
   StudyInput input{.problem = lab::SceneProblem(scene)};
   lab::SimulatedFrame simulated = lab::simulate(scene);
-  input.truth = {std::move(simulated.truth.normal), std::move(simulated.truth.tangential)};
+  take_truth(input, simulated.truth, input.line().surface().count);
   input.readings = std::move(simulated.readings);
   const double largest = largest_of(input.readings);
   const lab::SceneFrame frame(input.line(), input.readings);
@@ -67,15 +75,13 @@ StudyInput input_of(const Scene& scene) {
 
 StudyInput input_of(const SkinScene& scene) {
   StudyInput input{.problem = lab::SkinSceneProblem(scene)};
-  lab::SkinFrame simulated = lab::simulate(scene);
+  lab::SimulatedFrame simulated = lab::simulate(scene);
   input.readings = std::move(simulated.readings);
   const double largest = largest_of(input.readings);
   if (input.skin().estimates_weight())
     input.problem = input.skin().weighed(input.skin().likeliest_weight(input.readings));
   const lab::SkinSceneProblem& problem = input.skin();
-  const auto cells = static_cast<std::ptrdiff_t>(problem.grid().count());
-  for (auto first = simulated.truth.begin(); first != simulated.truth.end(); first += cells)
-    input.truth.emplace_back(first, first + cells);
+  take_truth(input, simulated.truth, problem.grid().count());
   input.alpha = problem.alpha(input.readings).value;
   input.solution = tikhonov_solve(problem.problem(), input.alpha, input.readings);
   const TikhonovFamily& family = problem.family();

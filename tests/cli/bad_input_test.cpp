@@ -56,23 +56,6 @@ TEST_CASE("a scene that is none is refused", "[cli]") {
   check({"run", big}, 2, "is larger than 16 MiB");
 }
 
-TEST_CASE("all problems of a scene are told at once, at their places", "[cli]") {
-  const Folder folder;
-  const std::string path =
-      folder.write("s.toml",
-                   "[sensor]\ncount = 1\npitch = -1.0\ndepht = 1.0\nreads = [\"stres_x\"]\n"
-                   "[material]\nyoungs_modulus = \"soft\"\npoisson_ratio = 0.7\n");
-  const ProcessResult result = run_tool({"run", path, "--out", folder / "out"});
-  CHECK(result.code == 2);
-  for (const char* text :
-       {":2:9: error: sensor.count", ":3:9: error: sensor.pitch must be > 0",
-        ":4:1: error: unknown key \"sensor.depht\"", "did you mean depth?",
-        "did you mean \"stress_x\"?", ":7:18: error: material.youngs_modulus must be a number",
-        ":8:17: error: material.poisson_ratio"})
-    CHECK_THAT(result.errors, ContainsSubstring(text));
-  CHECK_FALSE(std::filesystem::exists(folder / "out"));
-}
-
 TEST_CASE("an output that cannot be made is told before anything is computed", "[cli]") {
   const Folder folder;
   const std::string file = folder.write("file", "mine");

@@ -141,9 +141,8 @@ TEST_CASE("a calibrated skin finds contacts that were not in the log better",
     double squares = 0.0;
     for (std::size_t i = 0; i < forces.size(); ++i)
       squares +=
-          std::pow(
-              json["frames"][i]["resultant"]["normal"]["value"].get<double>() / forces[i] - 1.0,
-              2) /
+          std::pow(json["rows"][i]["resultant"]["normal"]["value"].get<double>() / forces[i] - 1.0,
+                   2) /
           static_cast<double>(forces.size());
     return std::sqrt(squares);
   };
@@ -217,7 +216,7 @@ TEST_CASE("a log of a skin that is wrong is refused with its line and the rule",
   };
   CHECK_THAT(dragged("0.3", ""),
              ContainsSubstring("log.csv:22") && ContainsSubstring("without its direction"));
-  CHECK_THAT(dragged("", "90"), ContainsSubstring("direction stands without friction"));
+  CHECK_THAT(dragged("", "90"), ContainsSubstring("direction is given without friction"));
   CHECK_THAT(dragged("-0.3", "90"), ContainsSubstring("friction must be >= 0"));
   const ProcessResult planned = run_tool(
       {"calibrate", log_of("skin-layer"), "--scene", nominal_of("skin-layer"), "--next", "0"});

@@ -223,36 +223,6 @@ TEST_CASE("forces of presses that were not in the log are found better", "[cli][
   CHECK(calibrated_error < 0.05);
 }
 
-TEST_CASE("gains and offsets undo what gain and offset errors spoil", "[cli][calibrate]") {
-  const Folder folder;
-  const std::string pad =
-      "[sensor]\ncount = 5\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\"]\n"
-      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
-      "[reconstruct]\nalpha = 1e-3\n";
-  const std::string header = "stress_x_0,stress_x_1,stress_x_2,stress_x_3,stress_x_4\n";
-  const std::string clean = folder.write("clean.csv", header + "0.125,0.5,1,0.5,0.125\n");
-  const std::string spoiled = folder.write("spoiled.csv", header + "0.5,0,2.5,0.75,0.0625\n");
-  const std::string known =
-      folder.write("known.toml", pad +
-                                     "[calibration]\ngains = [2.0, 0.5, 2.0, 1.0, 0.5]\n"
-                                     "offsets = [0.25, -0.25, 0.5, 0.25, 0.0]\n");
-  const ProcessResult a =
-      run_tool({"solve", folder.write("pad.toml", pad), "--readings", clean, "-q"});
-  const ProcessResult b = run_tool({"solve", known, "--readings", spoiled, "-q"});
-  REQUIRE(a.code == 0);
-  REQUIRE(b.code == 0);
-  CHECK(a.output == b.output);
-}
-
-TEST_CASE("what a calibration says twice is refused", "[cli][calibrate]") {
-  const Folder folder;
-  const std::string path =
-      folder.write("s.toml", small_scene + "[calibration]\ngains = 1.1\ngain = 0.9\n");
-  const ProcessResult result = run_tool({"run", path});
-  CHECK(result.code == 2);
-  CHECK_THAT(result.errors, ContainsSubstring("calibration.gain exclude each other"));
-}
-
 TEST_CASE("a bad log is refused with its line and its rule", "[cli][calibrate]") {
   struct Bad {
     std::size_t line;
@@ -343,21 +313,6 @@ TEST_CASE("a log of another scene names the readings that it lacks", "[cli][cali
       run_tool({"calibrate", log_of("rod-layer"), "--scene", nominal_of("strain-rods")});
   CHECK(result.code == 2);
   CHECK_THAT(result.errors, ContainsSubstring("strain_x_0") && ContainsSubstring("another scene"));
-}
-
-TEST_CASE("forces in other units are found out, and nothing is written", "[cli][calibrate]") {
-  const Folder folder;
-  std::string nominal = read_text(nominal_of("rod-layer"));
-  nominal.insert(nominal.find("[sensor]"),
-                 "[units]\nlength = \"m\"\nmodulus = \"Pa\"\nstress = \"Pa\"\nforce = "
-                 "\"N/mm\"\n");
-  const std::string toml = folder.write("pad.toml", nominal);
-  const ProcessResult result =
-      run_tool({"calibrate", log_of("rod-layer"), "--scene", toml, "-o", folder / "c.toml"});
-  CAPTURE(result.output, result.errors);
-  CHECK(result.code == 2);
-  CHECK_THAT(result.errors, ContainsSubstring("units of the forces"));
-  CHECK_FALSE(std::filesystem::exists(folder / "c.toml"));
 }
 
 TEST_CASE("the next presses buy more with every one", "[cli][calibrate]") {

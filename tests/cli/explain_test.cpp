@@ -1,5 +1,4 @@
 // run --explain says what run does: checked against run's own results.
-#include <algorithm>
 
 #include "tests/catch.hpp"
 #include "tests/cli/tool.hpp"
@@ -53,27 +52,4 @@ TEST_CASE("what the plan says is done is in the result, the rest is not", "[cli]
   CHECK(planned(plan, "circuit") == !has(result, "\"network\": null"));
   for (const char* study : {"certificate", "transient", "tolerance"})
     CHECK(planned(plan, study) == has(result, std::string("\"") + study + "\": {"));
-}
-
-TEST_CASE("explain names every effect and runs nothing", "[cli]") {
-  const ProcessResult bare =
-      run_tool({"run", scene("effects/bare.toml"), "--explain", "--ngspice", "no-such-ngspice"});
-  CHECK(bare.code == 0);
-  CHECK(bare.errors.empty());
-  const ProcessResult everything = run_tool(
-      {"run", scene("effects/everything.toml"), "--explain", "--ngspice", "no-such-ngspice"});
-  CHECK(everything.code == 0);
-  for (const char* effect :
-       {"friction", "layer", "viscoelasticity", "hysteresis", "crosstalk", "gain_error",
-        "offset_error", "temperature", "low_pass", "sampling", "noise", "taxel_noise", "saturation",
-        "quantization", "stuck_taxels", "dead_taxels"}) {
-    const std::string name = std::string("\n") + effect + ' ';
-    const auto row = [&](const std::string& text) {
-      const std::size_t at = text.find(name);
-      REQUIRE(at != std::string::npos);
-      return text.substr(at + 1, text.find('\n', at + 1) - at);
-    };
-    CHECK_THAT(row(bare.output), ContainsSubstring(" no "));
-    CHECK_THAT(row(everything.output), ContainsSubstring(" yes "));
-  }
 }

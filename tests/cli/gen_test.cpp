@@ -5,27 +5,6 @@
 
 using namespace tactile_net;
 
-TEST_CASE("a generated deck runs in plain ngspice and prints what its header expects",
-          "[cli][spice]") {
-  const Folder folder;
-  const std::string realization = GENERATE("ideal", "nic");
-  CAPTURE(realization);
-  const std::string deck = folder / "x.cir";
-  REQUIRE(run_tool({"gen", scene("nic.toml"), "-o", deck, "--realization", realization}).code == 0);
-  const std::string text = read_text(deck);
-  const ProcessResult result = run_process({"ngspice", "-b", deck});
-  CHECK(result.code == 0);
-  for (int i = 0; i < 21; ++i) {
-    const std::string node = "n" + std::to_string(i);
-    const std::size_t expected = text.find("* expect " + node + " ");
-    const std::size_t found = result.output.find("v(" + node + ") = ");
-    REQUIRE(expected != std::string::npos);
-    REQUIRE(found != std::string::npos);
-    CHECK_THAT(std::stod(result.output.substr(found + node.size() + 6)),
-               WithinAbs(std::stod(text.substr(expected + node.size() + 10)), 1e-10));
-  }
-}
-
 TEST_CASE("a sub-circuit and its symbol are both there, or neither is", "[cli]") {
   const Folder folder;
   // So small that all of it is written at the end.

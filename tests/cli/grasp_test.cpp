@@ -126,31 +126,18 @@ TEST_CASE("a fingertip's readings become torques with deviations", "[cli]") {
   CHECK(json.at("measured").at("unbalanced").at("balanced") == true);
 }
 
-TEST_CASE("tractions, and a scene's own contacts, are resultants too", "[cli]") {
+TEST_CASE("tractions of a file are a resultant too", "[cli]") {
   const Folder folder;
   folder.write("t.csv",
                "t,normal_0,normal_1,normal_2,tangential_0,tangential_1,tangential_2\n"
                "0,1,2,3,0,0,0\n1,100,300,100,10,20,30\n");
   const std::string tractions = "{ tractions = \"t.csv\", pitch = 0.01, frame = 1 }";
-  Json json = grasp_json(folder, degrees + finger_table("a", -1.0, tractions));
+  const Json json = grasp_json(folder, degrees + finger_table("a", -1.0, tractions));
   CHECK_THAT(json.at("fingers").at(0).at("normal").at("value").get<double>(),
              WithinRel(5.0, 1e-14));
   CHECK_THAT(json.at("fingers").at(0).at("tangential").at("value").get<double>(),
              WithinRel(0.6, 1e-14));
   CHECK(json.at("fingers").at(0).at("centre").at("value") == 0.0);
-
-  folder.write("tip.toml",
-               "[sensor]\ncount = 41\npitch = 0.5e-3\ndepth = 1.5e-3\nreads = [\"stress_x\", "
-               "\"shear_xy\"]\n[material]\nyoungs_modulus = 0.2e6\npoisson_ratio = 0.45\n"
-               "[[contact]]\nshape = \"cylinder\"\nhalf_width = 2e-3\ncenter = 1e-3\nforce = 20.0\n"
-               "friction = 0.3\n[reconstruct]\nalpha = 1e-6\n");
-  json = grasp_json(folder, degrees + finger_table("a", -1.0, "{ scene = \"tip.toml\" }"));
-  const Json& tip = json.at("fingers").at(0);
-  CHECK(tip.at("source") == "simulated");
-  const double normal = tip.at("normal").at("value").get<double>();
-  CHECK_THAT(normal, WithinRel(20.0, 0.01));
-  CHECK_THAT(tip.at("tangential").at("value").get<double>(), WithinRel(0.3 * normal, 0.01));
-  CHECK_THAT(tip.at("centre").at("value").get<double>(), WithinRel(1e-3, 0.01));
 }
 
 TEST_CASE("what grasp cannot use is refused", "[cli]") {

@@ -1,4 +1,8 @@
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <utility>
 
 #include "tests/catch.hpp"
 #include "tests/cli/json_number.hpp"
@@ -34,28 +38,6 @@ TEST_CASE("identify explains why two strains on 81 taxels are singular", "[cli]"
     CHECK_THAT(result.output, ContainsSubstring(text));
 }
 
-TEST_CASE("identify finds nothing hidden from stress and shear", "[cli]") {
-  const std::string text = identified(small("\"stress_x\", \"shear_xy\""));
-  CHECK_THAT(text, ContainsSubstring("Every combination of tractions shows in the readings"));
-  CHECK(text.find("Because") == std::string::npos);
-}
-
-TEST_CASE("each reason is given where it holds", "[cli]") {
-  const std::string strains = "\"strain_x\", \"strain_y\"";
-  CHECK_THAT(identified(small(strains, "poisson_ratio = 0.5\n")),
-             ContainsSubstring("strain_y is -strain_x at nu = 0.5") &&
-                 ContainsSubstring("a uniform normal traction (k = 0)"));
-  const std::string one = identified(small("\"shear_xy\""));
-  CHECK_THAT(one, ContainsSubstring("every kernel of a normal traction read here is odd") &&
-                      ContainsSubstring("Read s") &&
-                      ContainsSubstring("Only the normal traction is solved for"));
-  std::string deep = small("\"stress_x\"");
-  deep.replace(deep.find("depth = 1.0"), 11, "depth = 30.0");
-  CHECK_THAT(identified(deep), ContainsSubstring("the pad smooths"));
-  CHECK_THAT(identified(small("\"stress_x\"") + "[dead_taxels]\nindices = [3]\n"),
-             ContainsSubstring("Dead taxels"));
-}
-
 TEST_CASE("a channel that a layer's base keeps from reading is not judged by its rounding",
           "[cli]") {
   // On a bonded base nothing strains along it, and at nu = 0.5 not across it either.
@@ -82,35 +64,6 @@ TEST_CASE("identify writes a report and JSON", "[cli]") {
   CHECK(read_text(folder / "out/result.json") == result.output);
 }
 
-TEST_CASE("what identify tells does not depend on the units", "[cli][property]") {
-  const auto json = [](const std::string& length, const std::string& stress,
-                       const std::string& force) {
-    return identified(
-        "[sensor]\ncount = 14\npitch = 1.0" + length + "\ndepth = 1.5" + length +
-            "\nreads = [\"stress_x\", \"strain_x\"]\n[material]\nyoungs_modulus = 2.0" + stress +
-            "\npoisson_ratio = 0.3\n[[contact]]\nshape = \"cylinder\"\n" + "half_width = 3.0" +
-            length + "\nforce = 4.0" + force + "\n[noise]\nrms = { stress_x = 0.01" + stress +
-            ", strain_x = 0.002 }\n",
-        {"--json", "-"});
-  };
-  const std::string one = json("", "", "");
-  const std::string other = json("e-3", "e6", "e3");
-  CHECK_THAT(json_number(other, "traction"), WithinRel(1e6 * json_number(one, "traction"), 1e-12));
-  CHECK_THAT(json_number(other, "normal"), WithinRel(1e-3 * json_number(one, "normal"), 1e-12));
-  CHECK(json_number(other, "rank") == json_number(one, "rank"));
-  CHECK_THAT(json_number(other, "noise_gain"),
-             WithinRel(1e6 * json_number(one, "noise_gain"), 1e-3));
-}
-
-TEST_CASE("more noise hides longer ripples", "[cli]") {
-  const auto shortest = [](const char* noise) {
-    return json_number(
-        identified(small("\"stress_x\", \"shear_xy\""), {"--json", "-", "--noise", noise}),
-        "normal");
-  };
-  CHECK(shortest("1e-4") < shortest("0.1"));
-}
-
 TEST_CASE("a recorded pad's sensors tell what presses on it, once its strength is known", "[cli]") {
   const ProcessResult unknown = run_tool({"identify", scene("recorded/thin-pad.toml")});
   CHECK(unknown.code == 2);
@@ -133,6 +86,34 @@ TEST_CASE("identify refuses what is no amplitude", "[cli]") {
       CHECK(result.code == 2);
       CHECK_THAT(result.errors, ContainsSubstring(option));
     }
+}
+
+TEST_CASE("a line's survey and a skin's have the same keys", "[cli][skin]") {
+  const auto keys = [](const auto& self, const nlohmann::json& value, const std::string& place,
+                       std::set<std::string>& found) -> void {
+    if (value.is_array() && !value.empty()) self(self, value.front(), place, found);
+    if (!value.is_object()) return;
+    for (const auto& [key, inner] : value.items()) {
+      // Of one sensor alone: what is inside, and what is left out without time and units.
+      if (key == "units" || key == "frame" || key == "null_space" || key == "nearly_null" ||
+          key == "null_modes" || key == "by_direction" || key == "hidden") {
+        continue;
+      }
+      found.insert(place + '.' + key);
+      self(self, inner, place + '.' + key, found);
+    }
+  };
+  std::set<std::string> of_line;
+  std::set<std::string> of_skin;
+  for (const auto& [name, found] :
+       {std::pair("two-strains.toml", &of_line), std::pair("skins/row.toml", &of_skin)}) {
+    const ProcessResult told = run_tool({"identify", scene(name), "--json", "-", "-q"});
+    REQUIRE(told.code == 0);
+    keys(keys, nlohmann::json::parse(told.output), "", *found);
+  }
+  CHECK(of_line == of_skin);
+  CHECK(of_line.contains(".advice.best"));
+  CHECK(of_line.contains(".wave.readings.drag_along"));
 }
 
 TEST_CASE("identify says what a skin can tell", "[cli][skin]") {

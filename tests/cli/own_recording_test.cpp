@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <random>
 #include <sstream>
 
 #include "tests/catch.hpp"
@@ -67,39 +66,6 @@ std::string solved(const std::vector<std::string>& more, const std::string& scen
 
 }  // namespace
 
-TEST_CASE("frames without their missing taxels are those of a scene where these are dead",
-          "[cli][missing]") {
-  const Folder folder;
-  const std::string alpha = GENERATE(given, by_rule);
-  const std::string method = GENERATE("tikhonov", "closed_form");
-  const std::string text = alpha + GENERATE("", "nonnegative = true\n");
-  if (method == "closed_form" && text.ends_with("true\n")) return;
-  CAPTURE(text, method);
-  const std::string whole = folder.write("whole.toml", text);
-  const std::string dead = folder.write("dead.toml", text + "[dead_taxels]\nindices = [3, 8]\n");
-  const std::vector<std::string> estimate{"--missing", "estimate", "--method", method};
-
-  const std::string recording = head() + row(0) + row(1, {8, 3}) + row(2);
-  const Rows found = fields(solved(estimate, whole, recording));
-  REQUIRE(found.size() == 3);
-  const Rows of_dead = fields(solved({"--method", method}, dead, head() + row(1)));
-  const Rows of_whole = fields(solved({"--method", method}, whole, head() + row(0) + row(2)));
-  CHECK(found[0] == of_whole[0]);
-  CHECK(found[1] == of_dead[0]);  // every digit
-  CHECK(found[2] == of_whole[1]);
-}
-
-TEST_CASE("the bands of an estimated frame are those of the scene with dead taxels too",
-          "[cli][missing]") {
-  const Folder folder;
-  const std::string whole = folder.write("whole.toml", by_rule + "[dead_taxels]\nindices = [5]\n");
-  const std::string dead = folder.write("dead.toml", by_rule + "[dead_taxels]\nindices = [0, 5]\n");
-  (void)solved({"--missing", "estimate", "--uncertainty", folder / "a.csv"}, whole,
-               head() + row(0, {0, 5}));
-  (void)solved({"--uncertainty", folder / "b.csv"}, dead, head() + row(0, {5}));
-  CHECK(read_text(folder / "a.csv") == read_text(folder / "b.csv"));
-}
-
 TEST_CASE("a frame that is skipped leaves its row, with its time and nothing else",
           "[cli][missing]") {
   const Folder folder;
@@ -145,19 +111,6 @@ TEST_CASE("a frame of which nothing is left has no estimate", "[cli][missing]") 
                                 ContainsSubstring("solved from the other taxels: frame 2"));
   CHECK(fields(result.output)[1] ==
         std::vector<std::string>{"1", "", "", "", "", "", "", "", "", "", "", ""});
-}
-
-TEST_CASE("a whole taxel is dead where one of its channels is missing", "[cli][missing]") {
-  const Folder folder;
-  const std::string two =
-      "[sensor]\ncount = 4\npitch = 1.0\ndepth = 1.5\nreads = [\"stress_x\", \"shear_xy\"]\n"
-      "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n[reconstruct]\nalpha = 1e-3\n";
-  const std::string whole = folder.write("whole.toml", two);
-  const std::string dead = folder.write("dead.toml", two + "[dead_taxels]\nindices = [2]\n");
-  const std::string names =
-      "stress_x_0,stress_x_1,stress_x_2,stress_x_3,shear_xy_0,shear_xy_1,shear_xy_2,shear_xy_3\n";
-  CHECK(solved({"--missing", "estimate"}, whole, names + "1,2,NA,1,.1,.2,.3,.4\n") ==
-        solved({}, dead, names + "1,2,9,1,.1,.2,9,.4\n"));
 }
 
 TEST_CASE("what --missing cannot do is told", "[cli][missing]") {
@@ -235,48 +188,6 @@ TEST_CASE("verdicts are told with their frames, and a frame where nothing presse
   CHECK_THAT(read_text(folder / "u.csv"), ContainsSubstring(",alpha,verdict\n"));
 }
 
-TEST_CASE("a spreadsheet's file gives what a plain one gives, and its time is kept", "[cli]") {
-  const Folder folder;
-  const std::string path = folder.write("s.toml", small_scene);
-  const std::string plain = "t,stress_x_0,stress_x_1,stress_x_2\n0.5,1.5,2,3\n0.6,3,2,1\n";
-  const std::string expected = solved({}, path, plain);
-  for (const std::string& text :
-       {"\xef\xbb\xbf" + plain,
-        std::string("\xef\xbb\xbfstress_x_0 [Pa];stress_x_1 [Pa];stress_x_2 [Pa];t [s]\r\n"
-                    "1,5;2;3;0,5\r\n3;2;1;0,6\r\n"),
-        std::string("# Time taxel_0 taxel_1 taxel_2\n.5 1.5 2 3\n.6 3 2 1\n")}) {
-    CAPTURE(text);
-    const std::string found = solved({}, path, text);
-    CHECK(found.substr(found.find('\n')).size() >= expected.substr(expected.find('\n')).size() - 2);
-    CHECK(fields(found)[0][1] == fields(expected)[0][1]);
-    CHECK(found.starts_with("t,normal_0"));
-  }
-  const std::string csv = folder.write("r.csv", "when,x,a,b,c\n0.5,7,1.5,2,3\n0.6,7,3,2,1\n");
-  const ProcessResult refused = run_tool({"solve", path, "--readings", csv});
-  CHECK(refused.code == 2);
-  CHECK_THAT(refused.errors, ContainsSubstring("'when', 'x', 'a', 'b', 'c'"));
-  CHECK(run_tool({"solve", path, "--readings", csv, "--columns", "t=1,3-5"}).output == expected);
-  const ProcessResult wrong = run_tool({"solve", path, "--readings", csv, "--columns", "1-2"});
-  CHECK(wrong.code == 2);
-  CHECK_THAT(wrong.errors, ContainsSubstring("--columns: names 2 columns of readings, and 3"));
-}
-
-TEST_CASE("a header without frames and a time that runs backwards are noted", "[cli]") {
-  const Folder folder;
-  const std::string path = folder.write("s.toml", small_scene);
-  const auto errors = [&](const std::string& rows) {
-    return run_tool({"solve", path, "--readings", "-"},
-                    "t,stress_x_0,stress_x_1,stress_x_2\n" + rows)
-        .errors;
-  };
-  CHECK_THAT(errors(""), ContainsSubstring("note: 0 frames"));
-  const std::string drag = errors("1,0.1,0.4,0.1\n");  // that, and nothing else
-  CHECK_THAT(drag, ContainsSubstring("note: only the pressure is solved for"));
-  CHECK(std::count(drag.begin(), drag.end(), '\n') == 1);
-  CHECK_THAT(errors("1,1,2,3\n0,1,2,3\n"),
-             ContainsSubstring("<stdin>: note: time runs backwards 1 time, first at frame 1"));
-}
-
 TEST_CASE("pages and JSON have seconds, whatever unit the times are in", "[cli]") {
   const std::string small_skin =
       "[sensor]\nrows = 1\ncolumns = 11\npitch = 1.0\ndepth = 1.5\nreads = [\"stress_x\"]\n"
@@ -303,7 +214,7 @@ TEST_CASE("pages and JSON have seconds, whatever unit the times are in", "[cli]"
     errors = result.errors;
     const nlohmann::json json = nlohmann::json::parse(read_text(folder / "r.json"));
     nlohmann::json found = nlohmann::json::array();
-    for (const auto& one : json[skin ? "frames" : "shown"]) found.push_back(one["t"]);
+    for (const auto& one : json[skin ? "rows" : "shown"]) found.push_back(one["t"]);
     return found;
   };
   const nlohmann::json seconds = {0.25, 0.5, 0.75};

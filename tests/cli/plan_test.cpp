@@ -1,37 +1,18 @@
 // The command `plan`: from a scene to the file that a controller loads.
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "tactile_net/numeric/comparison.hpp"
-#include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/load_plan.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/tool.hpp"
 
 using namespace tactile_net;
 
-namespace {
-
-/// The numbers of the second row of a CSV file: its first frame.
-std::vector<double> first_frame(const std::string& file) {
-  std::istringstream text(read_text(file));
-  std::string line;
-  std::getline(text, line);
-  std::getline(text, line);
-  std::vector<double> values;
-  std::istringstream row(line);
-  for (std::string field; std::getline(row, field, ',');) values.push_back(std::stod(field));
-  return values;
-}
-
-}  // namespace
-
-TEST_CASE("a controller that loads the plan finds what `solve` finds", "[cli][plan]") {
+TEST_CASE("a plan has the median alpha of recorded frames and the friction asked for, and says so",
+          "[cli][plan]") {
   const Folder folder;
   const std::string frames = scene("recorded/thick-pad.csv");
   const std::string recorded = read_text(scene("recorded/thick-pad.toml"));
   const std::string text = folder.write("pad.toml", recorded + "\n");
-  // One alpha for both: the plan's, said by its JSON.
   const ProcessResult planned =
       run_tool({"plan", text, "--readings", frames, "-o", folder / "pad.plan", "--friction", "0.5",
                 "--json", folder / "plan.json"});
@@ -43,28 +24,6 @@ TEST_CASE("a controller that loads the plan finds what `solve` finds", "[cli][pl
   const EstimatorPlan plan = load_plan(folder / "pad.plan");
   CHECK(json.at("alpha") == plan.alpha);
   CHECK(plan.friction_coefficient == 0.5);
-
-  // The scene's last table is [reconstruct]: a key at its end belongs there.
-  const std::string fixed =
-      folder.write("fixed.toml", recorded + "\nalpha = " + json.at("alpha").dump() + "\n");
-  const ProcessResult solved =
-      run_tool({"solve", fixed, "--readings", frames, "-o", folder / "tractions.csv"});
-  CAPTURE(solved.errors);
-  REQUIRE(solved.code == 0);
-
-  // Both files begin with the column t.
-  std::vector<double> expected = first_frame(folder / "tractions.csv");
-  expected.erase(expected.begin());
-  std::vector<double> readings = first_frame(frames);
-  readings.erase(readings.begin());
-  readings.resize(plan.readings());
-  std::vector<double> tractions(plan.tractions());
-  ContactEstimate estimate;
-  estimate.tractions = tractions;
-  ContactEstimator estimator(plan);
-  REQUIRE(estimator.update(readings, estimate) == FrameStatus::ok);
-  REQUIRE(tractions.size() == expected.size());
-  CHECK(relative_l2_error(tractions, expected) < plan.accuracy);
 }
 
 TEST_CASE("fft is planned where it is asked for, and offered where it is allowed", "[cli][plan]") {

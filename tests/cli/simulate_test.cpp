@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/catch.hpp"
@@ -18,14 +19,11 @@ const std::string moving_scene =
     "trajectory = [{ t = 0.0, force = 0.0 }, { t = 0.5, force = 1.0 }]\n";
 
 /// A .npy by hand: version 1.0, the dictionary and the numbers as given.
-std::string npy_with_header(const std::string& dictionary, const std::vector<double>& numbers,
-                            char version = 1) {
-  std::string text = "\x93NUMPY";
-  text += version;
-  text += '\0';
+std::string npy_with_header(const std::string& dictionary, const std::vector<double>& numbers) {
+  std::string text("\x93NUMPY\1\0", 8);
   const std::string padded = dictionary + '\n';
-  for (std::size_t i = 0, size = padded.size(); i < (version == 1 ? 2U : 4U); ++i, size >>= 8)
-    text += static_cast<char>(size & 0xff);
+  text += static_cast<char>(padded.size() & 0xff);
+  text += static_cast<char>(padded.size() >> 8);
   text += padded;
   for (const double number : numbers) {
     char bytes[8];
@@ -180,56 +178,19 @@ TEST_CASE("the course over time that run draws is what simulate and solve give",
              ContainsSubstring("time_course") && ContainsSubstring("no report is asked for"));
 }
 
-TEST_CASE(".npy by hand, of any version and of floats, is read", "[cli]") {
+TEST_CASE("a .npy is known by what it begins with, whatever its name", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
   const std::string csv =
       folder.write("r.csv", "stress_x_0,stress_x_1,stress_x_2\n1,2,3\n0.5,0.25,-1\n");
   const std::string expected = run_tool({"solve", path, "--readings", csv}).output;
-  const std::vector<double> numbers{1, 2, 3, 0.5, 0.25, -1};
-  for (const char version : {'\1', '\2', '\3'}) {
-    const std::string file =
-        folder.write("r.npy", npy_with_header(shape("(2, 3)"), numbers, version));
-    CHECK(run_tool({"solve", path, "--readings", file}).output == expected);
-  }
-  // Without the ending, by what it begins with.
-  const std::string other = folder.write("r.dat", npy_with_header(shape("(2, 3)"), numbers));
-  CHECK(run_tool({"solve", path, "--readings", other}).output == expected);
-
-  std::string floats =
-      npy_with_header("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), }", {});
-  for (const double number : numbers) {
-    const auto word = std::bit_cast<std::uint32_t>(static_cast<float>(number));
-    for (int i = 0; i < 4; ++i) floats += static_cast<char>(word >> (8 * i) & 0xff);
-  }
-  CHECK(run_tool({"solve", path, "--readings", folder.write("f.npy", floats)}).output == expected);
-}
-
-TEST_CASE("a bad .npy is refused in words", "[cli]") {
-  const Folder folder;
-  const std::string path = folder.write("s.toml", small_scene);
-  const double nan = std::bit_cast<double>(std::uint64_t{0x7ff8000000000000});
-  const auto [bytes, message] = GENERATE_COPY(table<std::string, std::string>({
-      {"hello", "is not a .npy file"},
-      {"", "is not a .npy file"},
-      {npy_with_header(shape("(1, 3)"), {1, 2, 3}, 9), "version 9, not 1 to 3"},
-      {npy_with_header("{'descr': '|b1', 'fortran_order': False, 'shape': (1, 3), }", {1, 2, 3}),
-       "truth values of type '|b1'"},
-      {npy_with_header(shape("(4,)"), {1, 2, 3, 4}), "has the shape (4,), not (frames, 3)"},
-      {npy_with_header(shape("(1, 1, 4)"), {1, 2, 3, 4}), "has the shape (1, 1, 4)"},
-      {npy_with_header("{'descr': '<f8', 'fortran_order': False}", {1}), "has the shape"},
-      {npy_with_header(shape("(1, 2)"), {1, 2}), "has 2 columns, the scene reads 3"},
-      {npy_with_header(shape("(2, 3)"), {1, 2, 3, 4}), "ends within frame 1 of 2"},
-      {npy_with_header(shape("(1, 3)"), {1, 2, 3, 4}), "goes on after the 1 frame of its header"},
-      {npy_with_header(shape("(2, 3)"), {1, 2, 3, 4, nan, 6}),
-       "frame 1: column 1 (stress_x_1) is not finite"},
-      {npy_with_header(shape("(1, 3)"), {}).substr(0, 30), "header that is cut off"},
-  }));
-  CAPTURE(message);
-  const std::string file = folder.write("r.npy", bytes);
-  const ProcessResult result = run_tool({"solve", path, "--readings", file});
-  CHECK(result.code == 2);
-  CHECK_THAT(result.errors, StartsWith(file + ": error: ") && ContainsSubstring(message));
+  const std::string bytes = npy_with_header(shape("(2, 3)"), {1, 2, 3, 0.5, 0.25, -1});
+  for (const char* name : {"r.npy", "r.dat"})
+    CHECK(run_tool({"solve", path, "--readings", folder.write(name, bytes)}).output == expected);
+  const std::string cut = folder.write("cut.npy", bytes.substr(0, bytes.size() - 8));
+  const ProcessResult refused = run_tool({"solve", path, "--readings", cut});
+  CHECK(refused.code == 2);
+  CHECK_THAT(refused.errors, StartsWith(cut + ": error: "));
 }
 
 TEST_CASE("a .npy cannot go to a pipe", "[cli]") {
@@ -250,8 +211,9 @@ TEST_CASE("run takes the last frame of a scene with time, or the one asked for",
   CHECK_THAT(
       run_tool({"run", path, "--frame", "2"}).output,
       ContainsSubstring("one of 11 frames: frame 2 at t = 0.2") && ContainsSubstring("force 0.4"));
-  CHECK_THAT(run_tool({"run", path, "--frame", "2", "--json", "-"}).output,
-             ContainsSubstring("\"index\": 2,\n  \"of\": 11,\n  \"t\": 0.2"));
+  const auto told =
+      nlohmann::json::parse(run_tool({"run", path, "--frame", "2", "--json", "-"}).output);
+  CHECK(told["frame"] == nlohmann::json{{"index", 2}, {"of", 11}, {"t", 0.2}});
   const ProcessResult beyond = run_tool({"run", path, "--frame", "11"});
   CHECK(beyond.code == 2);
   CHECK_THAT(beyond.errors, ContainsSubstring("frame must be from 0 to 10 (got 11)"));
@@ -272,20 +234,9 @@ TEST_CASE("readings that were cut off are said", "[cli]") {
   const ProcessResult recorded =
       run_tool({"simulate", path, "-o", folder / "g.csv", "--json", "-"});
   CHECK_THAT(recorded.errors, ContainsSubstring("saturation cuts readings off in"));
-  CHECK_THAT(recorded.output, ContainsSubstring("\"frames\": 11") &&
-                                  ContainsSubstring("\"frames_cut_off\": {\n  \"saturation\": "));
+  const auto told = nlohmann::json::parse(recorded.output);
+  CHECK(told["frames"] == 11);
+  CHECK(told["frames_cut_off"]["saturation"] > 0);
   CHECK_THAT(run_tool({"run", path}).output,
              ContainsSubstring("warning: saturation: ") && ContainsSubstring(" of 3 readings"));
-}
-
-TEST_CASE("an effect of strength zero leaves every byte of a recording", "[cli]") {
-  const Folder folder;
-  const std::string bare =
-      run_tool({"simulate", folder.write("s.toml", moving_scene + "[noise]\nrms = 0.1\n")}).output;
-  for (const char* table :
-       {"[crosstalk]\nfraction = 0\n", "[taxel_noise]\nrms = [0, 0, 0]\n",
-        "[viscoelasticity]\nterms = [{ fraction = 0, time = 1 }]\n", "[sampling]\naperture = 0\n"})
-    CHECK(run_tool(
-              {"simulate", folder.write("s.toml", moving_scene + "[noise]\nrms = 0.1\n" + table)})
-              .output == bare);
 }

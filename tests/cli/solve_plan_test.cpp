@@ -213,13 +213,13 @@ TEST_CASE("a plan that is not the scene's is refused, and what plans do not have
   plan_refused(with({"--plan", folder / "none.plan"}), "none.plan: error: cannot be opened");
   plan_refused(with({"--plan", folder.write("cut.plan", read_text(plan).substr(0, 60))}),
                "cut.plan: error: ");
-  plan_refused(with({"--contacts", folder / "c.csv"}), "it needs --plan");
-  plan_refused(with({"--plan", plan, "--missing", "estimate"}), "estimate is not for plans");
+  plan_refused(with({"--contacts", folder / "c.csv"}), "give --plan");
+  plan_refused(with({"--plan", plan, "--missing", "estimate"}), "estimate does not work");
   plan_refused(with({"--plan", plan, "--share-alpha", "5"}), "one alpha for all frames");
   plan_refused(with({"--plan", plan, "--uncertainty", folder / "u.csv"}), "has no bands");
   plan_refused(with({"--plan", plan, "--out", folder / "out"}), "has no bands");
   plan_refused(with({"--plan", plan, "--json", folder / "j.json"}), "has no verdicts");
-  plan_refused(with({"--plan", plan, "--method", "dft"}), "its own product");
+  plan_refused(with({"--plan", plan, "--method", "dft"}), "its own way");
   CHECK(!std::filesystem::exists(folder / "out"));
   CHECK(!std::filesystem::exists(folder / "c.csv"));
 }

@@ -193,29 +193,6 @@ TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {
   CHECK(std::filesystem::exists(folder / "f.npy"));
 }
 
-TEST_CASE("frames stream from standard input, columns in any order", "[cli]") {
-  const Folder folder;
-  const std::string path = folder.write("s.toml", small_scene);
-  const std::string a =
-      run_tool({"solve", path, "--readings", "-"}, stress_header + "0.5,1,2,3\n").output;
-  const std::string b = run_tool({"solve", path, "--readings", "-"},
-                                 "extra,\"stress_x_2\", stress_x_0,stress_x_1\r\n9,3,1,2\r\n")
-                            .output;
-  CHECK_THAT(a, StartsWith("t,normal_0,normal_1,normal_2\n0.5,"));
-  CHECK(a.substr(a.find("\n0.5,") + 5) == b.substr(b.find('\n') + 1));
-}
-
-TEST_CASE("closed_form and dft solve frames too", "[cli]") {
-  const Folder folder;
-  const std::string path = folder.write("s.toml", small_scene);
-  for (const char* method : {"closed_form", "dft"}) {
-    const ProcessResult result = run_tool({"solve", path, "--readings", "-", "--method", method},
-                                          stress_header + "0,1,2,1\n");
-    CHECK(result.code == 0);
-    CHECK(csv_rows(result.output).size() == 1);
-  }
-}
-
 TEST_CASE("a malformed row stops at its place with everything before it written", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_scene);
@@ -237,31 +214,6 @@ TEST_CASE("a malformed row stops at its place with everything before it written"
                                                   (folder / "f.csv.partial")));
   CHECK_FALSE(std::filesystem::exists(folder / "f.csv"));  // what looks whole is whole
   CHECK(csv_rows(read_text(folder / "f.csv.partial")).size() == 1);
-}
-
-TEST_CASE("a header that does not fit the scene names the first missing column", "[cli]") {
-  const Folder folder;
-  const std::string path = folder.write("s.toml", small_scene);
-  const auto errors = [&](const std::string& csv) {
-    const ProcessResult result = run_tool({"solve", path, "--readings", "-"}, csv);
-    CHECK(result.code == 2);
-    CHECK(result.output.empty());
-    return result.errors;
-  };
-  CHECK_THAT(errors("t,stress_x_0\n"),
-             ContainsSubstring("column 'stress_x_1' is missing and 1 more"));
-  CHECK_THAT(errors("stress_x_0,stress_x_0\n"), ContainsSubstring("stands twice"));
-  CHECK_THAT(errors(""), ContainsSubstring("no header"));
-  CHECK_THAT(errors(std::string(2'000'000, 'x')), ContainsSubstring("longer than"));
-}
-
-TEST_CASE("a dead taxel's column may hold anything", "[cli]") {
-  const Folder folder;
-  const std::string path = folder.write("s.toml", small_scene + "[dead_taxels]\nindices = [1]\n");
-  const ProcessResult result =
-      run_tool({"solve", path, "--readings", "-"}, stress_header + "0,1,broken,3\n");
-  CHECK(result.code == 0);
-  CHECK(csv_rows(result.output).size() == 1);
 }
 
 TEST_CASE("a frame whose tractions overflow anywhere is refused, and what came before stands",

@@ -251,7 +251,7 @@ TEST_CASE("a job file of --slurm is one that a shell reads, and nothing is compu
   CHECK(sweep.run({"--slurm", "0"}).code == 2);
   CHECK(sweep.run({"--slurm", "8", "--time", "1h; rm -rf /"}).code == 2);
   CHECK_THAT(sweep.run({"--slurm", "8", "--shard", "1/2"}).errors, ContainsSubstring("--shard: "));
-  CHECK_THAT(sweep.run({"--time", "90"}).errors, ContainsSubstring("it needs --slurm"));
+  CHECK_THAT(sweep.run({"--time", "90"}).errors, ContainsSubstring("give --slurm"));
 }
 
 TEST_CASE("a task of a job file does what the sweep would with the same options", "[cli][sweep]") {

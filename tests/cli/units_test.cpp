@@ -1,5 +1,4 @@
 // [units] and [calibration] through the command: raw numbers in, SI out.
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tactile_net/numeric/comparison.hpp"
@@ -80,20 +79,6 @@ TEST_CASE("what simulate writes is what solve reads, in counts too", "[cli][unit
   succeeded({"run", raw, "--out", folder / "out"});
   CHECK(relative_l2_error(csv_rows(read_text(folder / "out/readings.csv")).front(), numbers) <
         1e-12);
-}
-
-TEST_CASE("words and tables carry units where the scene states them", "[cli][units]") {
-  const Folder folder;
-  const std::string text = succeeded({"run", folder.write("mm.toml", fingertip)}).output;
-  CHECK_THAT(text, ContainsSubstring("pitch 500 µm") && ContainsSubstring("depth 1.5 mm") &&
-                       ContainsSubstring("E = 200 kPa") &&
-                       ContainsSubstring("half width 2 mm, force 500 N/m") &&
-                       ContainsSubstring(" N/m exact") && ContainsSubstring(" ± "));
-  const std::string explained = succeeded({"run", folder / "mm.toml", "--explain"}).output;
-  CHECK_THAT(explained, ContainsSubstring("rms 20 Pa"));
-  const std::string told = succeeded({"identify", counts_scene, "--readings", counts}).output;
-  CHECK_THAT(told, ContainsSubstring("down to wavelength") && ContainsSubstring(" mm"));
-  CHECK_THAT(told, ContainsSubstring("ripples with an amplitude of") && ContainsSubstring(" kPa,"));
 }
 
 TEST_CASE("identify and grasp read counts as solve does", "[cli][units]") {

@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """The tables of a page's keys are those of the schemas: fields_test.py COMMAND PAGE [--write]
 
-A table stands between `<!-- keys of KIND -->` or `<!-- kinds of KIND.KEY -->`, whose objects are told apart by their `kind`, and
-`<!-- end -->`. `--write` puts into the page what `tactile-net schema KIND` says now.
+A table stands between one of these lines and `<!-- end -->`:
+    <!-- keys of KIND.KEY without KEY, KEY -->  of a document, or of the object KEY in it; KIND[1] is its second form
+    <!-- values of KIND.KEY -->                 of words
+    <!-- kinds of KIND.KEY -->                  of objects that are told apart by their `kind`
+`--write` puts into the page what `tactile-net schema KIND` says now.
 """
 
 import json
@@ -19,40 +22,99 @@ def schema(kind):
     return json.loads(subprocess.run([tool, "schema", kind], capture_output=True, text=True, check=True).stdout)
 
 
-def inner(part):
+def inner(part, definitions):
     """The object that a value is, or that a list is of."""
-    return inner(part["items"]) if "items" in part else part
+    if "$ref" in part:
+        return inner(definitions[part["$ref"].rsplit("/", 1)[1]], definitions)
+    if "anyOf" in part:
+        return inner(part["anyOf"][0], definitions)
+    return inner(part["items"], definitions) if "items" in part else part
 
 
-def keys(part, prefix=""):
+def words(part):
+    """The words that a value may be; none: it is no word."""
+    return [one["const"] for one in part.get("oneOf", []) if "const" in one]
+
+
+def keys(part, definitions, prefix="", without=()):
     """(key, unit, sentence) of each value, those inside objects behind them."""
     for key, value in part.get("properties", {}).items():
-        if "description" in value:
-            yield prefix + key, value.get("unit", ""), value["description"]
-            yield from keys(inner(value), f"{prefix}{key}.")
+        if "description" in value and key not in without:
+            inside = inner(value, definitions)
+            choice = "".join(f" `{word}`" for word in words(inside))
+            yield prefix + key, value.get("unit", ""), value["description"] + choice
+            if set(inside.get("properties", {})) != {"value", "deviation"}:  # every such number has these
+                yield from keys(inside, definitions, f"{prefix}{key}.")
 
 
-def rows_of_keys(kind, _):
+def parts_of(match):
+    """What a table is of, of each form that the document may have, and the definitions that it refers to."""
+    whole = schema(match["kind"])
+    forms = whole.get("oneOf", [whole])
+    for part in forms if not match["form"] else [forms[int(match["form"])]]:
+        for key in match["key"].split(".") if match["key"] else ():
+            part = inner(part["properties"][key], whole.get("$defs", {}))
+        yield part, whole.get("$defs", {})
+
+
+def part_of(match):
+    return next(parts_of(match))
+
+
+def merged(lines, skins):
+    """The keys of both, those of skins alone behind what they follow there."""
+    order, last = list(lines), -1
+    for name in skins:
+        if name not in lines:
+            last += 1
+            while last < len(order) and order[last] not in skins and parent(order[last]) == parent(name):
+                last += 1
+            order.insert(last, name)
+        last = order.index(name)
+    return order
+
+
+def parent(name):
+    return name.rpartition(".")[0]
+
+
+def rows_of_keys(match):
+    """Where a document has two forms, these are of lines and of skins."""
+    without = match["without"].split(", ") if match["without"] else ()
     yield "| key | unit | what it is |\n|---|---|---|\n"
-    for key, unit, sentence in keys(schema(kind)):
-        yield f"| `{key}` | {unit} | {sentence} |\n"
+    sides = [{name: rest for name, *rest in keys(*part, without=without)} for part in parts_of(match)]
+    lines, skins = sides[0], sides[-1]
+    for name in merged(lines, skins):
+        told = [(lines.get(name), "")] if lines.get(name) == skins.get(name) else [
+            (lines.get(name), "Of lines. "), (skins.get(name), "Of skins. ")]
+        for row, of in told:
+            if row:
+                sentence = row[1].replace("|", chr(92) + "|").replace("<", "&lt;")
+                yield f"| `{name}` | {row[0]} | {of}{sentence} |\n"
 
 
-def rows_of_kinds(kind, key):
+def rows_of_values(match):
+    yield "| value | what it means |\n|---|---|\n"
+    for one in part_of(match)[0]["oneOf"]:
+        yield f"| `{one['const']}` | {one['description']} |\n"
+
+
+def rows_of_kinds(match):
+    part, definitions = part_of(match)
     yield "| kind | what was seen | its numbers |\n|---|---|---|\n"
-    for one in schema(kind)["properties"][key]["items"]["oneOf"]:
-        numbers = [f"`{name}`{f' [{unit}]' if unit else ''}: {sentence}" for name, unit, sentence in keys(one)
-                   if name not in ("text", "advice")]
+    for one in part["oneOf"]:
+        numbers = [f"`{name}`{f' [{unit}]' if unit else ''}: {sentence}"
+                   for name, unit, sentence in keys(one, definitions, without=("text", "advice"))]
         yield f"| `{one['properties']['kind']['const']}` | {one['description']} | {' '.join(numbers)} |\n"
 
 
 def table(match):
-    rows = rows_of_keys if match["what"] == "keys" else rows_of_kinds
-    return match["begin"] + "".join(rows(match["kind"], match["key"])) + match["end"]
+    rows = {"keys": rows_of_keys, "values": rows_of_values, "kinds": rows_of_kinds}[match["what"]]
+    return match["begin"] + "".join(rows(match)) + match["end"]
 
 
-made = re.sub(r"(?P<begin><!-- (?P<what>keys|kinds) of (?P<kind>\w+)(?:\.(?P<key>\w+))? -->\n\n).*?(?P<end>\n<!-- end -->)", table, text,
-              flags=re.DOTALL)
+made = re.sub(r"(?P<begin><!-- (?P<what>keys|values|kinds) of (?P<kind>\w+)(?:\[(?P<form>\d)\])?(?:\.(?P<key>[\w.]+))?"
+              r"(?: without (?P<without>[\w, ]+))? -->\n\n).*?(?P<end>\n<!-- end -->)", table, text, flags=re.DOTALL)
 if "--write" in sys.argv:
     page.write_text(made, encoding="utf-8")
 elif made == text:

@@ -53,12 +53,12 @@ for path in shown:
     if path.resolve() not in pages:
         fault(navigation, 1, f"there is no page {path.relative_to(project)}")
 
-# The headers that the glossary names.
-glossary = project / "docs/glossary.md"
-for line, text in pages[glossary.resolve()].prose:
-    for header in re.findall(r"`([\w/]+\.hpp)`", text):
-        if not (project / "include/tactile_net" / header).exists():
-            fault(glossary, line, f"there is no header {header}")
+# The headers that the lists of words name.
+for glossary in (project / "docs/glossary.md", project / "docs/internals/words.md"):
+    for line, text in pages[glossary.resolve()].prose:
+        for header in re.findall(r"`([\w/]+\.hpp)`", text):
+            if not (project / "include/tactile_net" / header).exists():
+                fault(glossary, line, f"there is no header {header}")
 
 # Every verdict that the program can give.
 concepts = project / "docs/concepts.md"

@@ -22,12 +22,11 @@ Scene pad(const std::string& more = "") {
 }
 
 lab::MethodResult found(Method method, double height) {
-  lab::MethodResult result{.method = method, .verdict = lab::Verdict::ok};
-  result.normal.traction.assign(21, height);
-  result.normal.relative_l2 = 0.1;
-  result.resultant =
-      UncertainResultant{.normal = {0.9999, 0.0021}, .centre = Uncertain{1e-9, 0.008}};
-  return result;
+  const UncertainResultant resultant{.normal = {0.9999, 0.0021}, .centre = Uncertain{1e-9, 0.008}};
+  return {.method = method,
+          .answer = {.tractions = std::vector<double>(21, height),
+                     .bands = lab::FrameUncertainty{.resultant = resultant}},
+          .errors = {{.relative = 0.1}}};
 }
 
 lab::Experiment experiment(std::vector<lab::MethodResult> results) {
@@ -66,25 +65,25 @@ TEST_CASE("what speaks against a run's answer is told in its box", "[report][ans
   CHECK_THAT(answers(one).back().meaning,
              ContainsSubstring("closed_form differs from tikhonov by up to 10 %"));
 
-  one.results.back().normal.traction.clear();
+  one.results.back().answer.tractions.clear();
   CHECK(answers(one).back().value == "1 of 2 methods fail");
 
   one = experiment({found(Method::tikhonov, 1.0)});
   CHECK_FALSE(doubtful(answers(one)));
   one.sampled_force = 0.9;
   CHECK_FALSE(doubtful(answers(one)));  // readings are integrals: they hold the whole force
-  one.scene.forward = ForwardModel::sampled;
+  std::get<Scene>(one.scene).forward = ForwardModel::sampled;
   CHECK(answers(one).front().doubtful);
 
   one = experiment({found(Method::tikhonov, 1.0)});
-  one.results.front().verdict = lab::Verdict::unstable;
+  one.results.front().answer.verdict = lab::Verdict::unstable;
   CHECK(answers(one).front().doubtful);
   CHECK_THAT(answers(one).front().meaning, ContainsSubstring("unstable: "));
 
   one.frame.force = 0.0;
   CHECK(answers(one).front().value == "nothing presses");
 
-  one.results.front().normal.traction.clear();
+  one.results.front().answer.tractions.clear();
   CHECK(answers(one).front().value == "no answer");
 }
 
@@ -92,17 +91,17 @@ TEST_CASE("sensors answer from which wavelength on they tell, and what they hide
           "[report][answers]") {
   const Scene scene = pad();
   lab::Survey survey = lab::identify(scene);
-  const auto all = answers(scene, survey);
+  const auto all = answers(survey, scene.units);
   REQUIRE(all.size() == 4);
   CHECK_THAT(all[0].value, StartsWith("from "));
   CHECK(all[1].value == "not measured");
   CHECK(all[2].value == "nothing hidden");
-  survey.own.normal.reset();
-  survey.own.identifiability.null_space.dimension = 2;
+  survey.own.wavelengths = {};
+  survey.own.array->hidden = 2;
   survey.advice = {};
-  CHECK(answers(scene, survey)[0].doubtful);
-  CHECK(answers(scene, survey)[2].value == "2 are hidden");
-  CHECK(answers(scene, survey)[3].value == "keep them");
+  CHECK(answers(survey, scene.units)[0].doubtful);
+  CHECK(answers(survey, scene.units)[2].value == "2 are hidden");
+  CHECK(answers(survey, scene.units)[3].value == "keep them");
 }
 
 TEST_CASE("a circuit answers whether it settles, how fast, and at what cost", "[report][answers]") {

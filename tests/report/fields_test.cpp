@@ -1,6 +1,7 @@
 // A number that is described in one line is there wherever results are told.
 #include "tactile_net/numeric/fields.hpp"
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -8,7 +9,7 @@
 #include "numeric/named.hpp"
 #include "report/columns.hpp"
 #include "report/csv/estimate_fields.hpp"
-#include "report/json/described.hpp"
+#include "report/json/answer_json.hpp"
 #include "tactile_net/report/json/schema.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tests/catch.hpp"
@@ -65,6 +66,19 @@ struct Scratch {
       field("torsion", &Scratch::torsion, Measure::moment, "About the centre.", Of::skins)};
 };
 
+/// One that is named.
+struct NamedGrip {
+  std::string name{};
+  std::optional<double> share{};
+  Grip grip = Grip::firm;
+  bool sure = false;
+
+  static constexpr auto described = std::tuple{
+      field("name", &NamedGrip::name, "Of what is held."),
+      field("share", &NamedGrip::share, "Of all."), field("grip", &NamedGrip::grip, "How firm."),
+      field("sure", &NamedGrip::sure, "Whether that is known.")};
+};
+
 /// The same result with one line more.
 struct Numbers {
   double width = 0.125;
@@ -73,6 +87,16 @@ struct Numbers {
   static constexpr auto described =
       std::tuple{field("width", &Numbers::width, Measure::length, "Of the contact."),
                  field("angle", &Numbers::angle, Measure::angle, "Of the force.", Of::lines)};
+};
+
+struct Whole {
+  std::size_t id = 7;
+  Numbers numbers{};
+
+  static constexpr auto described =
+      std::tuple_cat(std::tuple{field("id", &Whole::id, "Its number.")},
+                     within(&Whole::numbers, Numbers::described),
+                     std::tuple{field("inside", &Whole::numbers, "The same as a part.")});
 };
 
 }  // namespace
@@ -87,7 +111,7 @@ TEST_CASE("JSON and its schema follow from the type of each field", "[report]") 
   CHECK(report::as_json(scratch)["share"] == 0.5);
   CHECK(report::as_json(scratch)["remark"] == "wet");
 
-  const Json schema = report::schema_of<Scratch>();
+  const Json schema = report::schema_of<Scratch>(Of::skins);
   const Json& properties = schema["properties"];
   CHECK(properties["count"] ==
         Json({{"type", "integer"}, {"minimum", 0}, {"description", "How many."}}));
@@ -105,6 +129,29 @@ TEST_CASE("JSON and its schema follow from the type of each field", "[report]") 
   CHECK(schema["additionalProperties"] == false);
 }
 
+TEST_CASE("a document of several values has the fields of each", "[report]") {
+  constexpr report::DocumentKind kind{"scratch", 3};
+  const Json json = Json::parse(report::document_text(kind, Place{0.5}, Numbers{}));
+  const Json schema = report::document_schema<Place, Numbers>(kind, "A scratch");
+  Json keys = Json::array();
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  CHECK(keys == Json({"tactile_net", "kind", "schema", "y", "width", "angle"}));
+  const Json of_lines = schema["oneOf"][0];  // who have an angle
+  CHECK(of_lines["required"] == keys);
+  CHECK(of_lines["properties"]["schema"]["const"] == json["schema"]);
+}
+
+TEST_CASE("what is not known is null, and keys may be a document's own", "[report]") {
+  CHECK(report::as_json(if_finite(INFINITY)).is_null());
+  CHECK(report::as_json(if_finite(2.0)) == 2.0);
+  CHECK(report::as_json(report::unless_empty(std::vector<Place>())).is_null());
+  CHECK(report::as_json(report::unless_empty(std::vector<Place>(2))).size() == 2);
+  using Named = std::vector<std::pair<std::string, double>>;
+  CHECK(report::as_json(Named{{"b", 1.0}, {"a", 2.0}}).dump() == R"({"b":1.0,"a":2.0})");
+  CHECK(report::schema_of<Named>()["additionalProperties"] == report::schema_of<double>());
+  CHECK(report::as_json(Matrix{1, 2, {3.0, 4.0}}).dump() == "[[3.0,4.0]]");
+}
+
 TEST_CASE("one line of description is a key, a property, a column and a cell", "[report]") {
   using Texts = std::vector<std::string>;
   for (const bool skin : {false, true}) {
@@ -118,8 +165,53 @@ TEST_CASE("one line of description is a key, a property, a column and a cell", "
     CHECK((table.str().find("angle") != std::string::npos) == !skin);
     CHECK((table.str().find("0.75") != std::string::npos) == !skin);
   }
-  CHECK(report::as_json(Numbers{}).contains("angle"));
-  CHECK(report::schema_of<Numbers>()["properties"]["angle"]["unit"] == "rad");
+  CHECK(report::as_json(Numbers{}, Of::lines).contains("angle"));
+  CHECK_FALSE(report::as_json(Numbers{}, Of::skins).contains("angle"));
+  CHECK(report::schema_of<Numbers>(Of::lines)["properties"]["angle"]["unit"] == "rad");
+  // Whoever has these numbers as a part tells the new one too.
+  CHECK(report::as_json(Whole{}, Of::lines).dump() ==
+        R"({"id":7,"width":0.125,"angle":0.75,"inside":{"width":0.125,"angle":0.75}})");
+  CHECK(report::as_json(Whole{}, Of::skins).dump() ==
+        R"({"id":7,"width":0.125,"inside":{"width":0.125}})");
+}
+
+TEST_CASE("a schema of lines and skins requires the very keys that JSON of either has",
+          "[report]") {
+  const auto keys = [](const Json& object) {
+    Json all = Json::array();
+    for (const auto& [key, value] : object.items()) all.push_back(key);
+    return all;
+  };
+  const auto check = [&]<class T>(const T& told) {
+    const Json schema = report::schema_of<T>();
+    REQUIRE(schema["oneOf"].size() == 2);
+    for (const Of of : {Of::lines, Of::skins}) {
+      const Json& side = schema["oneOf"][of == Of::lines ? 0 : 1];
+      CHECK(side["required"] == keys(report::as_json(told, of)));
+      CHECK(side == report::schema_of<T>(of));
+    }
+  };
+  check(Whole{});
+  check(lab::ResultantTold{});
+  check(ContactPatch{});
+  const lab::FrameAnswer none;
+  check(lab::answer_told(none, 1, {}));
+  const lab::FrameAnswer some{.tractions = {1.0, 2.0, 3.0},
+                              .deviations = {0.1, 0.1, 0.1},
+                              .alpha = {.value = 1e-3},
+                              .constrained = ConstrainedSolution{}};
+  check(lab::answer_told(some, 1, 2.0));
+  const Json line = report::as_json(lab::answer_told(some, 1, 2.0), Of::lines);
+  CHECK(line["tangential_weight"] == 2.0);
+  CHECK(line["constraints"].contains("free"));
+}
+
+TEST_CASE("a row of CSV has a field for each column, whatever its texts hold", "[report]") {
+  const std::vector<NamedGrip> rows = {
+      {.name = "a \"b\", c\nd", .grip = Grip::firm},
+      {.name = "", .share = 0.5, .grip = Grip::loose, .sure = true}};
+  CHECK(report::csv_of(rows, false) ==
+        "name,share,grip,sure\n\"a \"\"b\"\", c\nd\",,firm,0\n,0.5,loose,1\n");
 }
 
 TEST_CASE("the docs have a row for every column of what a controller says", "[report]") {
@@ -139,7 +231,8 @@ TEST_CASE("every schema is complete in itself", "[report]") {
   for (const std::string_view kind : kinds) {
     CAPTURE(kind);
     const Json schema = Json::parse(report::schema(kind));
-    CHECK(schema["properties"]["kind"]["const"] == kind);
+    for (const Json& side : schema.contains("oneOf") ? schema["oneOf"] : Json::array({schema}))
+      CHECK(side["properties"]["kind"]["const"] == kind);
     CHECK(schema["title"] == report::schema_title(kind));
     CHECK(schema.dump().find(".json#") == std::string::npos);
   }

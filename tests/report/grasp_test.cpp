@@ -59,6 +59,20 @@ TEST_CASE("a hand in SI has units in its words, another has bare numbers", "[gra
   CHECK_THAT(sources_in_words(grasp)[0], EndsWith("centre 1.0 ± 0.2 mm"));
 }
 
+TEST_CASE("a pad with several contacts has a row for each, of forces in newtons", "[grasp]") {
+  lab::GraspResult grasp = two_fingers();
+  grasp.hand.si = true;
+  grasp.tips[0].patches.resize(1);
+  grasp.tips[1].patches.resize(2);
+  grasp.tips[1].patches[0].wrench.normal = {2.0, 0.25};
+  grasp.tips[1].patches[1].wrench.normal = {1.0, 0.25};
+  const std::vector<PadContacts> pads = pad_contacts(grasp);
+  REQUIRE(pads.size() == 1);
+  CHECK_THAT(pads[0].title, ContainsSubstring("'index'"));
+  REQUIRE(pads[0].rows.size() == 3);
+  CHECK_THAT(pads[0].rows[1][1], StartsWith("2.0") && EndsWith(" N"));
+}
+
 TEST_CASE("warnings are those of the fingertips, then those of the answers", "[grasp]") {
   lab::GraspResult grasp = two_fingers();
   grasp.remarks = {{Weak::idle, GraspAnswer::held, 1},

@@ -43,16 +43,21 @@ lab::RecordingOverview press(std::size_t frames, lab::Verdict last = lab::Verdic
         std::sin(3.1 * static_cast<double>(k + 1) / static_cast<double>(frames + 1));
     for (std::size_t i = 0; i < 21; ++i)
       readings[i] = size * std::exp(-0.2 * std::pow(static_cast<double>(i) - 10.0, 2));
-    lab::FrameResult result = solver->solve(readings, tractions);
-    if (k + 1 == frames) result.verdict = last;
-    recording.add(0.01 * static_cast<double>(k), problem, readings, tractions, result);
+    const lab::FrameResult result = solver->solve(readings, tractions);
+    const lab::Verdict verdict = k + 1 == frames ? last : result.verdict;
+    recording.add(0.01 * static_cast<double>(k), problem, readings,
+                  {.tractions = tractions,
+                   .alpha = *result.alpha,
+                   .verdict = verdict,
+                   .solved = verdict,
+                   .condition = result.condition});
   }
   return recording.overview();
 }
 
 constexpr std::size_t readings_of_skin = 3 * 16 * 16;
 
-SkinScene skin() {
+SkinScene skin_of_sixteen() {
   return std::get<SkinScene>(
       parse_any_scene("[sensor]\nrows = 16\ncolumns = 16\npitch = 1.0\ndepth = 1.0\n"
                       "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
@@ -97,7 +102,7 @@ TEST_CASE("a pad that is pulled is not one that nothing presses", "[report][reco
   const double most = pulled.peak().resultant.normal;
   for (lab::FrameGroup& group : pulled.groups) {
     group.resultant.normal *= -1.0;
-    group.bands->resultant.normal.value *= -1.0;
+    group.answer.bands->resultant.normal.value *= -1.0;
   }
   CHECK(pulled.peak().resultant.normal == -most);
   CHECK(pulled.pulled(pulled.peak()));
@@ -154,7 +159,9 @@ TEST_CASE("a picture along the array has the array's own ends below it, wherever
       for (int i = 0; i < 9; ++i)
         readings[static_cast<std::size_t>(i)] = 0.1 * (k + 1) * std::exp(-0.3 * std::pow(i - 5, 2));
       const lab::FrameResult result = solver->solve(readings, tractions);
-      recording.add(0.01 * k, problem, readings, tractions, result);
+      recording.add(
+          0.01 * k, problem, readings,
+          {.tractions = tractions, .alpha = *result.alpha, .condition = result.condition});
     }
     return recording.overview();
   };
@@ -171,8 +178,8 @@ TEST_CASE("a picture along the array has the array's own ends below it, wherever
     const lab::RecordingOverview overview = overview_at(first);
     const std::string page = pages::recording_page(overview, "press.csv", {}, {}).html;
     // The pad in section and the script's pictures have one axis.
-    const std::vector<std::string> ends = pages::ends_of_surface(overview.scene);
-    CHECK(ends[1] == in_unit(overview.scene, Dimension::length, first + 4.0));
+    const std::vector<std::string> ends = pages::ends_of_surface(overview.line());
+    CHECK(ends[1] == in_unit(overview.line(), Dimension::length, first + 4.0));
     std::string below;
     for (const std::string& end : ends) below += "<span>" + end + "</span>\n";
     CHECK(count(page, below) == 1);
@@ -193,10 +200,11 @@ TEST_CASE("a thousand frames of a skin are a page below 2.7 MB, whatever its cel
   const std::size_t cells_across = GENERATE(std::size_t{18}, std::size_t{35});
   const std::size_t components = GENERATE(std::size_t{1}, std::size_t{3});
   CAPTURE(cells_across, components);
-  lab::SkinRecordingAnswer recording{
-      .scene = skin(),
-      .grid = {.rows = cells_across, .columns = cells_across, .spacing_y = 1.0, .spacing_z = 1.0}};
-  const std::size_t cells = recording.grid.count();
+  const SurfaceGrid grid{
+      .rows = cells_across, .columns = cells_across, .spacing_y = 1.0, .spacing_z = 1.0};
+  const lab::SkinSceneProblem problem(skin_of_sixteen());
+  lab::Recording recording(problem);
+  const std::size_t cells = grid.count();
   const std::size_t count = components * cells;
   std::mt19937 generator(1);
   std::normal_distribution<double> normal(0.0, 1.0);
@@ -214,44 +222,85 @@ TEST_CASE("a thousand frames of a skin are a page below 2.7 MB, whatever its cel
     answer.wrench.normal = {1.0 + 0.01 * noise[k], 0.0123};
     answer.wrench.tangential_y = answer.wrench.tangential_z = answer.wrench.centre_y =
         answer.wrench.centre_z = answer.wrench.torsion = Uncertain{noise[k], 0.0123};
-    recording.add(0.01 * static_cast<double>(k), from.first(readings_of_skin), answer);
+    recording.add(0.01 * static_cast<double>(k), problem, from.first(readings_of_skin), answer);
   }
-  REQUIRE(recording.shown.size() >= 200);
+  lab::RecordingOverview overview = recording.overview();
+  overview.grid = grid;
+  REQUIRE(overview.groups.size() >= 200);
   constexpr std::size_t scripts_and_style = 160'000;
-  CHECK(frames_json(recording).size() + scripts_and_style < 2'700'000);
+  CHECK(frames_json(overview).size() + scripts_and_style < 2'700'000);
+}
+
+TEST_CASE("a page has a row for each contact of each frame, with the number that it keeps",
+          "[report][recording]") {
+  const lab::AnyProblem problem = lab::SkinSceneProblem(skin_of_sixteen());
+  lab::Recording recording(problem);
+  const std::vector<double> readings(readings_of_skin, 1.0);
+  lab::FrameAnswer answer;
+  answer.tractions.assign(std::get<lab::SkinSceneProblem>(problem).tractions(), 1.0);
+  const auto contact = [](std::size_t cell, double force) {
+    ContactPatch patch{.cells = {cell}};
+    patch.wrench.normal = {force, 0.25};
+    patch.wrench.centre_y = Uncertain{0.5, 0.125};
+    return patch;
+  };
+  const auto json_of = [&] {
+    return nlohmann::json::parse(frames_json(recording.overview()))["contacts"];
+  };
+  recording.add({}, problem, readings, answer);
+  CHECK(json_of().is_null());
+  answer.patches = {contact(0, 2.0), contact(15, 1.0)};
+  recording.add({}, problem, readings, answer);
+  answer.patches = {contact(15, 4.0)};
+  recording.add({}, problem, readings, answer);
+  const auto json = json_of();
+  REQUIRE(json["rows"].size() == 3);
+  CHECK(json["rows"][0].empty());
+  REQUIRE(json["rows"][1].size() == 2);
+  REQUIRE(json["rows"][2].size() == 1);
+  CHECK(json["rows"][2][0][0] == json["rows"][1][1][0]);  // the same contact
+  CHECK(json["rows"][2][0][1] == nlohmann::json{4.0, 0.25});
+  CHECK(json["columns"].size() == 2);  // nothing is known of drags
+  CHECK(json["columns"][1]["label"] == "centre, y");
 }
 
 TEST_CASE("pictures over time have a gap where frames have no answer, and there only",
           "[report][recording]") {
   using Gaps = std::vector<std::size_t>;
-  const auto gaps_of = [](const auto& recording) {
-    return nlohmann::json::parse(frames_json(recording))["frames"]["gaps"].template get<Gaps>();
+  const auto gaps_in = [](const lab::RecordingOverview& overview) {
+    return nlohmann::json::parse(frames_json(overview))["frames"]["gaps"].get<Gaps>();
   };
-  lab::SkinRecordingAnswer recording{
-      .scene = skin(), .grid = {.rows = 4, .columns = 4, .spacing_y = 1.0, .spacing_z = 1.0}};
+  const auto gaps_of = [&](const lab::Recording& recording) {
+    lab::RecordingOverview overview = recording.overview();
+    overview.grid = {.rows = 4, .columns = 4, .spacing_y = 1.0, .spacing_z = 1.0};
+    return gaps_in(overview);
+  };
+  const lab::SkinSceneProblem problem(skin_of_sixteen());
+  lab::Recording recording(problem);
   const std::vector<double> readings(readings_of_skin, 1.0);
   lab::FrameAnswer answer;
-  answer.tractions.assign(16, 1.0);
+  answer.tractions.assign(problem.tractions(), 1.0);
   const auto add = [&](std::size_t frames) {
-    for (std::size_t k = 0; k < frames; ++k) recording.add({}, readings, answer);
+    for (std::size_t k = 0; k < frames; ++k) recording.add({}, problem, readings, answer);
   };
   add(3);
   CHECK(gaps_of(recording).empty());
-  recording.skip({});
+  recording.skip();
   add(2);
   CHECK(gaps_of(recording) == Gaps{3});
   // So many that one that is shown stands for several: a single frame that is missing is no gap.
-  add(2 * lab::SkinRecordingAnswer::most_shown);
-  recording.skip({});
+  add(2 * lab::Recording::most_groups);
+  recording.skip();
   add(100);
-  REQUIRE(recording.per_shown > 1);
+  const std::size_t per_group = recording.overview().per_group;
+  REQUIRE(per_group > 1);
   CHECK(gaps_of(recording).empty());
-  for (std::size_t k = 0; k < 3 * recording.per_shown; ++k) recording.skip({});
+  for (std::size_t k = 0; k < 3 * per_group; ++k) recording.skip();
   add(100);
   CHECK(gaps_of(recording).size() == 1);
 
-  CHECK(gaps_of(press(6)).empty());
-  CHECK(gaps_of(press(6, lab::Verdict::ok, "a press", 4)) == Gaps{4});
+  CHECK(gaps_in(press(6)).empty());
+  CHECK(gaps_in(press(6, lab::Verdict::ok, "a press", 4)) == Gaps{4});
 }
 
 TEST_CASE("a title cannot leave its place in a recording's page", "[report][recording]") {
@@ -274,7 +323,7 @@ TEST_CASE("a recording without frames, with one, without a load: each has its pa
   lab::RecordingOverview idle = press(5);
   for (lab::FrameGroup& group : idle.groups) {
     group.resultant = {};
-    group.bands->resultant.normal.value = 0.0;
+    group.answer.bands->resultant.normal.value = 0.0;
   }
   CHECK_THAT(answers(idle).front().meaning, ContainsSubstring("Nothing presses"));
   CHECK_FALSE(answers(idle).front().doubtful);  // an empty frame is no fault
@@ -296,7 +345,10 @@ TEST_CASE("what is shown stands in a CSV, a frame a row, and a file without band
   const auto columns = [](const std::string& line) { return count(line, ","); };
   for (const bool bands : {true, false}) {
     if (!bands)
-      for (lab::FrameGroup& group : overview.groups) group.bands.reset();
+      for (lab::FrameGroup& group : overview.groups) {
+        group.answer.bands.reset();
+        group.answer.deviations.clear();
+      }
     const std::string csv = recording_csv(overview);
     CHECK(count(csv, "\n") == 8);
     std::size_t at = 0;

@@ -11,20 +11,18 @@ using lab::Computation;
 using lab::Workload;
 
 TEST_CASE("why and cost are sentences of their numbers", "[words]") {
-  using Reason = Workload::Reason;
+  using Reason = lab::WorkloadReason;
   Workload::Task task{.what = Computation::history,
                       .done = true,
                       .why = {.reason = Reason::effects_remember, .frame = 7},
-                      .cost = Workload::Cost{.kind = Workload::Cost::Kind::moments, .count = 1}};
+                      .cost = Workload::Cost{.kind = lab::WorkloadCost::moments, .count = 1}};
   CHECK(report::why_in_words(task) == "effects remember what came before frame 7");
   CHECK(report::cost_in_words(task) == "the readings at 1 moment");
-  task.why = {.reason = Reason::rule_chooses, .rule = AlphaRule::gcv};
+  task.why = {.reason = Reason::rules_judge, .rule = AlphaRule::gcv};
   CHECK(report::why_in_words(task) ==
         "alpha is chosen by the rule gcv; it is flagged if the other rules disagree");
-  task.cost = Workload::Cost{.kind = Workload::Cost::Kind::decompositions,
-                             .rows = 15,
-                             .columns = 5,
-                             .operations = 12345.0};
+  task.cost = Workload::Cost{
+      .kind = lab::WorkloadCost::decompositions, .rows = 15, .columns = 5, .operations = 12345.0};
   CHECK(report::cost_in_words(task) ==
         "QR and SVD of 15 x 5, once; about 1.23e+04 operations a frame");
   task.cost.reset();

@@ -8,20 +8,36 @@
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/numeric/fields.hpp"
+
 namespace tactile_net {
 
 /// What presses tell of the pad and of the array as a whole.
 enum class PadParameter {
-  depth,           ///< of every taxel, by one factor
-  thickness,       ///< of the layer
-  poisson_ratio,   ///< of the pad
-  youngs_modulus,  ///< of the pad
-  crosstalk,       ///< `Crosstalk::fraction`
-  shift,           ///< of the array against the stage that states positions, along y [m]
-  pitch,           ///< of the array
-  shift_z,         ///< of a skin [m]
+  depth,
+  thickness,
+  poisson_ratio,
+  youngs_modulus,
+  crosstalk,
+  shift,
+  pitch,
+  shift_z
 };
 inline constexpr std::size_t pad_parameter_count = 8;
+
+template <>
+struct Enumerators<PadParameter> {
+  static constexpr Enumerator<PadParameter> all[] = {
+      {PadParameter::depth, "depth", "The depth of every taxel, by one factor."},
+      {PadParameter::thickness, "thickness", "The layer's thickness."},
+      {PadParameter::poisson_ratio, "poisson_ratio", "The pad's Poisson's ratio."},
+      {PadParameter::youngs_modulus, "youngs_modulus", "The pad's Young's modulus."},
+      {PadParameter::crosstalk, "crosstalk", "The share that neighbouring taxels exchange."},
+      {PadParameter::shift, "shift",
+       "How far the array is along y from where the stage that states positions has it."},
+      {PadParameter::pitch, "pitch", "The array's pitch."},
+      {PadParameter::shift_z, "shift_z", "The shift along z; of a skin alone."}};
+};
 
 /// "depth", "thickness", as scenes and JSON spell it.
 [[nodiscard]] std::string_view name(PadParameter parameter) noexcept;

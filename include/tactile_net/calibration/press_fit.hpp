@@ -23,20 +23,32 @@
 namespace tactile_net {
 
 /// What the log says of a value, besides what was stated before.
-enum class ValueVerdict {
-  identified,        ///< the log tells it
-  weak,              ///< its sd is over half of the stated one, or, without one, over 10 %
-  prior_only,        ///< its sd is over 0.9 of the stated one
-  not_identifiable,  ///< the log cannot tell it from others: it keeps its nominal value
-  at_bound,          ///< the value ended at the end of its range
-  fixed,             ///< stated as exact, or nothing that this scene has
+enum class ValueVerdict { identified, weak, prior_only, not_identifiable, at_bound, fixed };
+
+template <>
+struct Enumerators<ValueVerdict> {
+  static constexpr Enumerator<ValueVerdict> all[] = {
+      {ValueVerdict::identified, "identified", "The log tells it."},
+      {ValueVerdict::weak, "weak",
+       "Its standard deviation is over half of the stated one or, without one, over 10 %."},
+      {ValueVerdict::prior_only, "prior_only",
+       "Its standard deviation is over 0.9 of the stated one."},
+      {ValueVerdict::not_identifiable, "not_identifiable",
+       "The log cannot tell it from others: it keeps its nominal value."},
+      {ValueVerdict::at_bound, "at_bound", "It ended at the end of its range."},
+      {ValueVerdict::fixed, "fixed", "It is stated as exact, or this scene has none."}};
 };
 [[nodiscard]] std::string_view name(ValueVerdict verdict) noexcept;
 
-enum class FitVerdict {
-  ok,
-  poor_fit,         ///< residuals are larger than noise explains, or stated values contradicted
-  iteration_limit,  ///< no start converged
+enum class FitVerdict { ok, poor_fit, iteration_limit };
+
+template <>
+struct Enumerators<FitVerdict> {
+  static constexpr Enumerator<FitVerdict> all[] = {
+      {FitVerdict::ok, "ok", "The pad explains the readings."},
+      {FitVerdict::poor_fit, "poor_fit",
+       "Residuals are larger than noise explains, or stated values are contradicted."},
+      {FitVerdict::iteration_limit, "iteration_limit", "No start converged."}};
 };
 [[nodiscard]] std::string_view name(FitVerdict verdict) noexcept;
 
@@ -60,7 +72,17 @@ struct ValueWithSd {
 
 /// What a log states of a press, in the order in which a fit moves it.
 enum class PressQuantity { force, position, half_width, friction, position_z, friction_z };
-/// "force", "position", "half_width", "friction", "position_z", "friction_z".
+
+template <>
+struct Enumerators<PressQuantity> {
+  static constexpr Enumerator<PressQuantity> all[] = {
+      {PressQuantity::force, "force", "The force."},
+      {PressQuantity::position, "position", "Where the middle is, along y."},
+      {PressQuantity::half_width, "half_width", "The contact's half width."},
+      {PressQuantity::friction, "friction", "Tangential over normal traction, along y."},
+      {PressQuantity::position_z, "position_z", "Where the middle is, along z."},
+      {PressQuantity::friction_z, "friction_z", "Tangential over normal traction, along z."}};
+};
 [[nodiscard]] std::string_view name(PressQuantity quantity) noexcept;
 
 struct FittedPress {
@@ -109,10 +131,16 @@ struct UnderstatedSd {
   double p = 1.0;           ///< p-value of chi-squared
 };
 
-/// What changes with the order of the presses: the size of their residuals, a common factor on
-/// their readings under the stated forces, or a common constant.
+/// What changes with the order of the presses.
 enum class TrendOf { size, gain, offset };
-/// "size", "gain", "offset".
+
+template <>
+struct Enumerators<TrendOf> {
+  static constexpr Enumerator<TrendOf> all[] = {
+      {TrendOf::size, "size", "The size of the residuals."},
+      {TrendOf::gain, "gain", "A common factor on the readings, under the stated forces."},
+      {TrendOf::offset, "offset", "A common constant in the readings."}};
+};
 [[nodiscard]] std::string_view name(TrendOf trend) noexcept;
 
 /// Residuals that change with the order of the presses, the clearest of the three.

@@ -6,29 +6,27 @@
 
 #include "tactile_net/grasp/finger_action.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/numeric/fields.hpp"
 
 namespace tactile_net {
 
-/// `idle`: no force at all. `slips`: the force is outside the cone of friction. `pulls`: the finger
-/// would have to pull.
 enum class ContactVerdict { holds, idle, slips, pulls };
+
+template <>
+struct Enumerators<ContactVerdict> {
+  static constexpr Enumerator<ContactVerdict> all[] = {
+      {ContactVerdict::holds, "holds", "The force is within the cone of friction."},
+      {ContactVerdict::idle, "idle", "There is no force at all."},
+      {ContactVerdict::slips, "slips", "The force is outside the cone of friction."},
+      {ContactVerdict::pulls, "pulls", "The finger would have to pull."}};
+};
 
 [[nodiscard]] inline bool is_idle(const FingerAction& action) noexcept {
   return action.normal == 0.0 && action.tangential == 0.0;
 }
 
 [[nodiscard]] constexpr const char* name(ContactVerdict verdict) noexcept {
-  switch (verdict) {
-    case ContactVerdict::holds:
-      return "holds";
-    case ContactVerdict::idle:
-      return "idle";
-    case ContactVerdict::slips:
-      return "slips";
-    case ContactVerdict::pulls:
-      return "pulls";
-  }
-  return "";
+  return enumerator_name(verdict).data();  // a literal, which ends with a zero
 }
 
 struct FrictionMargin {

@@ -21,12 +21,19 @@
 
 namespace tactile_net {
 
-enum class Stability {
-  stable,        ///< every pole lies in the left half plane, or a theorem says so
-  unstable,      ///< a pole lies in the right half plane
-  not_definite,  ///< P is not positive definite: no circuit of ideal op-amps settles for it
-  lossless,      ///< capacitors and inductors alone: it rings for ever
-  not_modelled,  ///< not known, see `UnknownStability`
+/// Where it is `not_modelled`, `UnknownStability` says why.
+enum class Stability { stable, unstable, not_definite, lossless, not_modelled };
+
+template <>
+struct Enumerators<Stability> {
+  static constexpr Enumerator<Stability> all[] = {
+      {Stability::stable, "stable",
+       "Every pole lies in the left half plane, or a theorem says so."},
+      {Stability::unstable, "unstable", "A pole lies in the right half plane."},
+      {Stability::not_definite, "not_definite",
+       "P is not positive definite: no circuit of ideal op-amps settles for it."},
+      {Stability::lossless, "lossless", "Capacitors and inductors alone: it rings for ever."},
+      {Stability::not_modelled, "not_modelled", "It is not known whether the circuit is stable."}};
 };
 
 [[nodiscard]] std::string_view name(Stability stability) noexcept;
@@ -161,18 +168,25 @@ struct OutputCurrent {
 
 /// Volts and siemens at which what disturbs the answer is least for what the op-amps can give.
 struct ScaleProposal {
-  enum class Bound {
-    swing,    ///< a node would reach 0.8 of rail - 0.6 V
-    supply,   ///< no rail is given: 2 V at the largest node, of amplifiers of 5 V in all
-    slew,     ///< slewing would make settling a fifth longer
-    current,  ///< an output would carry more than the op-amps give, at those siemens
-  };
+  /// What keeps the volts from being more.
+  enum class Bound { swing, supply, slew, current };
   double volts = 0.0;  ///< `Scale::volts`
   Bound volts_by = Bound::supply;
   double siemens = 0.0;    ///< `Scale::siemens`: the resistors' noise is as large as the op-amps'
   bool least_ohm = false;  ///< less than that: the least resistor would fall below 1 kilo-ohm
   double noise = 0.0;      ///< of the answer, relative, at that scale; 0: none is asked for
   double offset = 0.0;     ///< the same of offsets of either sign
+};
+
+template <>
+struct Enumerators<ScaleProposal::Bound> {
+  static constexpr Enumerator<ScaleProposal::Bound> all[] = {
+      {ScaleProposal::Bound::swing, "rail", "A node would reach 0.8 of rail - 0.6 V."},
+      {ScaleProposal::Bound::supply, "supply",
+       "No rail is given: 2 V at the largest node, of amplifiers of 5 V in all."},
+      {ScaleProposal::Bound::slew, "slew", "Slewing would make settling a fifth longer."},
+      {ScaleProposal::Bound::current, "current",
+       "An output would carry more than the op-amps give, at those siemens."}};
 };
 
 struct Certificate {

@@ -12,18 +12,27 @@
 #include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/conductances.hpp"
+#include "tactile_net/numeric/fields.hpp"
 
 namespace tactile_net {
 
-enum class Realization {
-  ideal,          ///< resistors, negative ones included: the definition, for checking
-  nic,            ///< one floating negative impedance converter a negative branch (thesis 5.2, ii)
-  rail,           ///< an inverter and a grounded converter a node
-  crossbar,       ///< one amplifier a node around the array of conductances P
-  least_squares,  ///< two arrays K and K': P is never formed
-  lattice,        ///< two arrays with passive nodes between them: residuals without amplifiers
-  lc,             ///< capacitors and inductors at one frequency (thesis 5.2, i)
-  ndr,            ///< devices of negative differential resistance (thesis 5.2, iii)
+enum class Realization { ideal, nic, rail, crossbar, least_squares, lattice, lc, ndr };
+
+template <>
+struct Enumerators<Realization> {
+  static constexpr Enumerator<Realization> all[] = {
+      {Realization::ideal, "ideal",
+       "Resistors, negative ones included: the definition, for checking."},
+      {Realization::nic, "nic",
+       "A floating negative impedance converter for each negative branch (thesis 5.2, ii)."},
+      {Realization::rail, "rail", "An inverter and a grounded converter for each node."},
+      {Realization::crossbar, "crossbar",
+       "An amplifier for each node, around the array of conductances P."},
+      {Realization::least_squares, "least_squares", "Two arrays, K and K': P is never formed."},
+      {Realization::lattice, "lattice",
+       "Two arrays with passive nodes between them: residuals without amplifiers."},
+      {Realization::lc, "lc", "Capacitors and inductors at one frequency (thesis 5.2, i)."},
+      {Realization::ndr, "ndr", "Devices of negative differential resistance (thesis 5.2, iii)."}};
 };
 
 inline constexpr std::array realizations = {
@@ -110,7 +119,6 @@ struct StabilityTheorem {
 /// is: one more of them is one file and one row of the table in src/network/realizations.
 struct RealizationTraits {
   Realization realization = Realization::ideal;
-  std::string_view name{};
 
   enum class Parts {
     linear,    ///< resistors and op-amps: has `Reduction` and tolerances

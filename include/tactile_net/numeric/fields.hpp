@@ -15,6 +15,7 @@
 /// left out where there is none, and a struct with fields stands inside.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -28,6 +29,7 @@ namespace tactile_net {
 enum class Measure {
   none,     ///< a ratio, a count, a word
   length,   ///< m
+  area,     ///< m^2
   stress,   ///< Pa
   load,     ///< N/m, of a skin N
   moment,   ///< N m
@@ -35,6 +37,17 @@ enum class Measure {
   reading,  ///< the unit of the channel
   time,     ///< s
   rate,     ///< 1/s
+
+  speed,        ///< m/s
+  force,        ///< N
+  frequency,    ///< Hz
+  voltage,      ///< V
+  current,      ///< A
+  power,        ///< W
+  resistance,   ///< ohm
+  conductance,  ///< S
+  capacitance,  ///< F
+  memory,       ///< bytes
 };
 
 /// "m", "N/m, of a skin N"; empty: it has none.
@@ -44,6 +57,8 @@ enum class Measure {
       break;
     case Measure::length:
       return "m";
+    case Measure::area:
+      return "m^2";
     case Measure::stress:
       return "Pa";
     case Measure::load:
@@ -58,6 +73,26 @@ enum class Measure {
       return "s";
     case Measure::rate:
       return "1/s";
+    case Measure::speed:
+      return "m/s";
+    case Measure::force:
+      return "N";
+    case Measure::frequency:
+      return "Hz";
+    case Measure::voltage:
+      return "V";
+    case Measure::current:
+      return "A";
+    case Measure::power:
+      return "W";
+    case Measure::resistance:
+      return "ohm";
+    case Measure::conductance:
+      return "S";
+    case Measure::capacitance:
+      return "F";
+    case Measure::memory:
+      return "byte";
   }
   return {};
 }
@@ -115,15 +150,51 @@ constexpr void for_each_field(const auto& call) {
 template <class T, class Access>
 using FieldValue = std::remove_cvref_t<std::invoke_result_t<Access, const T&>>;
 
+/// The fields of a part of a result as the result's own.
+template <class Part, class... Access>
+[[nodiscard]] constexpr auto within(Part part, const std::tuple<Field<Access>...>& fields) {
+  return std::apply(
+      [&](const auto&... one) {
+        return std::tuple{field(
+            one.key,
+            [part, access = one.access](const auto& whole) {
+              return std::invoke(access, std::invoke(part, whole));
+            },
+            one.measure, one.text, one.of)...};
+      },
+      fields);
+}
+
+/// A number as a value that may be null: nothing where it is not finite.
+[[nodiscard]] inline std::optional<double> if_finite(double number) {
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
 /// A value whose key is left out where there is none.
 template <class T>
 struct IfAny {
   std::optional<T> value{};
 };
 
-/// The enumerators of an enumeration, `all`, by a table of `Named` (numeric/named.hpp) whose rows
-/// have a `text` too, a sentence each. Specialized where the enumeration is named.
+/// A value of an enumeration: its name in files, and a sentence.
+template <class Enum>
+struct Enumerator {
+  Enum value;
+  std::string_view name;
+  std::string_view text;
+};
+
+/// The enumerators of an enumeration, `all`, a table of `Enumerator` or of what has its members.
+/// Specialized where the enumeration is named.
 template <class Enum>
 struct Enumerators;
+
+/// The name in that table; empty: it has no such row.
+template <class Enum>
+[[nodiscard]] constexpr std::string_view enumerator_name(Enum value) noexcept {
+  for (const auto& row : Enumerators<Enum>::all)
+    if (row.value == value) return row.name;
+  return {};
+}
 
 }  // namespace tactile_net

@@ -44,8 +44,25 @@ enum class Structure : std::uint8_t {
 
 enum class Precision : std::uint8_t { float64, float32 };
 
-[[nodiscard]] std::string_view name(Structure structure) noexcept;
-[[nodiscard]] std::string_view name(Precision precision) noexcept;
+[[nodiscard]] constexpr std::string_view name(Structure structure) noexcept {
+  switch (structure) {
+    case Structure::dense:
+      return "dense";
+    case Structure::low_rank:
+      return "low_rank";
+    case Structure::fft:
+      return "fft";
+    case Structure::reflections:
+      return "reflections";
+    case Structure::reflections_low_rank:
+      return "reflections_low_rank";
+  }
+  return "unknown";
+}
+
+[[nodiscard]] constexpr std::string_view name(Precision precision) noexcept {
+  return precision == Precision::float64 ? "float64" : "float32";
+}
 
 /// True if a number that was read is one of the enumerators.
 [[nodiscard]] constexpr bool is_known(Structure structure) noexcept {

@@ -27,11 +27,17 @@ struct Waveforms {
 [[nodiscard]] std::optional<double> settling_time(const Waveforms& waveforms,
                                                   std::span<const double> end, double accuracy);
 
-enum class TransientEnd {
-  settles,
-  grows,       ///< the answer leaves every bound
-  unsettled,   ///< bounded, and not at its end within the time simulated
-  unfinished,  ///< the simulator's limit on wall time came first: nothing is known
+enum class TransientEnd { settles, grows, unsettled, unfinished };
+
+template <>
+struct Enumerators<TransientEnd> {
+  static constexpr Enumerator<TransientEnd> all[] = {
+      {TransientEnd::settles, "settles", "The answer comes to its end and stays there."},
+      {TransientEnd::grows, "grows", "The answer leaves every bound."},
+      {TransientEnd::unsettled, "unsettled",
+       "The answer is bounded, and not at its end within the time simulated."},
+      {TransientEnd::unfinished, "unfinished",
+       "The simulator's limit on wall time came first: nothing is known."}};
 };
 
 [[nodiscard]] std::string_view name(TransientEnd end) noexcept;

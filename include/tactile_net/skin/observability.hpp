@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
+#include "tactile_net/numeric/fields.hpp"
 #include "tactile_net/skin/array.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -39,6 +40,18 @@ struct WaveObservability {
 
 /// The waves that `HiddenWaves` is said of.
 enum class WaveDirection { any, along_y, along_z, diagonal, mean };
+
+inline constexpr Enumerator<WaveDirection> wave_directions[] = {
+    {WaveDirection::any, "any", "Every wave."},
+    {WaveDirection::along_y, "along_y", "Waves that run along y."},
+    {WaveDirection::along_z, "along_z", "Waves that run along z."},
+    {WaveDirection::diagonal, "diagonal", "Waves that run along the diagonals."},
+    {WaveDirection::mean, "mean",
+     "What is uniform: drag_along is then the drag along y, drag_across that along z."}};
+template <>
+struct Enumerators<WaveDirection> {
+  static constexpr const auto& all = wave_directions;
+};
 
 /// "any", "along_y", "along_z", "diagonal", "mean".
 [[nodiscard]] std::string_view name(WaveDirection direction) noexcept;

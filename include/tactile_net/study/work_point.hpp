@@ -22,15 +22,22 @@
 namespace tactile_net::study {
 
 /// What a point's time is.
-enum class TimeOf {
-  frame,      ///< a frame's arithmetic, on this machine
-  settling,   ///< a circuit's answer to a step, as simulated in ngspice
-  simulator,  ///< ngspice's own wall time for one frame: not the circuit's
-  forward,    ///< the forward model's arithmetic: readings of known tractions
+enum class TimeOf { frame, settling, simulator, forward };
+
+}  // namespace tactile_net::study
+
+template <>
+struct tactile_net::Enumerators<tactile_net::study::TimeOf> {
+  using TimeOf = study::TimeOf;
+  static constexpr Enumerator<TimeOf> all[] = {
+      {TimeOf::frame, "frame", "A frame's arithmetic, on this machine."},
+      {TimeOf::settling, "settling", "A circuit's answer to a step, as simulated in ngspice."},
+      {TimeOf::simulator, "simulator",
+       "What ngspice itself takes for one frame: not the circuit's time."},
+      {TimeOf::forward, "forward", "The forward model's arithmetic: readings of known tractions."}};
 };
 
-inline constexpr std::array times = {TimeOf::frame, TimeOf::settling, TimeOf::simulator,
-                                     TimeOf::forward};
+namespace tactile_net::study {
 
 /// The spelling in JSON and CSV.
 [[nodiscard]] std::string_view name(TimeOf time_of) noexcept;

@@ -55,7 +55,6 @@ constexpr TheoremCondition crossbar_conditions_of_slewing[] = {
 
 constexpr RealizationTraits crossbar_traits{
     .realization = Realization::crossbar,
-    .name = "crossbar",
     .uses_opamps = true,
     .drives_nodes = true,
     .theorem =

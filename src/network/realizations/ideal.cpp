@@ -23,7 +23,6 @@ constexpr TheoremCondition ideal_conditions[] = {TheoremCondition::definite};
 
 constexpr RealizationTraits ideal_traits{
     .realization = Realization::ideal,
-    .name = "ideal",
     .rounding = 1e-11,  // amplifiers make a simulator eliminate more
     .theorem = {"T0",
                 "With capacitance at its nodes the network settles if and only if P is positive "

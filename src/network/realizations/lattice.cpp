@@ -106,7 +106,6 @@ constexpr std::string_view statement =
 
 constexpr RealizationTraits lattice_traits{
     .realization = Realization::lattice,
-    .name = "lattice",
     .uses_opamps = true,
     .drives_nodes = true,
     .takes_readings = true,

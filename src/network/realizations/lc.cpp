@@ -30,7 +30,6 @@ Circuit lc_circuit(const NetworkProblem& problem, const RealizationOptions& opti
 
 constexpr RealizationTraits lc_traits{
     .realization = Realization::lc,
-    .name = "lc",
     .parts = RealizationTraits::Parts::lossless,
     .theorem = {"passive", "Passive parts cannot be unstable; lossless ones never settle.", {}},
     .build = lc_circuit};

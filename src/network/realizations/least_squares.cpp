@@ -170,7 +170,6 @@ constexpr TheoremCondition least_squares_conditions_with_inverters[] = {
 
 constexpr RealizationTraits least_squares_traits{
     .realization = Realization::least_squares,
-    .name = "least_squares",
     .uses_opamps = true,
     .drives_nodes = true,
     .takes_readings = true,

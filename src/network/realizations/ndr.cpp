@@ -27,7 +27,6 @@ constexpr TheoremCondition ndr_conditions[] = {TheoremCondition::definite};
 
 constexpr RealizationTraits ndr_traits{
     .realization = Realization::ndr,
-    .name = "ndr",
     .parts = RealizationTraits::Parts::curved,
     .theorem = {"convex",
                 "A slope that is nowhere below -g leaves the potential strictly convex: one "

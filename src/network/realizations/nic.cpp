@@ -46,7 +46,6 @@ constexpr TheoremCondition nic_conditions[] = {
 
 constexpr RealizationTraits nic_traits{
     .realization = Realization::nic,
-    .name = "nic",
     .uses_opamps = true,
     .opamps_per_branch = true,
     .theorem = {"T1",

@@ -59,7 +59,6 @@ constexpr TheoremCondition rail_conditions[] = {
 
 constexpr RealizationTraits rail_traits{
     .realization = Realization::rail,
-    .name = "rail",
     .uses_opamps = true,
     .theorem = {"T2",
                 "Op-amps of equal bandwidth and gain: stable for any node capacitance if P is "

@@ -4,6 +4,7 @@
 
 #include "network/node_names.hpp"
 #include "network/realizations/traits.hpp"
+#include "numeric/named.hpp"
 
 namespace tactile_net {
 namespace {
@@ -21,12 +22,12 @@ const RealizationTraits& traits(Realization realization) noexcept {
   });
 }
 
-std::string_view name(Realization realization) noexcept { return traits(realization).name; }
+std::string_view name(Realization realization) noexcept {
+  return name_in<Enumerators<Realization>::all>(realization);
+}
 
 std::optional<Realization> realization_named(std::string_view text) noexcept {
-  const auto found = std::find_if(table.begin(), table.end(),
-                                  [=](const RealizationTraits* one) { return one->name == text; });
-  return found == table.end() ? std::nullopt : std::optional((*found)->realization);
+  return named_in<Enumerators<Realization>::all>(text);
 }
 
 bool has_ladder(Realization realization, const RealizationOptions& options) noexcept {

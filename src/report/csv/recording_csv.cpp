@@ -21,18 +21,18 @@ std::string recording_csv(const lab::RecordingOverview& overview) {
   std::string text = "frame,t,first,count,distrusted,verdict";
   for (const std::string_view column : shown_names) (text += ',') += column;
   for (const std::string& column :
-       frames::traction_columns(surface(overview.scene).count, overview.tangential()))
+       frames::traction_columns(overview.places(), overview.tangential()))
     text += ',' + column;
   text += ",data\n";
   for (const lab::FrameGroup& group : overview.groups) {
     text += std::to_string(group.shown) + csv_number(group.time) + ',' +
             std::to_string(group.first) + ',' + std::to_string(group.count) + ',' +
-            std::to_string(group.distrusted) + ',' + std::string(name(group.verdict));
+            std::to_string(group.distrusted) + ',' + std::string(name(group.answer.verdict));
     for (const auto& number : shown_numbers(overview, group)) text += csv_number(number);
     text += ',';
-    frames::append_row(text, group.tractions);
+    frames::append_row(text, group.answer.tractions);
     text.back() = ',';
-    text += (group.data ? data_word(*group.data) : std::string("unknown")) + '\n';
+    text += (group.answer.data ? data_word(*group.answer.data) : std::string("unknown")) + '\n';
   }
   return text;
 }

@@ -1,54 +1,66 @@
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 
-#include <limits>
-#include <optional>
+#include <utility>
+#include <variant>
 
+#include "report/columns.hpp"
+#include "report/csv/frame_row.hpp"
 #include "tactile_net/frames/source.hpp"
+#include "tactile_net/report/csv/skin_csv.hpp"
 
 namespace tactile_net::report {
+namespace {
 
-std::vector<std::string> uncertainty_columns(const lab::SceneProblem& problem) {
-  std::vector<std::string> columns;
-  for (const std::string name : {"normal_force", "tangential_force", "centre", "angle"}) {
-    columns.push_back(name);
-    columns.push_back(name + "_deviation");
-  }
-  columns.emplace_back("residual_rms");
-  columns.emplace_back("model_rms");
+std::vector<std::string> line_columns(const lab::SceneProblem& problem) {
+  std::vector<std::string> columns = columns_of<ResultantRow>(false);
   for (std::string& traction :
        frames::traction_columns(problem.surface().count, problem.options().unknowns > 1))
     columns.push_back(traction.insert(traction.find('_'), "_deviation"));
   if (problem.options().unknown_offsets)
     for (const Channel& channel : channels(problem.scene().sensor))
       columns.push_back("offset_" + channel.name);
-  columns.emplace_back("data");
-  columns.emplace_back("alpha");
+  for (std::string& name : columns_of<TrustRow>(false)) columns.push_back(std::move(name));
   columns.emplace_back("verdict");
   return columns;
 }
 
-std::vector<double> uncertainty_values(const lab::FrameUncertainty& uncertainty,
-                                       const std::optional<DataVerdict>& data, double alpha) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> values;
-  const auto add = [&](const std::optional<Uncertain>& number) {
-    values.push_back(number ? number->value : unknown);
-    values.push_back(number ? number->deviation : unknown);
-  };
+std::vector<double> line_values(const lab::FrameAnswer& answer) {
+  const lab::FrameUncertainty& uncertainty = *answer.bands;
   const UncertainResultant& resultant = uncertainty.resultant;
-  add(resultant.normal);
-  add(resultant.tangential);
-  add(resultant.centre);
-  add(resultant.angle);
-  values.push_back(uncertainty.noise.residual_rms);
-  values.push_back(uncertainty.noise.model_rms);
+  std::vector<double> values = values_of(ResultantRow{.normal = resultant.normal,
+                                                      .tangential_y = resultant.tangential,
+                                                      .centre_y = resultant.centre,
+                                                      .angle = resultant.angle,
+                                                      .residual = uncertainty.noise.residual_rms,
+                                                      .model = uncertainty.noise.model_rms},
+                                         false);
   values.insert(values.end(), uncertainty.deviation.begin(), uncertainty.deviation.end());
   values.insert(values.end(), uncertainty.offsets.begin(), uncertainty.offsets.end());
-  values.push_back(!data                ? unknown
-                   : data->consistent() ? 0.0
-                                        : 1.0 + static_cast<double>(data->doubts.front()));
-  values.push_back(alpha);
+  for (const double value : values_of(trust_row(answer.data, answer.alpha.value), false))
+    values.push_back(value);
   return values;
+}
+
+}  // namespace
+
+std::vector<std::string> traction_columns(const lab::AnyProblem& problem) {
+  if (const auto* skin = std::get_if<lab::SkinSceneProblem>(&problem))
+    return traction_columns(skin->grid(), skin->layout().components);
+  const auto& line = std::get<lab::SceneProblem>(problem);
+  const std::size_t places = line.surface().count;
+  return frames::traction_columns(places, line.tractions() > places);
+}
+
+std::vector<std::string> uncertainty_columns(const lab::AnyProblem& problem) {
+  if (const auto* line = std::get_if<lab::SceneProblem>(&problem)) return line_columns(*line);
+  return uncertainty_columns(std::get<lab::SkinSceneProblem>(problem).scene());
+}
+
+std::vector<double> uncertainty_values(const lab::AnyProblem& problem,
+                                       const lab::FrameAnswer& answer) {
+  if (const auto* skin = std::get_if<lab::SkinSceneProblem>(&problem))
+    return uncertainty_values(answer, skin->scene());
+  return line_values(answer);
 }
 
 }  // namespace tactile_net::report

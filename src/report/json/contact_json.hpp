@@ -5,25 +5,38 @@
 #include <span>
 #include <vector>
 
-#include "report/json/values.hpp"
+#include "report/json/described.hpp"
+#include "tactile_net/lab/answer_fields.hpp"
 #include "tactile_net/lab/contact_tracker.hpp"
 
 namespace tactile_net::report {
 
-/// Of a line and of a skin.
-[[nodiscard]] Json line_contacts_json(std::span<const ContactPatch> patches);
-[[nodiscard]] Json skin_contacts_json(std::span<const ContactPatch> patches);
-
-/// Of a recording's frame: each with its number, without its cells.
+/// Of a frame of a line's and of a skin's recording: each with its number, without its cells.
 [[nodiscard]] Json line_contacts_json(std::span<const lab::FollowedContact> contacts);
 [[nodiscard]] Json skin_contacts_json(std::span<const lab::FollowedContact> contacts);
 
+/// The same lists as fields of a result.
+struct LineContacts {
+  std::vector<ContactPatch> patches{};
+};
+struct SkinContacts {
+  std::vector<ContactPatch> patches{};
+};
+
+template <>
+struct JsonForm<LineContacts> {
+  static Json json(const LineContacts& contacts) { return as_json(contacts.patches, Of::lines); }
+  static Json schema() { return schema_of<std::vector<ContactPatch>>(Of::lines); }
+};
+template <>
+struct JsonForm<SkinContacts> {
+  static Json json(const SkinContacts& contacts) { return as_json(contacts.patches, Of::skins); }
+  static Json schema() { return schema_of<std::vector<ContactPatch>>(Of::skins); }
+};
+
 [[nodiscard]] Json events_json(std::span<const lab::ContactEvent> events);
 
-/// A value for each of the surface's two directions.
-[[nodiscard]] Json pair_json(const std::optional<Uncertain>& a, const std::optional<Uncertain>& b);
 /// Force, drag, centre and torsion of a skin's wrench.
 [[nodiscard]] Json found_json(const UncertainWrench& wrench);
-[[nodiscard]] Json ellipse_json(const std::optional<ContactEllipse>& ellipse);
 
 }  // namespace tactile_net::report

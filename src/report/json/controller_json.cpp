@@ -1,56 +1,105 @@
 #include "tactile_net/report/json/controller_json.hpp"
 
-#include "report/json/document.hpp"
+#include "report/json/product_json.hpp"
 #include "report/json/scene_json.hpp"
+#include "report/json/schemas.hpp"
 #include "tactile_net/report/words/controller_words.hpp"
 
-namespace tactile_net::report {
+namespace tactile_net {
+
+template <>
+struct Fields<Candidate> {
+  static constexpr auto all = std::tuple{
+      field("structure", &Candidate::structure, "How the matrix is stored."),
+      field("precision", &Candidate::precision, "The precision of its numbers."),
+      field("ranks", &Candidate::ranks,
+            "The rank of each class that has places; empty: not of low rank."),
+      field("exchanged", &Candidate::exchanged,
+            "Whether the exchange of y and z is used too, of a skin's reflections."),
+      field("transform_size", &Candidate::transform_size, "Points of the FFT; 0: there is no FFT."),
+      field("bytes", &Candidate::bytes, Measure::memory, "What a frame reads."),
+      field("error_bound", &Candidate::error_bound,
+            "The largest error, proven, in the unit of `accuracy`."),
+      field("accurate", &Candidate::accurate, "Whether that is within `accuracy`."),
+      field("chosen", &Candidate::chosen, "Whether the plan is this one.")};
+};
+
+template <>
+struct Fields<lab::PlannedForce> {
+  static constexpr auto all =
+      std::tuple{field("planned", &lab::PlannedForce::planned, Measure::load, "By the plan."),
+                 field("solved", &lab::PlannedForce::solved, Measure::load,
+                       "By the solver, as the scene has it.")};
+};
+
+namespace report {
 namespace {
 
-std::string document_of(const std::string& file, const std::optional<Units>& units,
-                        const lab::PlannedController& planned, double frame_seconds) {
-  Json candidates = Json::array();
-  for (const Candidate& candidate : planned.estimator.candidates)
-    candidates.push_back({{"structure", name(candidate.structure)},
-                          {"precision", name(candidate.precision)},
-                          {"ranks", candidate.ranks},
-                          {"exchanged", candidate.exchanged},
-                          {"transform_size", candidate.transform_size},
-                          {"bytes", candidate.bytes},
-                          {"error_bound", candidate.error_bound},
-                          {"accurate", candidate.accurate},
-                          {"chosen", candidate.chosen}});
-  const EstimatorPlan& plan = planned.estimator.plan;
-  Json json = document(kind::plan);
-  json.update(Json{{"scene", file},
-                   {"readings", plan.readings()},
-                   {"tractions", plan.tractions()},
-                   {"alpha", plan.alpha},
-                   {"alpha_rule", in_words(planned.alpha)},
-                   {"accuracy", plan.accuracy},
-                   {"error_bound", plan.error_bound},
-                   {"asymmetry", planned.estimator.asymmetry},
-                   {"frame_seconds", frame_seconds},
-                   {"candidates", std::move(candidates)}});
-  json["force"] = planned.force
-                      ? Json{{"planned", planned.force->planned}, {"solved", planned.force->solved}}
-                      : Json(nullptr);
-  if (plan.cells || plan.fill) json["filled_readings"] = plan.fill ? plan.fill->rows : 0;
-  if (units) json["units"] = units_json(*units);
-  if (planned.for_raw_numbers) json["baseline"] = plan.baseline;  // empty: 0
-  return text_of(json, 2);
-}
+struct PlanTold {
+  std::string scene{};
+  std::size_t readings = 0;
+  std::size_t tractions = 0;
+  double alpha = 0.0;
+  std::string alpha_rule{};
+  double accuracy = 0.0;
+  double error_bound = 0.0;
+  double asymmetry = 0.0;
+  double frame_seconds = 0.0;
+  std::vector<Candidate> candidates{};
+  std::optional<lab::PlannedForce> force{};
+  IfAny<std::size_t> filled_readings{};
+  IfAny<UnitsTold> units{};
+  IfAny<std::vector<double>> baseline{};
+
+  static constexpr auto described = std::tuple{
+      field("scene", &PlanTold::scene,
+            "The scene's file; <stdin> where it came from standard input."),
+      field("readings", &PlanTold::readings, "How many readings a frame has."),
+      field("tractions", &PlanTold::tractions, "How many tractions a frame gives."),
+      field("alpha", &PlanTold::alpha, "The regularisation of all frames."),
+      field("alpha_rule", &PlanTold::alpha_rule, "Where it comes from."),
+      field("accuracy", &PlanTold::accuracy, "The accuracy that was asked for."),
+      field("error_bound", &PlanTold::error_bound, "The plan's largest error, proven."),
+      field("asymmetry", &PlanTold::asymmetry,
+            "How far the matrix is from mirror symmetry, in the unit of `accuracy`."),
+      field("frame_seconds", &PlanTold::frame_seconds, Measure::time,
+            "What a frame takes on this machine."),
+      field("candidates", &PlanTold::candidates, "The products that could be planned."),
+      field("force", &PlanTold::force,
+            "The normal force of the scene's own contacts; null: it has none."),
+      field("filled_readings", &PlanTold::filled_readings,
+            "Readings of dead taxels that the plan fills in; of a line only where there are any."),
+      field("units", &PlanTold::units, "The units of these numbers; only of a scene with [units]."),
+      field("baseline", &PlanTold::baseline, Measure::reading,
+            "What is subtracted from the numbers; empty: 0; only of a plan for raw numbers.")};
+};
 
 }  // namespace
 
-std::string controller_json(const Scene& scene, const lab::PlannedController& planned,
+std::string controller_json(const AnyScene& scene, const lab::PlannedController& planned,
                             double frame_seconds) {
-  return document_of(scene.file, scene.units, planned, frame_seconds);
+  const EstimatorPlan& plan = planned.estimator.plan;
+  const SceneTold head = scene_told(scene);
+  PlanTold told{.scene = head.scene,
+                .readings = plan.readings(),
+                .tractions = plan.tractions(),
+                .alpha = plan.alpha,
+                .alpha_rule = in_words(planned.alpha),
+                .accuracy = plan.accuracy,
+                .error_bound = plan.error_bound,
+                .asymmetry = planned.estimator.asymmetry,
+                .frame_seconds = frame_seconds,
+                .candidates = planned.estimator.candidates,
+                .force = planned.force,
+                .units = head.units};
+  if (plan.cells || plan.fill) told.filled_readings.value = plan.fill ? plan.fill->rows : 0;
+  if (planned.for_raw_numbers) told.baseline.value = plan.baseline;
+  return document_text(kind::plan, told);
 }
 
-std::string controller_json(const SkinScene& scene, const lab::PlannedController& planned,
-                            double frame_seconds) {
-  return document_of(scene.file, scene.units, planned, frame_seconds);
+Json plan_schema() {
+  return document_schema<PlanTold>(kind::plan, "How a controller's plan was chosen");
 }
 
-}  // namespace tactile_net::report
+}  // namespace report
+}  // namespace tactile_net

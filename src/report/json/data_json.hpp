@@ -14,15 +14,4 @@ namespace tactile_net::report {
   return list;
 }
 
-/// With its numbers.
-[[nodiscard]] inline Json data_json(const DataVerdict& data) {
-  return {{"doubts", doubts_json(data)},
-          {"noise_known", data.noise_known},
-          {"strain", data.strain},
-          {"residual", data.noise_known ? Json(data.residual_rms) : Json(nullptr)},
-          {"residual_limit", data.noise_known ? Json(data.residual_limit) : Json(nullptr)},
-          {"taxel", data.taxel ? Json(*data.taxel) : Json(nullptr)},
-          {"offset", data.offset.empty() ? Json(nullptr) : Json(data.offset)}};
-}
-
 }  // namespace tactile_net::report

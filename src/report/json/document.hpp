@@ -16,24 +16,21 @@ struct DocumentKind {
 };
 
 namespace kind {
-inline constexpr DocumentKind run{"run"};
-inline constexpr DocumentKind skin_run{"skin_run"};      ///< run, of a skin
-inline constexpr DocumentKind skin_solve{"skin_solve"};  ///< solve, of a skin
-inline constexpr DocumentKind explain{"explain"};        ///< run --explain
+inline constexpr DocumentKind run{"run", 2};
+inline constexpr DocumentKind explain{"explain"};  ///< run --explain
 inline constexpr DocumentKind relax{"relax"};
 inline constexpr DocumentKind deck{"deck"};  ///< relax FILE.cir
 inline constexpr DocumentKind certify{"certify"};
 inline constexpr DocumentKind simulate{"simulate"};
-inline constexpr DocumentKind solve{"solve"};
-inline constexpr DocumentKind identify{"identify"};
-inline constexpr DocumentKind skin_identify{"skin_identify"};  ///< identify, of a skin
+inline constexpr DocumentKind solve{"solve", 2};
+inline constexpr DocumentKind identify{"identify", 2};
 inline constexpr DocumentKind check{"check"};
+inline constexpr DocumentKind report{"report"};
 inline constexpr DocumentKind calibrate{"calibrate"};
 inline constexpr DocumentKind plan{"plan"};
 inline constexpr DocumentKind tradeoff{"tradeoff"};
 inline constexpr DocumentKind sweep{"sweep"};  ///< merge too
-inline constexpr DocumentKind grasp{"grasp"};
-inline constexpr DocumentKind space_grasp{"space_grasp"};  ///< grasp, of a hand in space
+inline constexpr DocumentKind grasp{"grasp", 2};
 }  // namespace kind
 
 /// {"tactile_net": version, "kind": ..., "schema": ...}

@@ -7,7 +7,7 @@ namespace {
 
 template <class One>
 Json schema_of_kind() {
-  Json schema = JsonForm<One>::schema_after(
+  Json schema = object_schema<One>(
       {{"kind", {{"const", One::kind}}},
        {"text", {{"type", "string"}, {"description", "What was seen, in a sentence."}}},
        {"advice", {{"type", "string"}, {"description", "What to write or to do."}}}});
@@ -27,7 +27,7 @@ struct KindsOf<std::variant<Kinds...>> {
 
 Json JsonForm<FindingTold>::json(const FindingTold& told) {
   Json json = {{"kind", lab::name(told.finding)}, {"text", told.text}, {"advice", told.advice}};
-  std::visit([&]<class One>(const One& found) { JsonForm<One>::add(json, found); }, told.finding);
+  std::visit([&]<class One>(const One& found) { add_fields(json, found); }, told.finding);
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "report/contact_columns.hpp"
 #include "report/json/packed_values.hpp"
 #include "report/json/rounded.hpp"
 #include "report/json/values.hpp"
@@ -26,6 +27,7 @@ struct ShownFrame {
   FrameValues truth{};       ///< as many, or none
   FrameValues readings{};
   std::span<const std::size_t> touching{};  ///< cells, in their order
+  std::span<const lab::FollowedContact> contacts{};
   std::size_t number = 0;
   double time = 0.0;  ///< NaN: none
   bool distrusted = false;
@@ -257,9 +259,50 @@ Json frame_list_json(const ShownFrames& all) {
           {"number", list([](const ShownFrame& frame) { return frame.number; })},
           {"distrusted", list([](const ShownFrame& frame) { return frame.distrusted ? 1 : 0; })},
           {"place", words(&FrameWords::place)},
-          {"clock", words(&FrameWords::clock)},
           {"answer", words(&FrameWords::answer)},
           {"trust", words(&FrameWords::trust)}};
+}
+
+/// Rows of [number of the contact, [value, deviation] of each column, ...] for each frame; null
+/// where no frame has a contact. Columns that none of them fills are left out. There are more
+/// digits than are shown, so that what the script rounds is what the frame's sentence says.
+Json contacts_json(const ShownFrames& all) {
+  const auto each = [&](const auto& call) {
+    for (const ShownFrame& frame : all.frames)
+      for (const lab::FollowedContact& one : frame.contacts) call(one.patch);
+  };
+  std::vector<ContactColumn> columns;
+  Json heads = Json::array();
+  for (const ContactColumn& column : contact_columns(!all.is_line)) {
+    double most = 0.0;
+    bool any = false;
+    each([&](const ContactPatch& patch) {
+      if (const auto number = column.of(patch)) {
+        any = true;
+        most = std::max(most, std::abs(number->value));
+      }
+    });
+    if (!any) continue;
+    columns.push_back(column);
+    heads.push_back({{"label", column.label}, {"unit", unit_json(column.unit(all.units, most))}});
+  }
+  if (columns.empty()) return nullptr;
+  Json frames = Json::array();
+  for (const ShownFrame& frame : all.frames) {
+    Json rows = Json::array();
+    for (const lab::FollowedContact& one : frame.contacts) {
+      Json row = Json::array({one.id});
+      for (const ContactColumn& column : columns) {
+        const auto number = column.of(one.patch);
+        row.push_back(
+            number ? Json{rounded_or_null(number->value, 7), rounded_or_null(number->deviation, 4)}
+                   : Json(nullptr));
+      }
+      rows.push_back(std::move(row));
+    }
+    frames.push_back(std::move(rows));
+  }
+  return {{"columns", std::move(heads)}, {"rows", std::move(frames)}};
 }
 
 /// A value of every frame with its band, in a unit of its own.
@@ -325,9 +368,9 @@ Json course_json(const std::optional<Units>& units, const std::string& title,
 Json field_json(const lab::RecordingOverview& overview) {
   constexpr std::size_t rows = 18;
   constexpr std::size_t most_values = 256;  // 4 million products a frame in the browser
-  if (surface(overview.scene).count > most_values) return nullptr;
+  if (overview.places() > most_values) return nullptr;
   const lab::InteriorKernels kernels =
-      lab::interior_kernels(overview.scene, rows, overview.tangential());
+      lab::interior_kernels(overview.line(), rows, overview.tangential());
   const auto of = [](const std::vector<double>& values) {
     return values.empty() ? Json(nullptr) : packed_json(packed({FrameValues(values)}));
   };
@@ -359,6 +402,7 @@ Json frames_document(const ShownFrames& all) {
           {"frames", frame_list_json(all)},
           {"tractions", tractions_json(all)},
           {"touching", touches ? touching_json(all) : Json(nullptr)},
+          {"contacts", contacts_json(all)},
           {"readings", readings_json(all)},
           {"taxels", places_json(all)},
           {"courses", Json::array()}};
@@ -368,45 +412,25 @@ void add_course(Json& json, Json course) {
   if (!course.is_null()) json["courses"].push_back(std::move(course));
 }
 
-ShownFrames shown_of(const lab::RecordingOverview& overview) {
-  const Scene& scene = overview.scene;
-  const Surface places = surface(scene);
-  ShownFrames all{.grid = {.rows = places.count,
-                           .columns = 1,
-                           .spacing_y = places.spacing,
-                           .spacing_z = 1.0,
-                           .centre_y = places.centre},
-                  .units = scene.units,
-                  .channels = channels(scene.sensor),
-                  .sites = sites(scene.sensor),
-                  .dead = scene.dead_taxels,
-                  .components = overview.tangential() ? std::size_t{2} : std::size_t{1},
-                  .is_line = true,
-                  .start = static_cast<std::size_t>(&overview.peak() - overview.groups.data())};
-  for (const lab::FrameGroup& group : overview.groups)
-    all.frames.push_back(
-        {.tractions = group.tractions,
-         .deviations = group.bands ? FrameValues(group.bands->deviation) : FrameValues{},
-         .readings = group.readings,
-         .number = group.shown,
-         .time = group.time,
-         .distrusted = group.distrusted > 0 || group.doubted > 0,
-         .words = frame_words(overview, group)});
-  // The last group may be short.
-  all.per_frame = overview.groups.front().count;
-  for (std::size_t i = 0; i + 1 < overview.groups.size(); ++i)
-    all.per_frame = std::min(all.per_frame, overview.groups[i].count);
-  return all;
+/// Of a line, without its frames.
+ShownFrames frames_of(const Scene& scene, std::size_t components) {
+  return {.grid = ShownLoad::grid_of(surface(scene)),
+          .units = scene.units,
+          .channels = channels(scene.sensor),
+          .sites = sites(scene.sensor),
+          .dead = scene.dead_taxels,
+          .components = components,
+          .is_line = true};
 }
 
-/// What frames of a skin have in common.
-ShownFrames skin_frames(const SkinScene& scene, const SurfaceGrid& grid, std::size_t values) {
+/// Of a skin, without its frames.
+ShownFrames frames_of(const SkinScene& scene, const SurfaceGrid& grid, std::size_t components) {
   ShownFrames all{.grid = grid,
                   .units = scene.units,
                   .channels = channels(scene.sensor),
                   .sites = sites(scene.sensor),
                   .dead = scene.dead_taxels,
-                  .components = values / grid.count()};
+                  .components = components};
   if (is_even(scene.sensor))
     all.lattice = SurfaceGrid{.rows = scene.sensor.rows,
                               .columns = scene.sensor.columns,
@@ -415,8 +439,29 @@ ShownFrames skin_frames(const SkinScene& scene, const SurfaceGrid& grid, std::si
   return all;
 }
 
+ShownFrames shown_of(const lab::RecordingOverview& overview) {
+  const std::size_t components =
+      overview.groups.front().answer.tractions.size() / overview.places();
+  ShownFrames all = overview.is_line() ? frames_of(overview.line(), components)
+                                       : frames_of(overview.skin(), overview.grid, components);
+  if (!all.is_line) all.title = components > 1 ? "Pressure and drag" : "Pressure";
+  all.start = static_cast<std::size_t>(&overview.peak() - overview.groups.data());
+  all.per_frame = overview.per_group;
+  for (const lab::FrameGroup& group : overview.groups)
+    all.frames.push_back({.tractions = group.answer.tractions,
+                          .deviations = group.answer.deviations,
+                          .readings = group.readings,
+                          .touching = group.answer.cells,
+                          .contacts = overview.contacts(group),
+                          .number = group.shown,
+                          .time = group.time,
+                          .distrusted = group.distrusted > 0 || group.doubted > 0,
+                          .words = frame_words(overview, group)});
+  return all;
+}
+
 /// Forces of a line over time, with what the tractions leave.
-void add_courses(Json& json, const lab::RecordingOverview& overview) {
+void add_line_courses(Json& json, const lab::RecordingOverview& overview) {
   Course normal{"normal force", "normal"};
   Course tangential{"drag", "tangential"};
   Course residual{"residual", "ink"};
@@ -429,22 +474,23 @@ void add_courses(Json& json, const lab::RecordingOverview& overview) {
       course.add(value, std::min(value - 2.0 * band.deviation, lowest),
                  std::max(value + 2.0 * band.deviation, highest));
     };
-    const UncertainResultant* const bands = group.bands ? &group.bands->resultant : nullptr;
+    const auto& found = group.answer.bands;
+    const UncertainResultant* const bands = found ? &found->resultant : nullptr;
     add(normal, group.resultant.normal, bands != nullptr ? bands->normal : Uncertain{},
         group.lowest_normal, group.highest_normal);
     add(tangential, group.resultant.tangential,
         bands != nullptr && bands->tangential ? *bands->tangential : Uncertain{},
         group.lowest_tangential, group.highest_tangential);
-    if (group.bands) {
-      residual.add(Uncertain{group.bands->noise.residual_rms, 0.0});
-      if (const auto rms = group.bands->noise.stated_rms) stated.add(Uncertain{*rms, 0.0});
+    if (found) {
+      residual.add(Uncertain{found->noise.residual_rms, 0.0});
+      if (const auto rms = found->noise.stated_rms) stated.add(Uncertain{*rms, 0.0});
     } else {
       residual.add(std::nullopt);
     }
     const auto centre = group.resultant.centre();
     centres.push_back(centre && overview.loaded(group) ? rounded_or_null(*centre) : Json(nullptr));
   }
-  const auto& units = overview.scene.units;
+  const auto& units = overview.line().units;
   std::vector<Course> forces = {normal};
   if (overview.tangential()) forces.push_back(tangential);
   add_course(json, course_json(units, "Force", "force", Dimension::force, forces));
@@ -455,24 +501,24 @@ void add_courses(Json& json, const lab::RecordingOverview& overview) {
       course_json(units,
                   "What the tractions leave unexplained: where it is above the noise, the pad, "
                   "the depth or the calibration is not as stated",
-                  "residual, rms", residual_dimension(overview.scene), residuals));
+                  "residual, rms", residual_dimension(overview.line()), residuals));
   json["centre"] = std::move(centres);
 }
 
-void add_courses(Json& json, const lab::SkinRecordingAnswer& recording) {
+void add_skin_courses(Json& json, const lab::RecordingOverview& overview) {
   Course force{"force", "normal"};
   Course along_y{"along y", "tangential"};
   Course along_z{"along z", "ink"};
   along_z.dashed = true;
   Course torsion{"torsion", "tangential"};
-  for (const lab::SkinRecordingAnswer::Shown& shown : recording.shown) {
-    const UncertainWrench& wrench = recording.frames[shown.frame].wrench;
+  for (const lab::FrameGroup& group : overview.groups) {
+    const UncertainWrench& wrench = group.answer.wrench;
     force.add(wrench.normal);
     along_y.add(wrench.tangential_y);
     along_z.add(wrench.tangential_z);
     torsion.add(wrench.torsion);
   }
-  const auto& units = recording.scene.units;
+  const auto& units = overview.skin().units;
   add_course(json,
              course_json(units, "Force into the skin", "force", Dimension::point_force, {force}));
   add_course(json, course_json(units, "Drag", "drag", Dimension::point_force, {along_y, along_z}));
@@ -484,38 +530,21 @@ void add_courses(Json& json, const lab::SkinRecordingAnswer& recording) {
 
 std::string frames_json(const lab::RecordingOverview& overview) {
   Json json = frames_document(shown_of(overview));
-  add_courses(json, overview);
-  json["field"] = field_json(overview);
-  return text_of(json, -1);
-}
-
-std::string frames_json(const lab::SkinRecordingAnswer& recording) {
-  ShownFrames all =
-      skin_frames(recording.scene, recording.grid, recording.shown.front().tractions.size());
-  all.title = all.components > 1 ? "Pressure and drag" : "Pressure";
-  all.per_frame = recording.per_shown;
-  for (const lab::SkinRecordingAnswer::Shown& shown : recording.shown) {
-    const lab::SkinRecordingAnswer::Frame& frame = recording.frames[shown.frame];
-    if (shown.frame == recording.hardest) all.start = all.frames.size();
-    all.frames.push_back({.tractions = shown.tractions,
-                          .deviations = shown.deviations,
-                          .readings = shown.readings,
-                          .touching = shown.cells,
-                          .number = shown.frame,
-                          .time = frame.time,
-                          .distrusted = !is_faultless(frame.verdict) || !frame.data.consistent(),
-                          .words = frame_words(recording, shown)});
+  if (overview.is_line()) {
+    add_line_courses(json, overview);
+    json["field"] = field_json(overview);
+  } else {
+    add_skin_courses(json, overview);
   }
-  Json json = frames_document(all);
-  add_courses(json, recording);
   return text_of(json, -1);
 }
 
-std::string frames_json(const lab::SkinExperiment& experiment) {
-  const bool solved = experiment.answer.has_value();
-  const std::vector<double>& tractions =
-      solved ? experiment.answer->tractions : experiment.frame.truth;
-  ShownFrames all = skin_frames(experiment.scene, experiment.grid, tractions.size());
+std::string frames_json(const lab::Experiment& experiment) {
+  const lab::MethodResult& result = experiment.results.front();
+  const bool solved = result.has_answer();
+  const std::vector<double>& tractions = solved ? result.answer.tractions : experiment.frame.truth;
+  ShownFrames all =
+      frames_of(experiment.skin(), experiment.grid, tractions.size() / experiment.grid.count());
   all.title = solved ? "What was found" : "What presses";
   ShownFrame frame{.tractions = tractions,
                    .readings = experiment.frame.readings,
@@ -524,12 +553,30 @@ std::string frames_json(const lab::SkinExperiment& experiment) {
   if (solved && experiment.has_truth() && experiment.frame.truth.size() >= tractions.size())
     frame.truth = FrameValues(experiment.frame.truth).first(tractions.size());
   if (solved) {
-    frame.deviations = experiment.answer->deviations;
-    frame.touching = experiment.answer->cells;
+    frame.deviations = result.answer.deviations;
+    frame.touching = result.answer.cells;
     frame.words = frame_words(experiment);
   }
   all.frames.push_back(std::move(frame));
   return text_of(frames_document(all), -1);
+}
+
+std::string frames_json(const ShownLoad& load) {
+  ShownFrames all{.grid = load.grid,
+                  .units = load.units,
+                  .sites = load.sites,
+                  .dead = {load.dead.begin(), load.dead.end()},
+                  .components = load.tractions.size() / load.grid.count(),
+                  .is_line = load.is_line,
+                  .title = load.title};
+  all.frames.push_back(
+      {.tractions = load.tractions, .time = std::numeric_limits<double>::quiet_NaN()});
+  Json json = frames_document(all);
+  if (load.rows > 0)
+    json["field"] = {{"rows", load.rows},
+                     {"columns", load.stress.size() / load.rows},
+                     {"stress", packed_json(packed({load.stress}))}};
+  return text_of(json, -1);
 }
 
 }  // namespace tactile_net::report

@@ -1,23 +1,44 @@
 #include "report/json/scene_json.hpp"
 
-namespace tactile_net::report {
+#include "tactile_net/lab/answer_fields.hpp"
+#include "tactile_net/scene/scene_effects.hpp"
 
-Json effects_json(const std::vector<std::pair<std::string_view, bool>>& effects) {
-  Json simulated = Json::array();
-  Json absent = Json::array();
-  for (const auto& [effect, present] : effects) (present ? simulated : absent).push_back(effect);
-  return {{"simulated", simulated}, {"absent", absent}};
+namespace tactile_net::report {
+namespace {
+
+SceneFrameTold told_with(const auto& scene, Dimension force) {
+  SceneFrameTold told;
+  told.scene = scene.file;
+  for (const auto& [effect, present] : effects(scene))
+    (present ? told.effects.simulated : told.effects.absent).push_back(effect);
+  if (scene.units) told.units.value = units_told(*scene.units, force);
+  if (scene.time)
+    told.frame.value = FrameTold{
+        .index = scene.frame, .of = scene.time->frames, .t = scene.time->time(scene.frame)};
+  return told;
+}
+
+Json scene_document(const DocumentKind& kind, const SceneFrameTold& told) {
+  Json json = document(kind);
+  add_fields(json, told);
+  return json;
+}
+
+}  // namespace
+
+SceneFrameTold scene_told(const Scene& scene) { return told_with(scene, Dimension::force); }
+SceneFrameTold scene_told(const SkinScene& scene) {
+  return told_with(scene, Dimension::point_force);
+}
+SceneFrameTold scene_told(const AnyScene& scene) {
+  return std::visit([](const auto& one) { return scene_told(one); }, scene);
 }
 
 Json scene_json(const DocumentKind& kind, const Scene& scene) {
-  Json json = document(kind);
-  json["scene"] = scene.file;
-  json["effects"] = effects_json(effects(scene));
-  if (scene.units) json["units"] = units_json(*scene.units);
-  if (scene.time)
-    json["frame"] = {
-        {"index", scene.frame}, {"of", scene.time->frames}, {"t", scene.time->time(scene.frame)}};
-  return json;
+  return scene_document(kind, scene_told(scene));
+}
+Json scene_json(const DocumentKind& kind, const SkinScene& scene) {
+  return scene_document(kind, scene_told(scene));
 }
 
 UnitsTold units_told(const Units& units, Dimension force) {
@@ -34,5 +55,13 @@ Json units_json(const Units& units) { return as_json(units_told(units, Dimension
 Json skin_units_json(const Units& units) {
   return as_json(units_told(units, Dimension::point_force));
 }
+
+Json skin_weight_json(const SkinScene& scene, const lab::ChosenAlpha& alpha) {
+  if (components(scene) == 1) return nullptr;
+  return number_or_null(alpha.tangential_weight ? alpha.tangential_weight
+                                                : scene.reconstruct.tangential_weight);
+}
+
+Json skin_grid_json(const SurfaceGrid& grid) { return as_json(grid); }
 
 }  // namespace tactile_net::report

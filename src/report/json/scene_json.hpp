@@ -1,24 +1,26 @@
 /// @file
-/// How the JSON documents of a scene begin.
+/// How the JSON documents of a scene begin, and numbers with a deviation in all of them.
 #pragma once
 
+#include <string>
 #include <string_view>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "report/json/described.hpp"
-#include "tactile_net/scene/scene.hpp"
-#include "tactile_net/scene/skin_scene.hpp"
+#include "tactile_net/lab/alpha.hpp"
+#include "tactile_net/scene/any_scene.hpp"
 
 namespace tactile_net::report {
 
-/// {"simulated": [...], "absent": [...]}: the effects' names.
-[[nodiscard]] Json effects_json(const std::vector<std::pair<std::string_view, bool>>& effects);
+struct EffectsTold {
+  std::vector<std::string_view> simulated{};
+  std::vector<std::string_view> absent{};
 
-/// As `document`, then {"scene": file, "effects": {"simulated": [...],
-/// "absent": [...]}}, and "frame" of a scene over time.
-[[nodiscard]] Json scene_json(const DocumentKind& kind, const Scene& scene);
-[[nodiscard]] Json scene_json(const DocumentKind& kind, const SkinScene& scene);
+  static constexpr auto described =
+      std::tuple{field("simulated", &EffectsTold::simulated, "Those that the scene has."),
+                 field("absent", &EffectsTold::absent, "Those that it does not have.")};
+};
 
 /// The units of a document's numbers, and those of the scene's file.
 struct UnitsTold {
@@ -41,10 +43,61 @@ struct UnitsTold {
                  field("stated", &UnitsTold::stated, "What the scene's file is in.")};
 };
 
+/// Which frame of a scene over time a document is of.
+struct FrameTold {
+  std::size_t index = 0;
+  std::size_t of = 1;
+  double t = 0.0;
+
+  static constexpr auto described =
+      std::tuple{field("index", &FrameTold::index, "Its number, from 0."),
+                 field("of", &FrameTold::of, "How many frames the scene has."),
+                 field("t", &FrameTold::t, Measure::time, "Its time.")};
+};
+
+/// How a document of a scene begins.
+struct SceneTold {
+  std::string scene{};
+  EffectsTold effects{};
+  IfAny<UnitsTold> units{};
+
+  static constexpr auto described =
+      std::tuple{field("scene", &SceneTold::scene,
+                       "The scene's file; <stdin> where it came from standard input."),
+                 field("effects", &SceneTold::effects,
+                       "What a sensor's readings may suffer, in the order of the signal path."),
+                 field("units", &SceneTold::units,
+                       "The units of these numbers; only of a scene with [units].")};
+};
+
+/// The same of a document of one frame.
+struct SceneFrameTold : SceneTold {
+  IfAny<FrameTold> frame{};
+
+  static constexpr auto described = std::tuple_cat(
+      SceneTold::described,
+      std::tuple{field("frame", &SceneFrameTold::frame,
+                       "The frame that was reconstructed; only of a scene with [time].")});
+};
+
+[[nodiscard]] SceneFrameTold scene_told(const Scene& scene);
+[[nodiscard]] SceneFrameTold scene_told(const SkinScene& scene);
+[[nodiscard]] SceneFrameTold scene_told(const AnyScene& scene);
+
+/// As `document`, then that.
+[[nodiscard]] Json scene_json(const DocumentKind& kind, const Scene& scene);
+[[nodiscard]] Json scene_json(const DocumentKind& kind, const SkinScene& scene);
+
 /// @param force  Dimension::force of a line, of a skin Dimension::point_force
 [[nodiscard]] UnitsTold units_told(const Units& units, Dimension force);
 [[nodiscard]] Json units_json(const Units& units);
 /// The same, whose force is a point's.
 [[nodiscard]] Json skin_units_json(const Units& units);
+
+/// Where a skin's cells lie.
+[[nodiscard]] Json skin_grid_json(const SurfaceGrid& grid);
+/// The tangential weight that the scene states or the frame has; null with one component, which
+/// nothing weighs.
+[[nodiscard]] Json skin_weight_json(const SkinScene& scene, const lab::ChosenAlpha& alpha);
 
 }  // namespace tactile_net::report

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "report/json/finding_json.hpp"
+#include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -15,21 +16,44 @@ struct DescribedKind {
   std::string_view name;
   Json (*schema)();
 };
-constexpr DescribedKind described_kinds[] = {{kind::check.name, check_schema}};
+constexpr DescribedKind described_kinds[] = {{kind::calibrate.name, calibrate_schema},
+                                             {kind::certify.name, certify_schema},
+                                             {kind::check.name, check_schema},
+                                             {kind::deck.name, deck_schema},
+                                             {kind::explain.name, explain_schema},
+                                             {kind::grasp.name, grasp_schema},
+                                             {kind::identify.name, identify_schema},
+                                             {kind::plan.name, plan_schema},
+                                             {kind::relax.name, relax_schema},
+                                             {kind::report.name, recordings_schema},
+                                             {kind::run.name, run_schema},
+                                             {kind::simulate.name, simulate_schema},
+                                             {kind::sweep.name, sweep_schema},
+                                             {kind::tradeoff.name, tradeoff_schema}};
 
-/// Files that hold parts of others, and are no documents.
-constexpr std::string_view shared_files[] = {"common", "circuit"};
+/// The file that holds parts of others, and is no document.
+constexpr std::string_view shared_file = "common";
 
-/// What written schemas call "described.json": the parts that are described by fields.
+/// The parts that are described by fields, by the names that written schemas have for them.
 Json described_parts() {
-  return {{"$defs",
-           {{"finding", schema_of<FindingTold>()},
-            {"runs", schema_of<lab::FrameRuns>()},
-            {"units", schema_of<UnitsTold>()}}}};
+  return {{"effects", schema_of<EffectsTold>()}, {"finding", schema_of<FindingTold>()},
+          {"frame", schema_of<FrameTold>()},     {"method", schema_of<Method>()},
+          {"network", network_schema()},         {"runs", schema_of<lab::FrameRuns>()},
+          {"uncertain", schema_of<Uncertain>()}, {"units", schema_of<UnitsTold>()}};
+}
+
+/// What a written schema may refer to: in its words parts of "common.json", "described.json" and
+/// "circuit.json".
+Json shared_parts() {
+  Json parts = Json::object();
+  for (const WrittenSchema& one : written_schemas())
+    if (one.name == shared_file) parts = Json::parse(one.text).at("$defs");
+  parts.update(described_parts());
+  return {{"$defs", parts}};
 }
 
 Json schema_in(std::string_view name) {
-  if (name == "described") return described_parts();
+  if (name == shared_file || name == "described" || name == "circuit") return shared_parts();
   for (const DescribedKind& one : described_kinds)
     if (one.name == name) return one.schema();
   for (const WrittenSchema& one : written_schemas())
@@ -90,9 +114,7 @@ std::vector<std::string_view> schema_kinds() {
   std::vector<std::string_view> names;
   for (const DescribedKind& one : described_kinds) names.push_back(one.name);
   for (const WrittenSchema& one : written_schemas())
-    if (std::find(std::begin(shared_files), std::end(shared_files), one.name) ==
-        std::end(shared_files))
-      names.push_back(one.name);
+    if (one.name != shared_file) names.push_back(one.name);
   std::sort(names.begin(), names.end());
   return names;
 }

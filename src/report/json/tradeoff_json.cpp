@@ -4,6 +4,7 @@
 
 #include "report/json/document.hpp"
 #include "report/json/scene_json.hpp"
+#include "report/json/schemas.hpp"
 #include "report/json/work_point_json.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -23,24 +24,186 @@ std::string failure_of(const study::WorkPoint& point) {
   return point.failure ? in_words(*point.failure) : std::string();
 }
 
-Json json_of(const study::WorkPoint& point) {
-  return {{"curve", in_words(point.curve)},
-          {"knob", in_words(point.knob)},
-          {"method", method_json(point.curve)},
-          {"setting", setting_json(point.knob)},
-          {"time_of", name(point.time_of)},
-          {"seconds",
-           {{"median", point.seconds}, {"low", point.seconds_low}, {"high", point.seconds_high}}},
-          {"error_to_solution", number_or_null(point.error_to_solution)},
-          {"error_to_truth", number_or_null(point.error_to_truth)},
-          {"failure", failure_of(point)}};
+struct SecondsTold {
+  explicit SecondsTold(const study::WorkPoint& point)
+      : median(if_finite(point.seconds)),
+        low(if_finite(point.seconds_low)),
+        high(if_finite(point.seconds_high)) {}
+
+  std::optional<double> median, low, high;
+
+  static constexpr auto described =
+      std::tuple{field("median", &SecondsTold::median, Measure::time, "The median; null: none."),
+                 field("low", &SecondsTold::low, Measure::time, "The lower quartile; null: none."),
+                 field("high", &SecondsTold::high, Measure::time, "The upper one; null: none.")};
+};
+
+struct FollowerTold {
+  std::optional<Realization> realization{};
+  std::optional<double> sampling_hertz{};
+  double delay_seconds = 0.0;
+  std::optional<double> speed_at_one_percent{};
+
+  static constexpr auto described = std::tuple{
+      field("realization", &FollowerTold::realization,
+            "How the circuit is built; null: a loop that samples and holds."),
+      field("sampling_hertz", &FollowerTold::sampling_hertz, Measure::frequency,
+            "The loop's rate; null: a circuit."),
+      field("delay_seconds", &FollowerTold::delay_seconds, Measure::time,
+            "How far it is behind; of a loop the mean."),
+      field("speed_at_one_percent", &FollowerTold::speed_at_one_percent,
+            "The speed in pitches' units a second at which it errs by 1 % of the answer, of a loop "
+            "rms over an interval; null: at none.")};
+};
+
+std::vector<FollowerTold> followers_told(const study::MovingContacts& moving) {
+  std::vector<FollowerTold> all;
+  for (const study::Follower& one : moving.followers)
+    all.push_back({one.realization,
+                   one.realization ? std::nullopt : std::optional(one.sampling_hertz), one.delay,
+                   speed_at_error(moving, one, study::one_percent)});
+  return all;
 }
+
+}  // namespace
+}  // namespace tactile_net::report
+
+namespace tactile_net {
+
+template <>
+struct Fields<study::WorkPoint> {
+  using Point = study::WorkPoint;
+  static constexpr auto all = std::tuple{
+      field(
+          "curve", [](const Point& one) { return report::in_words(one.curve); },
+          "The method, in words."),
+      field(
+          "knob", [](const Point& one) { return report::in_words(one.knob); },
+          "The setting, in words; empty where the curve has one point."),
+      field("method", &Point::curve, "What `curve` says; a study is resumed by this."),
+      field("setting", &Point::knob, "What `knob` says; a study is resumed by this."),
+      field("time_of", &Point::time_of, "What the time is of."),
+      field(
+          "seconds", [](const Point& one) { return report::SecondsTold{one}; }, Measure::time,
+          "How long it takes: the median, and between which times half of the repetitions lie."),
+      field("error_to_solution", &Point::error_to_solution,
+            "|f - f*|_2 / |f*|_2, to the exact solution of the same problem; null: of another "
+            "problem."),
+      field("error_to_truth", &Point::error_to_truth,
+            "|f - truth|_2 / |truth|_2; null: the scene has no contact."),
+      field(
+          "failure", [](const Point& one) { return report::failure_of(one); },
+          "Why there is no number; empty: there is.")};
+};
+
+template <>
+struct Fields<study::PartsFloor> {
+  static constexpr auto all =
+      std::tuple{field("realization", &study::PartsFloor::realization, "How the network is built."),
+                 field("relative", &study::PartsFloor::relative, "The parts' relative accuracy."),
+                 field("median", &study::PartsFloor::median,
+                       "The median error to the exact solution; null: it is not stable.")};
+};
+
+template <>
+struct Fields<study::MovingContacts> {
+  using Moving = study::MovingContacts;
+  static constexpr auto all = std::tuple{
+      field("displacements", &Moving::displacements,
+            "By how much contacts were moved, in the pitch's unit."),
+      field("errors", &Moving::errors,
+            "The relative error of an exact answer that is so far behind."),
+      field(
+          "followers", [](const Moving& moving) { return report::followers_told(moving); },
+          "Circuits, then loops that sample the readings and hold their answer.")};
+};
+
+template <>
+struct Fields<study::StudySection> {
+  using Section = study::StudySection;
+  static constexpr auto all = std::tuple{
+      field(
+          "job", [](const Section& one) { return report::in_words(one.job); },
+          "What was timed, in words."),
+      field("task", &Section::job, "What `job` says; a study is resumed by this."),
+      field("points", &Section::points, "What was measured."),
+      field(
+          "parts",
+          [](const Section& one) {
+            return IfAny<std::vector<study::PartsFloor>>{report::unless_empty(one.floors)};
+          },
+          "How far inaccurate parts leave each circuit from the exact answer; only of that task."),
+      field(
+          "moving", [](const Section& one) { return IfAny<study::MovingContacts>{one.moving}; },
+          "How circuits and loops follow contacts that move along y; only of that task.")};
+};
+
+namespace report {
+namespace {
+
+struct NoiseTold {
+  double rms = 0.0;
+  bool stated = false;
+  double floor = 0.0;
+
+  static constexpr auto described = std::tuple{
+      field("rms", &NoiseTold::rms, Measure::reading, "The noise of a reading, rms."),
+      field("stated", &NoiseTold::stated,
+            "Whether the scene states it; else it is a hundredth of the largest reading."),
+      field("floor", &NoiseTold::floor, "What it does to the exact solution: rms, relative.")};
+};
+
+struct FrontsTold {
+  std::vector<std::string> error_to_solution{};
+  std::vector<std::string> error_to_truth{};
+
+  static constexpr auto described = std::tuple{
+      field("error_to_solution", &FrontsTold::error_to_solution,
+            "The points that no other one beats in time and in the error to the exact solution."),
+      field("error_to_truth", &FrontsTold::error_to_truth, "The same of the error to the truth.")};
+};
+
+struct StudyTold {
+  std::string scene{};
+  bool complete = true;
+  std::string processor{};
+  double clock = 0.0;
+  double alpha = 0.0;
+  double agreement = 0.0;
+  std::optional<double> solution_error{};
+  NoiseTold noise{};
+  std::vector<std::string> answers{};
+  FrontsTold pareto{};
+  std::vector<study::StudySection> jobs{};
+  std::string scene_text{};
+  IfAny<UnitsTold> units{};
+
+  static constexpr auto described =
+      std::tuple{field("scene", &StudyTold::scene,
+                       "The scene's file; <stdin> where it came from standard input."),
+                 field("complete", &StudyTold::complete, "Whether every job was done."),
+                 field("processor", &StudyTold::processor, "The processor that it ran on."),
+                 field("clock", &StudyTold::clock, Measure::frequency, "Its clock; 0: not known."),
+                 field("alpha", &StudyTold::alpha, "The regularisation that all methods share."),
+                 field("reference_agreement", &StudyTold::agreement,
+                       "How far two exact solvers differ, relative: no smaller error can be told."),
+                 field("solution_error_to_truth", &StudyTold::solution_error,
+                       "The exact solution's own relative error; null: the scene has no contact."),
+                 field("noise", &StudyTold::noise, "What noise does to the exact solution."),
+                 field("answers", &StudyTold::answers, "What the study says, a sentence each."),
+                 field("pareto", &StudyTold::pareto, "The points that no other one beats."),
+                 field("jobs", &StudyTold::jobs, "What was timed, in the order of the study."),
+                 field("scene_text", &StudyTold::scene_text,
+                       "The text of the scene's file: a study is resumed for the same one alone."),
+                 field("units", &StudyTold::units,
+                       "The units of these numbers; only of a scene with [units].")};
+};
 
 study::WorkPoint point_of(const Json& json) {
   study::WorkPoint point;
   point.curve = curve_of(json.at("method"));
   point.knob = knob_of(json.at("setting"));
-  point.time_of = one_named(study::times, json.at("time_of"));
+  point.time_of = one_named<study::TimeOf>(json.at("time_of"));
   point.seconds = json.at("seconds").at("median");
   point.seconds_low = json.at("seconds").at("low");
   point.seconds_high = json.at("seconds").at("high");
@@ -51,27 +214,13 @@ study::WorkPoint point_of(const Json& json) {
   return point;
 }
 
-Json json_of(const study::MovingContacts& moving) {
-  Json followers = Json::array();
-  for (const study::Follower& one : moving.followers)
-    followers.push_back(
-        {{"realization", one.realization ? Json(name(*one.realization)) : Json(nullptr)},
-         {"sampling_hertz", one.realization ? Json(nullptr) : Json(one.sampling_hertz)},
-         {"delay_seconds", one.delay},
-         {"speed_at_one_percent",
-          number_or_null(speed_at_error(moving, one, study::one_percent))}});
-  return {{"displacements", moving.displacements},
-          {"errors", moving.errors},
-          {"followers", std::move(followers)}};
-}
-
 study::MovingContacts moving_of(const Json& json) {
   study::MovingContacts moving{.displacements = json.at("displacements"),
                                .errors = json.at("errors")};
   for (const Json& one : json.at("followers")) {
     study::Follower follower{.delay = one.at("delay_seconds")};
     if (const Json& kind = one.at("realization"); !kind.is_null())
-      follower.realization = one_named(realizations, kind);
+      follower.realization = one_named<Realization>(kind);
     follower.sampling_hertz = optional_number(one.at("sampling_hertz")).value_or(0.0);
     moving.followers.push_back(follower);
   }
@@ -83,49 +232,32 @@ study::MovingContacts moving_of(const Json& json) {
 std::string study_json(const study::Study& study, std::string_view scene_text) {
   const study::StudyInput& input = study.input;
   const std::vector<study::WorkPoint> all = study.points();
-  Json fronts;
-  for (const auto& [key, error] : {std::pair<const char*, study::ErrorOf>{
-                                       "error_to_solution", &study::WorkPoint::error_to_solution},
-                                   std::pair<const char*, study::ErrorOf>{
-                                       "error_to_truth", &study::WorkPoint::error_to_truth}}) {
-    Json names = Json::array();
+  const auto front = [&](study::ErrorOf error) {
+    std::vector<std::string> names;
     for (const std::size_t i : study::pareto_front(all, error, study::TimeOf::frame))
       names.push_back(in_words(all[i]));
-    fronts[key] = std::move(names);
-  }
-  Json jobs = Json::array();
-  for (const study::StudySection& section : study.sections) {
-    Json points = Json::array();
-    for (const study::WorkPoint& point : section.points) points.push_back(json_of(point));
-    Json floors = Json::array();
-    for (const study::PartsFloor& floor : section.floors)
-      floors.push_back({{"realization", name(floor.realization)},
-                        {"relative", floor.relative},
-                        {"median", number_or_null(floor.median)}});
-    jobs.push_back({{"job", in_words(section.job)},
-                    {"task", task_json(section.job)},
-                    {"points", std::move(points)}});
-    if (!floors.empty()) jobs.back()["parts"] = std::move(floors);
-    if (section.moving) jobs.back()["moving"] = json_of(*section.moving);
-  }
-  Json json = document(kind::tradeoff);
-  json.update(Json{
-      {"scene", input.file()},
-      {"complete", study.complete},
-      {"processor", study.processor},
-      {"clock", study.clock},
-      {"alpha", input.alpha},
-      {"reference_agreement", input.agreement},
-      {"solution_error_to_truth", input.solution_error},
-      {"noise",
-       {{"rms", input.noise_rms}, {"stated", input.noise_stated}, {"floor", input.noise_floor}}},
-      {"answers", in_words(study)},
-      {"pareto", std::move(fronts)},
-      {"jobs", std::move(jobs)},
-      {"scene_text", scene_text}});
+    return names;
+  };
+  StudyTold told{.scene = input.file(),
+                 .complete = study.complete,
+                 .processor = study.processor,
+                 .clock = study.clock,
+                 .alpha = input.alpha,
+                 .agreement = input.agreement,
+                 .solution_error = if_finite(input.solution_error),
+                 .noise = {input.noise_rms, input.noise_stated, input.noise_floor},
+                 .answers = in_words(study),
+                 .pareto = {front(study::to_solution), front(study::to_truth)},
+                 .jobs = study.sections,
+                 .scene_text = std::string(scene_text)};
   if (input.units())
-    json["units"] = input.is_skin() ? skin_units_json(*input.units()) : units_json(*input.units());
-  return text_of(json, 2);
+    told.units.value =
+        units_told(*input.units(), input.is_skin() ? Dimension::point_force : Dimension::force);
+  return document_text(kind::tradeoff, told);
+}
+
+Json tradeoff_schema() {
+  return document_schema<StudyTold>(kind::tradeoff, "A study of accuracy and time");
 }
 
 std::string study_csv(const study::Study& study) {
@@ -165,7 +297,7 @@ std::vector<study::StudySection> finished_jobs(const std::string& text, std::str
       for (const Json& point : job.at("points")) section.points.push_back(point_of(point));
       if (job.contains("parts"))
         for (const Json& floor : job.at("parts"))
-          section.floors.push_back({.realization = one_named(realizations, floor.at("realization")),
+          section.floors.push_back({.realization = one_named<Realization>(floor.at("realization")),
                                     .relative = floor.at("relative"),
                                     .median = optional_number(floor.at("median"))});
       if (job.contains("moving")) section.moving = moving_of(job.at("moving"));
@@ -177,4 +309,5 @@ std::vector<study::StudySection> finished_jobs(const std::string& text, std::str
   }
 }
 
-}  // namespace tactile_net::report
+}  // namespace report
+}  // namespace tactile_net

@@ -1,21 +1,33 @@
 /// @file
 /// Which point of a study is meant, as fields of JSON, and back. Private.
 ///
-///     method_json(WorkCurve)  {"kind": "circuit", "realization": "nic", "bandwidth": 1e7}
-///     setting_json(Knob)      {"kind": "settled", "error": 0.01}
+///     as_json(WorkCurve)  {"kind": "circuit", "realization": "nic", "bandwidth": 1e7}
+///     as_json(Knob)       {"kind": "settled", "error": 0.01}
 #pragma once
 
 #include <stdexcept>
 #include <string>
 
-#include "report/json/values.hpp"
+#include "report/json/described.hpp"
 #include "tactile_net/study/work_point.hpp"
 
 namespace tactile_net::report {
 
-[[nodiscard]] Json task_json(const study::Job& job);
-[[nodiscard]] Json method_json(const study::WorkCurve& curve);
-[[nodiscard]] Json setting_json(const study::Knob& knob);
+template <>
+struct JsonForm<study::Job> {
+  static Json json(const study::Job& job);
+  static Json schema();
+};
+template <>
+struct JsonForm<study::WorkCurve> {
+  static Json json(const study::WorkCurve& curve);
+  static Json schema();
+};
+template <>
+struct JsonForm<study::Knob> {
+  static Json json(const study::Knob& knob);
+  static Json schema();
+};
 
 /// Read what these wrote.
 /// @throw Json::exception     a field is missing, or of another type
@@ -24,12 +36,13 @@ namespace tactile_net::report {
 [[nodiscard]] study::WorkCurve curve_of(const Json& json);
 [[nodiscard]] study::Knob knob_of(const Json& json);
 
-/// The one of `all` that has this name.
+/// The enumerator of this name.
 /// @throw std::runtime_error  none has it
-[[nodiscard]] auto one_named(const auto& all, const Json& text) {
+template <class Enum>
+[[nodiscard]] Enum one_named(const Json& text) {
   const std::string word = text.get<std::string>();
-  for (const auto& one : all)
-    if (name(one) == word) return one;
+  for (const auto& row : Enumerators<Enum>::all)
+    if (row.name == word) return row.value;
   throw std::runtime_error("it is not a study");
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,7 +16,9 @@
 #include "tactile_net/lab/grasp.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/answers.hpp"
+#include "tactile_net/report/words/contact_words.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
+#include "tactile_net/report/words/table.hpp"
 
 namespace tactile_net::report {
 
@@ -76,6 +79,22 @@ struct GraspNames {
   for (const lab::GraspRemark& remark : grasp.remarks)
     said.warnings.push_back(in_words(names, remark));
   return said;
+}
+
+[[nodiscard]] std::vector<PadContacts> pad_contacts_of(const auto& grasp) {
+  const std::optional<Units> units = grasp.hand.si ? std::optional(Units{}) : std::nullopt;
+  std::vector<PadContacts> all;
+  for (const auto& tip : grasp.tips)
+    if (Cells rows = patch_cells(units, tip.patches, Dimension::point_force); !rows.empty())
+      all.push_back({"contacts on the pad of finger '" + tip.finger.name + "':", std::move(rows)});
+  return all;
+}
+
+inline void print_pad_contacts(std::ostream& out, const std::vector<PadContacts>& pads) {
+  for (const PadContacts& pad : pads) {
+    out << '\n' << pad.title << '\n';
+    print_cells(out, pad.rows);
+  }
 }
 
 /// The last columns of a contact's row: to the cone's edge, angle left, verdict.

@@ -73,6 +73,10 @@ std::vector<std::string> sources_in_words(const lab::GraspResult& grasp) {
   return lines;
 }
 
+std::vector<PadContacts> pad_contacts(const lab::GraspResult& grasp) {
+  return pad_contacts_of(grasp);
+}
+
 std::vector<std::string> balance_in_words(const lab::GraspResult& grasp) {
   const MeasuredGrasp& measured = grasp.measured->grasp;
   const auto& [x, y, moment] = measured.unbalanced;
@@ -149,6 +153,7 @@ void print_grasp(std::ostream& out, const lab::GraspResult& grasp) {
       << grasp.tips.size() << (grasp.tips.size() == 1 ? " finger; " : " fingers; ")
       << load_in_words(grasp) << '\n';
   for (const std::string& line : sources_in_words(grasp)) out << "  " << line << '\n';
+  print_pad_contacts(out, pad_contacts(grasp));
   if (grasp.measured)
     section("what the measured forces mean:", grasp.measured->grasp.fingers,
             grasp.measured->margins, balance_in_words(grasp));

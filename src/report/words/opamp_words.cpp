@@ -3,7 +3,6 @@
 #include <cmath>
 #include <variant>
 
-#include "numeric/named.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/unit_text.hpp"
@@ -12,7 +11,7 @@
 namespace tactile_net::report {
 namespace {
 
-std::string errors_in_words(const StaticErrors& errors) {
+std::string static_errors_in_words(const StaticErrors& errors) {
   std::vector<std::string> parts;
   const auto add = [&](const char* of, const InputErrors& one) {
     if (one.either_sign > 0.0)
@@ -55,14 +54,7 @@ std::string proposal_in_words(const ScaleProposal& proposal, const Scale& scale)
   return text + " of the answer";
 }
 
-constexpr Named<ScaleProposal::Bound> bounds[] = {{ScaleProposal::Bound::swing, "rail"},
-                                                  {ScaleProposal::Bound::supply, "supply"},
-                                                  {ScaleProposal::Bound::slew, "slew"},
-                                                  {ScaleProposal::Bound::current, "current"}};
-
 }  // namespace
-
-std::string_view name(ScaleProposal::Bound bound) noexcept { return name_in<bounds>(bound); }
 
 std::vector<std::string> opamps_in_words(const Certificate& c) {
   std::vector<std::string> lines;
@@ -74,7 +66,7 @@ std::vector<std::string> opamps_in_words(const Certificate& c) {
                   duration(*c.dynamics->unslewed_seconds)
             : "with the op-amps' slew it does NOT come to rest; without slew it would, in " +
                   duration(*c.dynamics->unslewed_seconds));
-  if (c.errors) lines.push_back(errors_in_words(*c.errors));
+  if (c.errors) lines.push_back(static_errors_in_words(*c.errors));
   if (c.noise)
     lines.push_back("noise: " + brief(c.noise->largest) + " V rms at the noisiest output" +
                     (std::isfinite(c.noise->relative)

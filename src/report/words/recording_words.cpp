@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "report/words/number_words.hpp"
 #include "tactile_net/lab/data_verdict.hpp"
@@ -10,6 +11,8 @@
 #include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
+#include "tactile_net/report/words/summary_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
 
@@ -29,22 +32,22 @@ std::string force_in_words(const Scene& scene, const Uncertain& force) {
 }
 
 std::string normal_in_words(const Scene& scene, const FrameGroup& group) {
-  return group.bands ? force_in_words(scene, group.bands->resultant.normal)
-                     : force_in_words(scene, group.resultant.normal);
+  return group.answer.bands ? force_in_words(scene, group.answer.bands->resultant.normal)
+                            : force_in_words(scene, group.resultant.normal);
 }
 
 std::string tangential_in_words(const Scene& scene, const FrameGroup& group) {
-  if (group.bands && group.bands->resultant.tangential)
-    return force_in_words(scene, *group.bands->resultant.tangential);
+  if (group.answer.bands && group.answer.bands->resultant.tangential)
+    return force_in_words(scene, *group.answer.bands->resultant.tangential);
   return force_in_words(scene, group.resultant.tangential);
 }
 
 /// Empty where nothing presses.
 std::string centre_in_words(const Scene& scene, const FrameGroup& group) {
-  if (group.bands)
-    return group.bands->resultant.centre
-               ? in_unit(scene, Dimension::length, group.bands->resultant.centre->value,
-                         group.bands->resultant.centre->deviation)
+  if (group.answer.bands)
+    return group.answer.bands->resultant.centre
+               ? in_unit(scene, Dimension::length, group.answer.bands->resultant.centre->value,
+                         group.answer.bands->resultant.centre->deviation)
                : std::string{};
   const auto centre = group.resultant.centre();
   return centre ? length_in_words(scene.units, *centre) : std::string{};
@@ -63,7 +66,7 @@ Answer path(const RecordingOverview& overview, const FrameGroup& peak) {
   for (const FrameGroup& group : overview.groups) {
     const auto centre = group.resultant.centre();
     // A light touch has its centre anywhere.
-    if (group.verdict != Verdict::ok || !centre || !overview.loaded(group) ||
+    if (group.answer.verdict != Verdict::ok || !centre || !overview.loaded(group) ||
         group.resultant.normal < 0.2 * peak.resultant.normal)
       continue;
     if (first == nullptr) {
@@ -75,12 +78,12 @@ Answer path(const RecordingOverview& overview, const FrameGroup& peak) {
     high = std::max(high, *centre);
   }
   if (first == nullptr) return {"-", "no frame has a centre of pressure that can be trusted", true};
-  const double deviation = peak.bands && peak.bands->resultant.centre
-                               ? peak.bands->resultant.centre->deviation
-                               : 0.1 * surface(overview.scene).spacing;
+  const double deviation = peak.answer.bands && peak.answer.bands->resultant.centre
+                               ? peak.answer.bands->resultant.centre->deviation
+                               : 0.1 * surface(overview.line()).spacing;
   if (high - low < 4.0 * deviation)
-    return {centre_in_words(overview.scene, peak), "centre of pressure, at " + place(peak)};
-  const auto at = [&](double y) { return length_in_words(overview.scene.units, y); };
+    return {centre_in_words(overview.line(), peak), "centre of pressure, at " + place(peak)};
+  const auto at = [&](double y) { return length_in_words(overview.line().units, y); };
   return {at(*first->resultant.centre()) + " → " + at(*last->resultant.centre()),
           "from where to where the centre of pressure moves under load; it stays between " +
               at(low) + " and " + at(high)};
@@ -132,17 +135,51 @@ std::optional<Answer> suspicion(const RecordingOverview& overview) {
 
 }  // namespace
 
+std::vector<Answer> missing_answers(const RecordingOverview& overview) {
+  std::vector<Answer> all;
+  const auto add = [&](const lab::FrameRuns& runs, const char* what) {
+    if (runs.count() > 0)
+      all.push_back({std::to_string(runs.count()) + " of " + std::to_string(overview.frames),
+                     what + in_words(runs), true});
+  };
+  add(overview.skipped, "frames miss readings and have no answer: ");
+  add(overview.estimated, "frames miss readings and are solved without the taxels that miss: ");
+  return all;
+}
+
+std::string wrench_in_words(const lab::FrameAnswer& answer, const SkinScene& scene) {
+  const auto said = [&](const char* what, Dimension dimension,
+                        const std::optional<Uncertain>& number) {
+    return number ? ", " + (what + in_unit(scene.units, dimension, *number)) : std::string{};
+  };
+  const UncertainWrench& wrench = answer.wrench;
+  return "force " + in_unit(scene.units, Dimension::point_force, wrench.normal) +
+         said("drag along y ", Dimension::point_force, wrench.tangential_y) +
+         said("along z ", Dimension::point_force, wrench.tangential_z) +
+         said("centre y ", Dimension::length, wrench.centre_y) +
+         said("z ", Dimension::length, wrench.centre_z) +
+         said("torsion ", Dimension::moment, wrench.torsion) + "; alpha " +
+         brief(answer.alpha.value);
+}
+
 std::vector<Answer> answers(const RecordingOverview& overview) {
+  if (overview.groups.empty())
+    return {{"no answer",
+             overview.frames == 0 ? "the recording holds no frame"
+                                  : "every frame of the recording misses readings",
+             true}};
+  if (!overview.is_line()) return skin_answers(overview);
   const FrameGroup& peak = overview.peak();
   const bool pressed = overview.loaded(peak);
   std::vector<Answer> all;
-  all.push_back({normal_in_words(overview.scene, peak), what_presses(overview, peak),
-                 overview.pulled(peak) || !is_faultless(peak.verdict)});
+  all.push_back({normal_in_words(overview.line(), peak), what_presses(overview, peak),
+                 overview.pulled(peak) || !is_faultless(peak.answer.verdict)});
   if (overview.tangential() && pressed) {
     double used = 0.0;
     const FrameGroup* where = nullptr;
     for (const FrameGroup& group : overview.groups) {
-      if (group.verdict != Verdict::ok || group.resultant.normal < 0.5 * peak.resultant.normal)
+      if (group.answer.verdict != Verdict::ok ||
+          group.resultant.normal < 0.5 * peak.resultant.normal)
         continue;
       const double ratio = std::abs(group.resultant.tangential) / group.resultant.normal;
       if (ratio < used) continue;
@@ -157,6 +194,7 @@ std::vector<Answer> answers(const RecordingOverview& overview) {
   }
   if (pressed) all.push_back(path(overview, peak));
   all.push_back(trust(overview));
+  for (Answer& one : missing_answers(overview)) all.push_back(std::move(one));
   if (auto doubtful = doubt(overview)) all.push_back(std::move(*doubtful));
   if (auto suspicious = suspicion(overview)) all.push_back(std::move(*suspicious));
   return all;
@@ -169,7 +207,12 @@ std::string recording_in_words(const RecordingOverview& overview) {
     const double length = overview.groups.back().time - overview.groups.front().time;
     if (std::isfinite(length) && length > 0.0) text += " in " + duration(length);
   }
-  return text + "; " + sensor_in_words(overview.scene) + "; " + material_in_words(overview.scene) +
+  return text +
+         std::visit(
+             [](const auto& scene) {
+               return "; " + sensor_in_words(scene) + "; " + material_in_words(scene);
+             },
+             overview.scene) +
          "; method " + std::string(name(overview.method));
 }
 
@@ -193,23 +236,27 @@ std::string clock_in_words(double seconds, std::size_t frame) {
 std::string group_clock(const FrameGroup& group) { return clock_in_words(group.time, group.shown); }
 
 std::string group_answer(const RecordingOverview& overview, const FrameGroup& group) {
-  std::string text = "normal force " + normal_in_words(overview.scene, group);
-  if (overview.tangential()) text += ", tangential " + tangential_in_words(overview.scene, group);
-  if (const std::string centre = centre_in_words(overview.scene, group); !centre.empty())
+  if (!overview.is_line()) return wrench_in_words(group.answer, overview.skin());
+  std::string text = "normal force " + normal_in_words(overview.line(), group);
+  if (overview.tangential()) text += ", tangential " + tangential_in_words(overview.line(), group);
+  if (const std::string centre = centre_in_words(overview.line(), group); !centre.empty())
     text += ", centre " + centre;
-  if (group.alpha) text += "; alpha " + brief(group.alpha->value);
-  if (group.bands)
-    text += "; residual " + in_unit(overview.scene, residual_dimension(overview.scene),
-                                    group.bands->noise.residual_rms);
+  if (group.answer.alpha.value > 0.0) text += "; alpha " + brief(group.answer.alpha.value);
+  if (group.answer.bands)
+    text += "; residual " + in_unit(overview.line(), residual_dimension(overview.line()),
+                                    group.answer.bands->noise.residual_rms);
   return text;
 }
 
-std::string group_distrust(const RecordingOverview& overview, const FrameGroup& group) {
+std::string distrust_in_words(const lab::FrameAnswer& answer, const AnyScene& scene) {
   std::string text;
-  if (!is_faultless(group.verdict) && group.verdict != Verdict::doubted)
-    text = std::string(name(group.verdict)) + ": " + std::string(in_words(group.verdict));
-  if (group.data && !group.data->consistent())
-    text += (text.empty() ? "" : "; ") + in_words(lab::data_doubted(*group.data, overview.scene));
+  if (!is_faultless(answer.verdict) && answer.verdict != Verdict::doubted)
+    text = std::string(name(answer.verdict)) + ": " + std::string(in_words(answer.verdict));
+  if (answer.data && !answer.data->consistent())
+    text +=
+        (text.empty() ? "" : "; ") +
+        std::visit([&](const auto& one) { return in_words(lab::data_doubted(*answer.data, one)); },
+                   scene);
   return text;
 }
 

@@ -130,20 +130,12 @@ std::string in_words(const lab::SceneRemark& remark) {
   return std::visit([](const auto& one) { return say(one); }, remark);
 }
 
-namespace {
-
-std::vector<std::string> said_of(const auto& frame) {
+std::vector<std::string> in_words(const lab::SimulatedFrame& frame) {
   std::vector<std::string> sentences;
   for (const lab::SceneRemark& one : frame.remarks) sentences.push_back(in_words(one));
   for (const CutOffNote& note : frame.notes) sentences.push_back(in_words(note));
   return sentences;
 }
-
-}  // namespace
-
-std::vector<std::string> in_words(const lab::SimulatedFrame& frame) { return said_of(frame); }
-
-std::vector<std::string> in_words(const lab::SkinFrame& frame) { return said_of(frame); }
 
 std::string in_words(const lab::remark::OffsetsFound& offsets) {
   std::vector<std::string> each;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "report/words/number_words.hpp"
+#include "report/words/skin_remark_words.hpp"
 #include "tactile_net/lab/agreement.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -17,14 +18,14 @@ using lab::MethodResult;
 using lab::Verdict;
 
 Answer force(const Experiment& experiment, const MethodResult& lead) {
-  const Scene& scene = experiment.scene;
+  const Scene& scene = experiment.line();
   const double exact = experiment.frame.force;
   Answer answer;
   answer.meaning = "normal force";
-  if (lead.resultant) {
-    const Uncertain& found = lead.resultant->normal;
+  if (lead.resultant()) {
+    const Uncertain& found = lead.resultant()->normal;
     answer.value = in_unit(scene.units, Dimension::force, found);
-    if (const auto& drag = lead.resultant->tangential)
+    if (const auto& drag = lead.resultant()->tangential)
       answer.meaning += ", tangential " + in_unit(scene.units, Dimension::force, *drag);
     // Readings summed over the taxels hold what their places have of the contacts.
     const double shown = scene.forward == ForwardModel::sampled ? experiment.sampled_force : exact;
@@ -33,10 +34,10 @@ Answer force(const Experiment& experiment, const MethodResult& lead) {
     answer.value = in_unit(scene, Dimension::force, lead.force);
   }
   answer.meaning += "; the contacts press with " + in_unit(scene, Dimension::force, exact);
-  if (lead.verdict != Verdict::ok) {
-    answer.meaning +=
-        ". " + std::string(name(lead.verdict)) + ": " + std::string(in_words(lead.verdict));
-    answer.doubtful = answer.doubtful || !is_faultless(lead.verdict);
+  if (lead.answer.verdict != Verdict::ok) {
+    answer.meaning += ". " + std::string(name(lead.answer.verdict)) + ": " +
+                      std::string(in_words(lead.answer.verdict));
+    answer.doubtful = answer.doubtful || !is_faultless(lead.answer.verdict);
   }
   return answer;
 }
@@ -86,6 +87,7 @@ Answer agreement(const Experiment& experiment) {
 }  // namespace
 
 std::vector<Answer> answers(const Experiment& experiment) {
+  if (experiment.of_skin()) return skin_answers(experiment);
   const auto lead = std::find_if(experiment.results.begin(), experiment.results.end(),
                                  [](const MethodResult& result) { return result.has_answer(); });
   if (lead == experiment.results.end())
@@ -96,14 +98,14 @@ std::vector<Answer> answers(const Experiment& experiment) {
     all.push_back({"nothing presses", "no contact: the readings are noise, and the answers too"});
   else
     all.push_back(force(experiment, *lead));
-  if (pressed && lead->resultant && lead->resultant->centre)
-    all.push_back({in_unit(experiment.scene.units, Dimension::length, *lead->resultant->centre),
+  if (pressed && lead->resultant() && lead->resultant()->centre)
+    all.push_back({in_unit(experiment.line().units, Dimension::length, *lead->resultant()->centre),
                    "centre of pressure, along y from the array's middle"});
-  if (std::isfinite(lead->normal.relative_l2))
+  if (const double off = lead->errors.front().relative; std::isfinite(off))
     all.push_back(
-        {percent(lead->normal.relative_l2) + " off",
+        {percent(off) + " off",
          "the true profile, root mean square over the array, by " + std::string(name(lead->method)),
-         lead->normal.relative_l2 > 0.5});
+         off > 0.5});
   all.push_back(agreement(experiment));
   return all;
 }

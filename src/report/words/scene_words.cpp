@@ -37,6 +37,14 @@ std::string contact_in_words(const SampledTractions& contact, const Scene&) {
          (contact.tangential.empty() ? "" : ", normal and tangential");
 }
 
+std::string moment_in_words(const auto& scene) {
+  const Timing& timing = *scene.time;
+  const bool last = scene.frame + 1 == timing.frames;
+  return std::string(last ? "the last" : "one") + " of " + std::to_string(timing.frames) +
+         " frames: frame " + std::to_string(scene.frame) +
+         " at t = " + brief(timing.time(scene.frame)) + (scene.units ? " s" : "");
+}
+
 /// Nothing for points.
 std::string widths_in_words(const Scene& scene) {
   double least = std::numeric_limits<double>::infinity();
@@ -98,13 +106,8 @@ std::string surface_in_words(const Scene& scene) {
          in_unit(scene, Dimension::length, beyond) + " beyond the last taxels";
 }
 
-std::string time_in_words(const Scene& scene) {
-  const Timing& timing = *scene.time;
-  const bool last = scene.frame + 1 == timing.frames;
-  return std::string(last ? "the last" : "one") + " of " + std::to_string(timing.frames) +
-         " frames: frame " + std::to_string(scene.frame) +
-         " at t = " + brief(timing.time(scene.frame)) + (scene.units ? " s" : "");
-}
+std::string time_in_words(const Scene& scene) { return moment_in_words(scene); }
+std::string time_in_words(const SkinScene& scene) { return moment_in_words(scene); }
 
 std::string material_in_words(const Scene& scene) {
   std::string body = "half plane";

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
-#include "tactile_net/report/words/summary_words.hpp"
 
 namespace tactile_net::report {
 
@@ -22,8 +22,7 @@ std::string off_in_words(double least, double most) {
   return percent(less) + " to " + percent(more) + way(least);
 }
 
-}  // namespace
-
+/// What an answer without dense matrices has not. @pre  it has been solved by products
 std::string without_matrix(const lab::FrameAnswer& answer) {
   const bool constrained = answer.cone.has_value();
   const std::size_t steps = constrained ? answer.cone->iterations : answer.iteration->steps;
@@ -35,15 +34,17 @@ std::string without_matrix(const lab::FrameAnswer& answer) {
          (constrained ? "; bands ignore the constraints, so they are too wide" : "");
 }
 
-void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording) {
-  const auto add = [&](const lab::FrameRuns& runs, const char* what) {
-    if (runs.count() > 0)
-      all.push_back(
-          {std::to_string(runs.count()) + " of " + std::to_string(recording.frames.size()),
-           std::string(what) + in_words(runs), true});
-  };
-  add(recording.skipped(), "frames miss readings and have no answer: ");
-  add(recording.estimated(), "frames miss readings and are solved without the taxels that miss: ");
+}  // namespace
+
+Sentences remarks_in_words(const lab::FrameAnswer& answer) {
+  Sentences said = warnings_and_notes(answer.remarks);
+  if (answer.iteration) said.warnings.push_back(without_matrix(answer));
+  if (answer.unseen > lab::most_unseen)
+    said.warnings.push_back(
+        percent(answer.unseen) +
+        " of the force found lies beyond the taxels, or where they are dead: the force there is a "
+        "guess from the taxels beside it; the deviations include this");
+  return said;
 }
 
 }  // namespace tactile_net::report

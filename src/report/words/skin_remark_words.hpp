@@ -1,20 +1,14 @@
 /// @file
-/// What is to be said of a skin's answers beside the numbers. Private.
+/// What is said of a skin's answers. Private.
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "tactile_net/lab/skin_recording.hpp"
-#include "tactile_net/report/words/skin_words.hpp"
+#include "tactile_net/lab/answer.hpp"
 
 namespace tactile_net::report {
 
-/// What an answer without dense matrices has not.
-/// @pre  it has been solved by products
-[[nodiscard]] std::string without_matrix(const lab::FrameAnswer& answer);
-
-/// Which frames miss readings, and what became of them.
-void add_missing(std::vector<Answer>& all, const lab::SkinRecordingAnswer& recording);
+/// Of a run: how hard, how it is dragged, where, how near to slipping, and how far from the truth.
+[[nodiscard]] std::vector<Answer> skin_answers(const lab::Experiment& experiment);
 
 }  // namespace tactile_net::report

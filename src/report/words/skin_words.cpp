@@ -4,20 +4,16 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <ostream>
 #include <utility>
 #include <variant>
 
 #include "report/words/number_words.hpp"
 #include "report/words/skin_remark_words.hpp"
-#include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
-#include "tactile_net/report/words/contact_words.hpp"
 #include "tactile_net/report/words/data_words.hpp"
-#include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/recording_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
-#include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
 
@@ -84,14 +80,14 @@ std::string of_all(const lab::FrameAnswer& answer) {
   return answer.patches.size() > 1 ? " of all contacts" : "";
 }
 
-Answer pressed(const lab::SkinExperiment& experiment) {
-  const SkinScene& scene = experiment.scene;
-  const lab::FrameAnswer& found = *experiment.answer;
+Answer pressed(const lab::Experiment& experiment) {
+  const SkinScene& scene = experiment.skin();
+  const lab::FrameAnswer& found = experiment.results.front().answer;
   const double exact = experiment.frame.wrench.force[0];
   Answer answer{in_unit(scene.units, Dimension::point_force, found.wrench.normal),
                 "normal force" + of_all(found) + "; the contacts press with " +
                     force_in_words(scene, exact) + ", and the map of the pressure is " +
-                    percent(experiment.relative[0]) + " off theirs",
+                    percent(experiment.results.front().errors.front().relative) + " off theirs",
                 is_off(found.wrench.normal, exact, exact)};
   if (found.verdict != lab::Verdict::ok) {
     answer.meaning += ". " + std::string(name(found.verdict)) + ": " +
@@ -103,15 +99,15 @@ Answer pressed(const lab::SkinExperiment& experiment) {
 
 double direction(double y, double z) { return std::atan2(z, y); }
 
-std::optional<Answer> dragged(const lab::SkinExperiment& experiment) {
-  const SkinScene& scene = experiment.scene;
-  const UncertainWrench& wrench = experiment.answer->wrench;
+std::optional<Answer> dragged(const lab::Experiment& experiment) {
+  const SkinScene& scene = experiment.skin();
+  const UncertainWrench& wrench = experiment.results.front().answer.wrench;
   if (!wrench.tangential_y || !wrench.tangential_z) return std::nullopt;
   const Uncertain found = drag_of(wrench);
   const auto& exact = experiment.frame.wrench.force;
   const double size = std::hypot(exact[1], exact[2]);
   Answer answer{in_unit(scene.units, Dimension::point_force, found),
-                "drag" + of_all(*experiment.answer), is_off(found, size, exact[0])};
+                "drag" + of_all(experiment.results.front().answer), is_off(found, size, exact[0])};
   if (found.value > 3.0 * found.deviation)
     answer.meaning +=
         " towards " + degrees(direction(wrench.tangential_y->value, wrench.tangential_z->value));
@@ -122,24 +118,24 @@ std::optional<Answer> dragged(const lab::SkinExperiment& experiment) {
   return answer;
 }
 
-std::optional<Answer> placed(const lab::SkinExperiment& experiment) {
-  const SkinScene& scene = experiment.scene;
-  const UncertainWrench& wrench = experiment.answer->wrench;
+std::optional<Answer> placed(const lab::Experiment& experiment) {
+  const SkinScene& scene = experiment.skin();
+  const UncertainWrench& wrench = experiment.results.front().answer.wrench;
   const auto exact = experiment.frame.wrench.centre();
   if (!wrench.centre_y || !wrench.centre_z || !exact) return std::nullopt;
   const double off =
       std::hypot(wrench.centre_y->value - exact->y, wrench.centre_z->value - exact->z);
   return Answer{in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +
                     in_unit(scene.units, Dimension::length, *wrench.centre_z),
-                "centre of pressure (y, z)" + of_all(*experiment.answer) + ", " +
+                "centre of pressure (y, z)" + of_all(experiment.results.front().answer) + ", " +
                     length_in_words(scene.units, off) + " off the true one",
                 off > 0.5 * least_depth(scene.sensor)};
 }
 
 /// How near to slipping.
-std::optional<Answer> gripped(const lab::SkinExperiment& experiment) {
-  const SkinScene& scene = experiment.scene;
-  const auto& friction = experiment.answer->friction;
+std::optional<Answer> gripped(const lab::Experiment& experiment) {
+  const SkinScene& scene = experiment.skin();
+  const auto& friction = experiment.results.front().answer.friction;
   if (!friction) return std::nullopt;
   Answer answer{plus_minus(friction->ratio.value, friction->ratio.deviation),
                 "drag over force, the least friction that holds"};
@@ -153,15 +149,16 @@ std::optional<Answer> gripped(const lab::SkinExperiment& experiment) {
 }
 
 /// What turns, where it does for certain or in truth.
-std::optional<Answer> twisted(const lab::SkinExperiment& experiment) {
-  const SkinScene& scene = experiment.scene;
-  const auto& found = experiment.answer->wrench.torsion;
+std::optional<Answer> twisted(const lab::Experiment& experiment) {
+  const SkinScene& scene = experiment.skin();
+  const auto& found = experiment.results.front().answer.wrench.torsion;
   const auto exact = experiment.frame.wrench.torsion();
   if (!found || !exact) return std::nullopt;
   const bool turns = std::abs(*exact) > 3.0 * found->deviation;
   if (!turns && std::abs(found->value) < 3.0 * found->deviation) return std::nullopt;
   return Answer{in_unit(scene.units, Dimension::moment, *found),
-                "torsion" + of_all(*experiment.answer) + " about the centre (true value: " +
+                "torsion" + of_all(experiment.results.front().answer) +
+                    " about the centre (true value: " +
                     (turns ? in_unit(scene.units, Dimension::moment, *exact)
                            : std::string("0 within the error")) +
                     ")",
@@ -236,24 +233,10 @@ std::string grid_in_words(const SkinScene& scene, const SurfaceGrid& grid) {
          narrowed(scene, grid);
 }
 
-Sentences remarks_in_words(const lab::SkinExperiment& experiment) {
-  Sentences said;
-  if (experiment.answer) said = warnings_and_notes(experiment.answer->remarks);
-  const std::vector<std::string> of_frame = in_words(experiment.frame);
-  said.warnings.insert(said.warnings.begin(), of_frame.begin(), of_frame.end());
-  if (experiment.answer && experiment.answer->iteration)
-    said.warnings.push_back(without_matrix(*experiment.answer));
-  if (experiment.answer && experiment.answer->unseen > lab::most_unseen)
-    said.warnings.push_back(
-        percent(experiment.answer->unseen) +
-        " of the force found lies beyond the taxels, or where they are dead: the force there is a "
-        "guess from the taxels beside it; the deviations include this");
-  return said;
-}
-
-std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
-  if (!experiment.answer) return {{"no answer", experiment.refusal, true}};
-  if (experiment.scene.contacts.empty())
+std::vector<Answer> skin_answers(const lab::Experiment& experiment) {
+  const lab::MethodResult& result = experiment.results.front();
+  if (!result.has_answer()) return {{"no answer", result.refusal, true}};
+  if (experiment.skin().contacts.empty())
     return {{"nothing presses", "no contact: the readings are noise, and the answers too"}};
   std::vector<Answer> all = {pressed(experiment)};
   if (const auto answer = dragged(experiment)) all.push_back(*answer);
@@ -263,13 +246,8 @@ std::vector<Answer> answers(const lab::SkinExperiment& experiment) {
   return all;
 }
 
-std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
-  if (!recording.answer)
-    return {{"no answer",
-             recording.frames.empty() ? "the recording holds no frame"
-                                      : "every frame of the recording misses readings",
-             true}};
-  const SkinScene& scene = recording.scene;
+std::vector<Answer> skin_answers(const lab::RecordingOverview& recording) {
+  const SkinScene& scene = recording.skin();
   const UncertainWrench& wrench = recording.answer->wrench;
   std::vector<Answer> all = {{in_unit(scene.units, Dimension::point_force, wrench.normal),
                               "the hardest press" + of_all(*recording.answer) + ", in frame " +
@@ -285,24 +263,22 @@ std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording) {
     all.push_back({in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +
                        in_unit(scene.units, Dimension::length, *wrench.centre_z),
                    "its centre of pressure (y, z)"});
-  const auto good = static_cast<std::size_t>(
-      std::count_if(recording.frames.begin(), recording.frames.end(),
-                    [](const auto& frame) { return is_faultless(frame.verdict); }));
-  all.push_back({std::to_string(good) + " of " + std::to_string(recording.frames.size()),
-                 "frames have the verdict ok or no_contact", good < recording.frames.size()});
-  add_missing(all, recording);
-  const auto doubted = static_cast<std::size_t>(
-      std::count_if(recording.frames.begin(), recording.frames.end(),
-                    [](const auto& frame) { return !frame.data.consistent(); }));
-  if (doubted > 0)
-    all.push_back({std::to_string(doubted) + " of " + std::to_string(recording.frames.size()),
+  std::size_t good = 0;
+  for (const auto& [verdict, frames] : recording.verdicts)
+    if (is_faultless(verdict)) good += frames;
+  const std::string of_all_frames = " of " + std::to_string(recording.frames);
+  all.push_back({std::to_string(good) + of_all_frames, "frames have the verdict ok or no_contact",
+                 good < recording.frames});
+  for (Answer& one : missing_answers(recording)) all.push_back(std::move(one));
+  if (recording.doubted > 0)
+    all.push_back({std::to_string(recording.doubted) + of_all_frames,
                    "frames' readings cannot be those of a contact", true});
   return all;
 }
 
-std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& experiment) {
-  const SkinScene& scene = experiment.scene;
-  const lab::FrameAnswer& answer = *experiment.answer;
+std::vector<std::vector<std::string>> found_cells(const lab::Experiment& experiment) {
+  const SkinScene& scene = experiment.skin();
+  const lab::FrameAnswer& answer = experiment.results.front().answer;
   const UncertainWrench& wrench = answer.wrench;
   const SkinWrench& exact = experiment.frame.wrench;
   const bool compared = experiment.has_truth();
@@ -338,62 +314,12 @@ std::vector<std::vector<std::string>> found_cells(const lab::SkinExperiment& exp
   return rows;
 }
 
-std::string network_errors_in_words(const lab::SkinCircuitResult& network) {
-  if (!network.relaxation) return {};
-  std::string text = "The circuit is off the true p " + percent(network.relative[0]);
-  if (!std::isnan(network.relative[1]))
-    text += ", q_y " + percent(network.relative[1]) + ", q_z " + percent(network.relative[2]) +
-            " of it";
-  return text + ".";
-}
-
-namespace {
-
-void print_network(std::ostream& out, const lab::SkinExperiment& experiment) {
-  const auto& network = experiment.network;
-  if (!network) return;
-  out << '\n';
-  if (!network->relaxation) {
-    out << "network: FAILED: " << network->refusal << '\n';
-    return;
-  }
-  print_relaxation(out, *network->relaxation);
-  out << "  " << network_errors_in_words(*network) << '\n';
-  if (const auto disagreement = network->relaxation->disagreement())
-    out << "  FAILED: " << report::in_words(*disagreement) << '\n';
-}
-
-}  // namespace
-
-void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment) {
-  const SkinScene& scene = experiment.scene;
-  out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
-      << sensor_in_words(scene) << "; " << material_in_words(scene) << '\n';
-  for (const std::string& contact : contacts_in_words(scene)) out << "  " << contact << '\n';
-  out << "  " << grid_in_words(scene, experiment.grid) << "\n\n";
-  if (!experiment.answer) {
-    out << "FAILED: " << experiment.refusal << '\n';
-    print_network(out, experiment);
-    return;
-  }
-  const lab::FrameAnswer& answer = *experiment.answer;
-  print_cells(out, found_cells(experiment));
-  if (const auto rows = patch_cells(scene.units, answer.patches); !rows.empty()) {
-    out << '\n';
-    print_cells(out, rows);
-  }
-  out << "verdict " << name(answer.verdict) << ", alpha " << brief(answer.alpha.value) << " ("
-      << source(answer.alpha) << "), off the true p " << percent(experiment.relative[0]);
-  if (components(scene) == 3)
-    out << ", q_y " << percent(experiment.relative[1]) << ", q_z "
-        << percent(experiment.relative[2]) << " of it";
-  out << "; data " << data_word(*answer.data, scene) << '\n';
-  if (answer.cone)
-    out << "cells that slide " << answer.cone->slip << ", stick " << answer.cone->stick
-        << ", touch nothing " << answer.cone->separation << " (" << answer.cone->iterations
-        << " iterations, residual " << brief(answer.cone->residual, 2) << ")\n";
-  print_remarks(out, "", remarks_in_words(experiment));
-  print_network(out, experiment);
+std::string errors_in_words(const lab::MethodResult& result) {
+  constexpr const char* names[] = {"p ", ", q_y ", ", q_z "};
+  std::string text;
+  for (std::size_t c = 0; c < result.errors.size(); ++c)
+    text += names[c] + percent(result.errors[c].relative);
+  return text + (result.errors.size() > 1 ? " of it" : "");
 }
 
 }  // namespace tactile_net::report

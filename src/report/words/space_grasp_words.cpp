@@ -88,6 +88,10 @@ std::vector<std::string> sources_in_words(const lab::SpaceGraspResult& grasp) {
   return lines;
 }
 
+std::vector<PadContacts> pad_contacts(const lab::SpaceGraspResult& grasp) {
+  return pad_contacts_of(grasp);
+}
+
 std::vector<std::string> balance_in_words(const lab::SpaceGraspResult& grasp) {
   const MeasuredSpaceGrasp& measured = grasp.measured->grasp;
   const GraspNames names = names_of(grasp);
@@ -216,6 +220,7 @@ void print_grasp(std::ostream& out, const lab::SpaceGraspResult& grasp) {
       << grasp.tips.size() << (grasp.tips.size() == 1 ? " finger; " : " fingers; ")
       << load_in_words(grasp) << '\n';
   for (const std::string& line : sources_in_words(grasp)) out << "  " << line << '\n';
+  print_pad_contacts(out, pad_contacts(grasp));
   if (grasp.measured)
     section("what the measured forces mean:", *grasp.measured, balance_in_words(grasp));
   if (grasp.held) section("what would hold the load:", *grasp.held, hold_in_words(grasp));

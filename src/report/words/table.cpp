@@ -8,11 +8,13 @@
 #include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/contact_words.hpp"
+#include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/scene/option_words.hpp"
 
@@ -55,43 +57,43 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 }
 
 std::vector<std::vector<std::string>> comparison_cells(const lab::Experiment& experiment) {
-  const bool two = std::any_of(
-      experiment.results.begin(), experiment.results.end(),
-      [](const lab::MethodResult& result) { return !result.tangential.traction.empty(); });
+  const bool two =
+      std::any_of(experiment.results.begin(), experiment.results.end(),
+                  [](const lab::MethodResult& result) { return result.errors.size() > 1; });
   std::vector<std::vector<std::string>> rows = {{"method", "alpha", "mean |error|", "relative L2"}};
   if (two) rows.front().emplace_back("tangential L2");
   for (const char* title : {"force", "condition", "rounding <=", "set-up", "per frame", "verdict"})
     rows.front().emplace_back(title);
 
+  const Scene& scene = experiment.line();
   for (const lab::MethodResult& result : experiment.results) {
+    const lab::FrameAnswer& answer = result.answer;
     std::vector<std::string> row = {std::string(name(result.method))};
     if (!result.has_answer()) {
       row.resize(rows.front().size() - 1, "-");
     } else {
-      row.push_back(!result.alpha        ? "-"
-                    : result.alpha->rule ? brief(result.alpha->value)
-                                         : shortest(result.alpha->value));
-      row.push_back(in_unit(experiment.scene, Dimension::stress, result.normal.mean_abs));
-      row.push_back(brief(result.normal.relative_l2));
-      if (two)
-        row.push_back(result.tangential.traction.empty() ? "-"
-                                                         : brief(result.tangential.relative_l2));
-      row.push_back(in_unit(experiment.scene, Dimension::force, result.force));
-      row.push_back(result.condition && result.condition->matrix == lab::Condition::Matrix::stacked
-                        ? condition_number_in_words(*result.condition)
+      row.push_back(!answer.alpha.known() ? "-"
+                    : answer.alpha.rule   ? brief(answer.alpha.value)
+                                          : shortest(answer.alpha.value));
+      row.push_back(in_unit(scene, Dimension::stress, result.errors.front().mean_abs));
+      row.push_back(brief(result.errors.front().relative));
+      if (two) row.push_back(result.errors.size() > 1 ? brief(result.errors[1].relative) : "-");
+      row.push_back(in_unit(scene, Dimension::force, result.force));
+      row.push_back(answer.condition && answer.condition->matrix == ConditionMatrix::stacked
+                        ? condition_number_in_words(*answer.condition)
                         : "-");
-      row.push_back(brief_or_dash(result.error_bound));
+      row.push_back(brief_or_dash(answer.error_bound));
       row.push_back(duration(result.setup_seconds));
       row.push_back(duration(result.frame_seconds));
     }
-    row.emplace_back(name(result.verdict));
+    row.emplace_back(name(answer.verdict));
     rows.push_back(std::move(row));
   }
   return rows;
 }
 
 Sentences remarks_in_words(const lab::Experiment& experiment, const lab::MethodResult& result) {
-  Sentences said = warnings_and_notes(result.remarks);
+  Sentences said = remarks_in_words(result.answer);
   if (result.method == Method::network && experiment.relaxation) {
     const std::vector<std::string> circuit = warnings_of(*experiment.relaxation);
     said.warnings.insert(said.warnings.begin(), circuit.begin(), circuit.end());
@@ -115,7 +117,7 @@ std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep) {
 }
 
 std::string rule_used(const lab::Experiment& experiment) {
-  if (const auto alpha = experiment.scene.reconstruct.alpha)
+  if (const auto alpha = experiment.line().reconstruct.alpha)
     return "the scene gives " + shortest(*alpha);
   const auto rule = experiment.rule();
   return rule ? std::string(name(*rule)) + " was used" : "none was used";
@@ -124,10 +126,11 @@ std::string rule_used(const lab::Experiment& experiment) {
 std::string other_conditions_in_words(const lab::Experiment& experiment) {
   std::string text;
   for (const lab::MethodResult& result : experiment.results)
-    if (result.condition && result.condition->matrix != lab::Condition::Matrix::stacked)
+    if (const auto& condition = result.answer.condition;
+        condition && condition->matrix != ConditionMatrix::stacked)
       text += (text.empty() ? "" : ", ") + std::string(name(result.method)) + " " +
-              condition_number_in_words(*result.condition) + " (" +
-              std::string(name_in<matrices>(result.condition->matrix)) + ")";
+              condition_number_in_words(*condition) + " (" +
+              std::string(name_in<matrices>(condition->matrix)) + ")";
   return text;
 }
 
@@ -186,14 +189,64 @@ void print_deck_answer(std::ostream& out, const std::string& file,
   print_cells(out, rows);
 }
 
-void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
-  const Scene& scene = experiment.scene;
-  out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n")
-      << (scene.title.empty() ? "" : "  ") << sensor_in_words(scene) << "; "
-      << material_in_words(scene) << '\n';
+namespace {
+
+/// Sensor, material and contacts, and which frame of a scene over time was solved.
+void print_scene(std::ostream& out, const auto& scene) {
+  out << scene.file << ": " << (scene.title.empty() ? "" : scene.title + "\n  ")
+      << sensor_in_words(scene) << "; " << material_in_words(scene) << '\n';
   if (scene.time)
     out << "  " << time_in_words(scene) << " (" << option(Option::frame) << " takes another)\n";
   for (const std::string& contact : contacts_in_words(scene)) out << "  " << contact << '\n';
+}
+
+void print_network(std::ostream& out, const lab::Experiment& experiment) {
+  const lab::MethodResult* network = experiment.result(Method::network);
+  if (!network) return;
+  out << '\n';
+  if (experiment.relaxation) {
+    print_relaxation(out, *experiment.relaxation);
+    out << "  The circuit is off the true " << errors_in_words(*network) << ".\n";
+  }
+  if (const std::string failure = failure_in_words(experiment, *network); !failure.empty())
+    out << (experiment.relaxation ? "  FAILED: " : "network: FAILED: ") << failure << '\n';
+}
+
+/// The answer first; then how it was found, and how far it is to be trusted.
+void print_skin(std::ostream& out, const lab::Experiment& experiment) {
+  const SkinScene& scene = experiment.skin();
+  print_scene(out, scene);
+  out << "  " << grid_in_words(scene, experiment.grid) << "\n\n";
+  const lab::MethodResult& result = experiment.results.front();
+  if (!result.has_answer()) {
+    out << "FAILED: " << result.refusal << '\n';
+    print_network(out, experiment);
+    return;
+  }
+  const lab::FrameAnswer& answer = result.answer;
+  print_cells(out, found_cells(experiment));
+  if (const auto rows = patch_cells(scene.units, answer.patches); !rows.empty()) {
+    out << '\n';
+    print_cells(out, rows);
+  }
+  out << "verdict " << name(answer.verdict) << ", alpha " << brief(answer.alpha.value) << " ("
+      << source(answer.alpha) << "), off the true " << errors_in_words(result) << "; data "
+      << data_word(*answer.data, scene) << '\n';
+  if (answer.cone)
+    out << "cells that slide " << answer.cone->slip << ", stick " << answer.cone->stick
+        << ", touch nothing " << answer.cone->separation << " (" << answer.cone->iterations
+        << " iterations, residual " << brief(answer.cone->residual, 2) << ")\n";
+  print_remarks(out, "", {.warnings = in_words(experiment.frame)});
+  print_remarks(out, "", remarks_in_words(experiment, result));
+  print_network(out, experiment);
+}
+
+}  // namespace
+
+void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
+  if (experiment.of_skin()) return print_skin(out, experiment);
+  const Scene& scene = experiment.line();
+  print_scene(out, scene);
   const auto all = effects(scene);
   const auto absent =
       std::count_if(all.begin(), all.end(), [](const auto& e) { return !e.second; });
@@ -213,10 +266,11 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
       << " exact, " << in_unit(scene, Dimension::force, experiment.sampled_force)
       << " as pitch x sum of " << truth_in_words(scene) << '\n';
   for (const lab::MethodResult& result : experiment.results) {
-    if (result.resultant)
-      out << name(result.method) << ": " << resultant_in_words(scene, *result.resultant) << '\n';
-    if (const auto rows = patch_cells(scene.units, result.patches); !rows.empty())
-      print_cells(out, rows);
+    if (const auto& bands = result.answer.bands) {
+      out << name(result.method) << ": " << resultant_in_words(scene, bands->resultant) << '\n';
+      if (const auto rows = patch_cells(scene.units, bands->patches); !rows.empty())
+        print_cells(out, rows);
+    }
     print_remarks(out, std::string(name(result.method)) + ": ",
                   remarks_in_words(experiment, result));
     if (const std::string failure = failure_in_words(experiment, result); !failure.empty())

@@ -19,9 +19,14 @@
 namespace tactile_net {
 
 /// What `hold` minimises.
-enum class Least {
-  torques,  ///< sum of squares of all joint torques
-  forces,   ///< sum of squares of all contact forces, torsions over their radius
+enum class Least { torques, forces };
+
+template <>
+struct Enumerators<Least> {
+  static constexpr Enumerator<Least> all[] = {
+      {Least::torques, "torques", "The sum of squares of all joint torques."},
+      {Least::forces, "forces",
+       "The sum of squares of all contact forces, torsions over their radius."}};
 };
 
 /// How hard to squeeze, beyond what equilibrium fixes: at most one of the first two. Neither: as

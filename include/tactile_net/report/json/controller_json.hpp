@@ -5,13 +5,12 @@
 #include <string>
 
 #include "tactile_net/lab/planned_controller.hpp"
+#include "tactile_net/scene/any_scene.hpp"
 
 namespace tactile_net::report {
 
 /// @param frame_seconds  measured on this machine
-[[nodiscard]] std::string controller_json(const Scene& scene, const lab::PlannedController& planned,
-                                          double frame_seconds);
-[[nodiscard]] std::string controller_json(const SkinScene& scene,
+[[nodiscard]] std::string controller_json(const AnyScene& scene,
                                           const lab::PlannedController& planned,
                                           double frame_seconds);
 

@@ -1,5 +1,5 @@
 /// @file
-/// A survey as JSON; the format is docs/results.md.
+/// A survey of a line or a skin as JSON: kind `identify`.
 #pragma once
 
 #include <string>
@@ -9,5 +9,6 @@
 namespace tactile_net::report {
 
 [[nodiscard]] std::string survey_json(const Scene& scene, const lab::Survey& survey);
+[[nodiscard]] std::string survey_json(const SkinScene& scene, const lab::Survey& survey);
 
 }  // namespace tactile_net::report

@@ -6,11 +6,12 @@
 #include <string>
 
 #include "tactile_net/lab/summary.hpp"
+#include "tactile_net/scene/any_scene.hpp"
 
 namespace tactile_net::report {
 
 /// @param columns  of the file of readings
-[[nodiscard]] std::string simulate_json(const Scene& scene, const lab::RecordedFrames& recorded,
+[[nodiscard]] std::string simulate_json(const AnyScene& scene, const lab::RecordedFrames& recorded,
                                         std::span<const std::string> columns);
 
 }  // namespace tactile_net::report

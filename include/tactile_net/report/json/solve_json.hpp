@@ -20,8 +20,8 @@ struct SolveReport {
   double seconds = 0.0;
 };
 
-/// With what is suspicious about the readings, and each frame that the overview shows, without its
-/// tractions.
+/// With what is suspicious about the readings, each frame that the overview shows, without its
+/// tractions, and of a skin what every frame amounts to.
 [[nodiscard]] std::string solve_json(const lab::RecordingOverview& overview,
                                      const lab::SolvedFrames& solved, const SolveReport& report);
 

@@ -10,5 +10,6 @@ namespace tactile_net::report {
 
 /// What `run --explain --json` writes.
 [[nodiscard]] std::string workload_json(const Scene& scene, const lab::Workload& work);
+[[nodiscard]] std::string workload_json(const SkinScene& scene, const lab::Workload& work);
 
 }  // namespace tactile_net::report

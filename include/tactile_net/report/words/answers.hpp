@@ -3,6 +3,7 @@
 /// words.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "tactile_net/lab/grasp.hpp"
 #include "tactile_net/lab/identify.hpp"
 #include "tactile_net/lab/run.hpp"
+#include "tactile_net/scene/units.hpp"
 #include "tactile_net/study/study.hpp"
 
 namespace tactile_net::report {
@@ -23,8 +25,10 @@ struct Answer {
 /// How hard, where, how far from the truth, and whether the methods and the circuit agree.
 [[nodiscard]] std::vector<Answer> answers(const lab::Experiment& experiment);
 
-/// From which wavelength on ripples are told, what is hidden, and what would tell more.
-[[nodiscard]] std::vector<Answer> answers(const Scene& scene, const lab::Survey& survey);
+/// From which wavelength on ripples are told, what is hidden, and what would tell more; of a line
+/// or a skin.
+[[nodiscard]] std::vector<Answer> answers(const lab::Survey& survey,
+                                          const std::optional<Units>& units);
 
 /// Whether the circuit settles, how fast, what it takes, and what real parts leave of it.
 [[nodiscard]] std::vector<Answer> answers(const lab::Certification& certification);

@@ -15,7 +15,10 @@ namespace tactile_net::report {
 /// A row a contact, the strongest first: force, drag, centre, torsion, friction, margin and size,
 /// as far as they are known. Where there are fewer than two the sum says it all: no row, not even a
 /// header.
+///
+/// @param force  what forces are; absent: of a line per metre, of a skin a point's
 [[nodiscard]] std::vector<std::vector<std::string>> patch_cells(
-    const std::optional<Units>& units, std::span<const ContactPatch> patches);
+    const std::optional<Units>& units, std::span<const ContactPatch> patches,
+    std::optional<Dimension> force = {});
 
 }  // namespace tactile_net::report

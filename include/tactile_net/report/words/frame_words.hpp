@@ -5,13 +5,11 @@
 #include <string>
 
 #include "tactile_net/lab/recording.hpp"
-#include "tactile_net/lab/skin_recording.hpp"
-#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/run.hpp"
 
 namespace tactile_net::report {
 
 struct FrameWords {
-  std::string clock{};   ///< "0.8 s", or "frame 7"
   std::string place{};   ///< "frame 160 of 241, t = 0.8 s"
   std::string answer{};  ///< "normal force 20.2 ± 0.2 N/m, centre 0.35 ± 0.02 mm; alpha 1e-3"
   std::string trust{};   ///< why it cannot be trusted; empty: it can
@@ -20,10 +18,8 @@ struct FrameWords {
 [[nodiscard]] FrameWords frame_words(const lab::RecordingOverview& overview,
                                      const lab::FrameGroup& group);
 
-[[nodiscard]] FrameWords frame_words(const lab::SkinRecordingAnswer& recording,
-                                     const lab::SkinRecordingAnswer::Shown& shown);
-
-/// Of a frame that is no recording's: place and clock stay empty. @pre  there is an answer
-[[nodiscard]] FrameWords frame_words(const lab::SkinExperiment& experiment);
+/// Of a skin's frame that is no recording's: its place stays empty.
+/// @pre  the first result has an answer
+[[nodiscard]] FrameWords frame_words(const lab::Experiment& experiment);
 
 }  // namespace tactile_net::report

@@ -29,6 +29,14 @@ using Cells = std::vector<std::vector<std::string>>;
 /// Where each finger's contact comes from.
 [[nodiscard]] std::vector<std::string> sources_in_words(const lab::GraspResult& grasp);
 
+/// A pad with several contacts: "contacts on the pad of finger 'left':", and a row a contact.
+struct PadContacts {
+  std::string title{};
+  Cells rows{};
+};
+/// Those with more than one; their forces are those of the whole breadth.
+[[nodiscard]] std::vector<PadContacts> pad_contacts(const lab::GraspResult& grasp);
+
 /// A contact's forces with their deviations, of a `FingertipForce` and of a `FingerAction`.
 [[nodiscard]] Uncertain normal_of(const auto& force) {
   return {force.normal, force.covariance.deviation(ContactValue::normal)};

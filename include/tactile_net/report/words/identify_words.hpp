@@ -1,7 +1,9 @@
 /// @file
-/// A survey in plain words: what cannot be told, why, what to read instead, and how all compare.
+/// A survey of the sensors of a line or a skin in plain words: what cannot be told, why, what to
+/// read instead, and how all compare. Its answers are in answers.hpp.
 #pragma once
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,7 +13,7 @@
 
 namespace tactile_net::report {
 
-/// "stress_x, shear_xy at 1.5"
+/// "stress_x, shear_xy at 2 mm and 3 mm"
 [[nodiscard]] std::string in_words(const lab::SensorChoice& choice,
                                    const std::optional<Units>& units = {});
 
@@ -22,19 +24,37 @@ namespace tactile_net::report {
 [[nodiscard]] std::string in_words(const lab::HiddenReason& reason,
                                    const std::optional<Units>& units = {});
 
-/// Sentences, the verdict itself first.
+/// "p", "drag along the wave", "drag across it (the curl)"
+[[nodiscard]] std::string in_words(SkinRipple ripple);
+
+/// "The curl of q is seen by no depth of stress_x: ..."; none where everything shows.
+[[nodiscard]] std::vector<std::string> hidden_in_words(const lab::Survey& survey,
+                                                       const std::optional<Units>& units = {});
+
+/// Sentences: `hidden_in_words` first, or that nothing is.
 [[nodiscard]] std::vector<std::string> verdict_in_words(const lab::Survey& survey,
                                                         const std::optional<Units>& units = {});
+
+/// Header and rows: what each quantity at each depth reads of one wave, over its noise.
+[[nodiscard]] std::vector<std::vector<std::string>> share_cells(
+    const lab::Survey& survey, const std::optional<Units>& units = {});
+/// How to read those cells.
+[[nodiscard]] std::string shares_in_words(const lab::Survey& survey,
+                                          const std::optional<Units>& units = {});
 
 /// Header and rows of the comparison, the scene's own sensors first.
 [[nodiscard]] std::vector<std::vector<std::string>> survey_cells(
     const lab::Survey& survey, const std::optional<Units>& units = {});
-
 /// How to read those cells.
-[[nodiscard]] std::string cells_in_words(const Scene& scene, const lab::Survey& survey);
+[[nodiscard]] std::string cells_in_words(const lab::Survey& survey,
+                                         const std::optional<Units>& units = {});
 
-/// What the singular values of the scene's sensors say, one sentence each.
+/// What the singular values of a line's sensors say, one sentence each.
 [[nodiscard]] std::vector<std::string> singular_values_in_words(
     const Identifiability& result, const std::optional<Units>& units = {});
+
+/// All of it as text.
+void print_survey(std::ostream& out, const Scene& scene, const lab::Survey& survey);
+void print_survey(std::ostream& out, const SkinScene& scene, const lab::Survey& survey);
 
 }  // namespace tactile_net::report

@@ -25,7 +25,4 @@ namespace tactile_net::report {
 /// A scale that suits the op-amps, and moving contacts: what a certificate's own lines leave out.
 [[nodiscard]] std::vector<std::string> facts_in_words(const lab::Certification& certification);
 
-/// "rail", "supply", "slew" or "current": what keeps the volts from being more.
-[[nodiscard]] std::string_view name(ScaleProposal::Bound bound) noexcept;
-
 }  // namespace tactile_net::report

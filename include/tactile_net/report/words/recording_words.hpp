@@ -12,8 +12,10 @@
 namespace tactile_net::report {
 
 /// How hard, how it was dragged, where, what not to trust, and whether the readings are suspicious.
-/// @pre  there is a frame
 [[nodiscard]] std::vector<Answer> answers(const lab::RecordingOverview& overview);
+
+/// How many frames miss readings, and what became of them.
+[[nodiscard]] std::vector<Answer> missing_answers(const lab::RecordingOverview& overview);
 
 /// "241 frames, 1.2 s, 41 taxels, ..."
 [[nodiscard]] std::string recording_in_words(const lab::RecordingOverview& overview);
@@ -28,14 +30,16 @@ namespace tactile_net::report {
 /// The same of the frame that stands for a group.
 [[nodiscard]] std::string group_clock(const lab::FrameGroup& group);
 
+/// "force 2.0 ± 0.1 N, centre y 0.3 ± 0.1 mm, z ...; alpha 1e-3", of a skin's frame
+[[nodiscard]] std::string wrench_in_words(const lab::FrameAnswer& answer, const SkinScene& scene);
+
 /// "normal force 20.2 ± 0.2, tangential 7.1 ± 0.1, centre 0.35 ± 0.02; alpha 1e-3"
 [[nodiscard]] std::string group_answer(const lab::RecordingOverview& overview,
                                        const lab::FrameGroup& group);
 
 /// "unstable: the answer depends on alpha ...", and what is doubtful about the readings; empty:
 /// nothing
-[[nodiscard]] std::string group_distrust(const lab::RecordingOverview& overview,
-                                         const lab::FrameGroup& group);
+[[nodiscard]] std::string distrust_in_words(const lab::FrameAnswer& answer, const AnyScene& scene);
 
 /// A sentence for every verdict but ok, and every doubt of the readings, with the number of frames.
 [[nodiscard]] std::vector<std::string> distrusted_in_words(const lab::RecordingOverview& overview);

@@ -9,7 +9,10 @@
 
 #include "tactile_net/lab/remark.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/skin_simulation.hpp"
+
+namespace tactile_net::lab {
+struct FrameAnswer;
+}
 
 namespace tactile_net::report {
 
@@ -33,6 +36,9 @@ struct Sentences {
 
 [[nodiscard]] Sentences warnings_and_notes(const lab::Remarks& remarks);
 
+/// All that is to be said of an answer, of a line or a skin.
+[[nodiscard]] Sentences remarks_in_words(const lab::FrameAnswer& answer);
+
 /// A line each: "warning: ..." and "note: ...", behind what stands before.
 void print_remarks(std::ostream& out, std::string_view before, const Sentences& said);
 
@@ -44,6 +50,5 @@ void print_remarks(std::ostream& out, std::string_view before, const Sentences& 
 
 /// All that is to be said of a scene's readings.
 [[nodiscard]] std::vector<std::string> in_words(const lab::SimulatedFrame& frame);
-[[nodiscard]] std::vector<std::string> in_words(const lab::SkinFrame& frame);
 
 }  // namespace tactile_net::report

@@ -8,6 +8,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/scene.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
 
 namespace tactile_net::report {
 
@@ -25,6 +26,7 @@ namespace tactile_net::report {
 /// "the last of 201 frames: frame 200 at t = 2": which frame of a scene with [time] is
 /// reconstructed.
 [[nodiscard]] std::string time_in_words(const Scene& scene);
+[[nodiscard]] std::string time_in_words(const SkinScene& scene);
 
 /// "half plane, E = 1, nu = 0.45"
 [[nodiscard]] std::string material_in_words(const Scene& scene);

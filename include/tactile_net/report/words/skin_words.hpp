@@ -2,12 +2,11 @@
 /// A skin, and what was found on it, as text for people.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
-#include "tactile_net/lab/skin_recording.hpp"
-#include "tactile_net/lab/skin_run.hpp"
+#include "tactile_net/lab/recording.hpp"
+#include "tactile_net/lab/run.hpp"
 #include "tactile_net/report/words/answers.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 
@@ -22,23 +21,15 @@ namespace tactile_net::report {
 /// "tractions of 12 x 12 cells of 1 mm x 1 mm, normal and tangential"
 [[nodiscard]] std::string grid_in_words(const SkinScene& scene, const SurfaceGrid& grid);
 
-/// What is to be said of the readings and their answer.
-[[nodiscard]] Sentences remarks_in_words(const lab::SkinExperiment& experiment);
-
-/// How hard, how it is dragged, where, how near to slipping, and how far from the truth.
-[[nodiscard]] std::vector<Answer> answers(const lab::SkinExperiment& experiment);
-
-/// The same of a recording: of the frame that presses hardest, and how many can be trusted.
-[[nodiscard]] std::vector<Answer> answers(const lab::SkinRecordingAnswer& recording);
+/// What a skin's recording answers: of the frame that presses hardest, and how many can be trusted.
+/// @pre  a frame has an answer
+[[nodiscard]] std::vector<Answer> skin_answers(const lab::RecordingOverview& recording);
 
 /// What was found beside what is true, as cells of a table: force, drag, centre, torsion.
-[[nodiscard]] std::vector<std::vector<std::string>> found_cells(
-    const lab::SkinExperiment& experiment);
+/// @pre  the first result has an answer
+[[nodiscard]] std::vector<std::vector<std::string>> found_cells(const lab::Experiment& experiment);
 
-/// How far a circuit's tractions are off the truth; nothing without an answer.
-[[nodiscard]] std::string network_errors_in_words(const lab::SkinCircuitResult& network);
-
-/// The answer first, as `answers`; then how it was found, and how far it is to be trusted.
-void print_experiment(std::ostream& out, const lab::SkinExperiment& experiment);
+/// "p 5 %, q_y 7 %, q_z 8 % of it": how far tractions are off the truth, over the true pressure.
+[[nodiscard]] std::string errors_in_words(const lab::MethodResult& result);
 
 }  // namespace tactile_net::report

@@ -30,6 +30,9 @@ namespace tactile_net::report {
 /// Where each finger's contact comes from.
 [[nodiscard]] std::vector<std::string> sources_in_words(const lab::SpaceGraspResult& grasp);
 
+/// The pads with several contacts.
+[[nodiscard]] std::vector<PadContacts> pad_contacts(const lab::SpaceGraspResult& grasp);
+
 /// How well the measured forces carry the load.
 [[nodiscard]] std::vector<std::string> balance_in_words(const lab::SpaceGraspResult& grasp);
 

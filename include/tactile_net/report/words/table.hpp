@@ -16,7 +16,8 @@ namespace tactile_net::report {
 /// Rows in columns that line up.
 void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>& rows);
 
-/// Header and rows of the comparison of methods, as cells: shared by the terminal and the report.
+/// Header and rows of the comparison of a line's methods, as cells: shared by the terminal and the
+/// report.
 /// Its column "condition" is that of one matrix, tikhonov's.
 [[nodiscard]] std::vector<std::vector<std::string>> comparison_cells(
     const lab::Experiment& experiment);
@@ -42,6 +43,7 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 [[nodiscard]] std::string resultant_in_words(const Scene& scene,
                                              const UncertainResultant& resultant);
 
+/// Of a line or a skin.
 void print_experiment(std::ostream& out, const lab::Experiment& experiment);
 void print_relaxation(std::ostream& out, const lab::Relaxation& relaxation);
 void print_certificate(std::ostream& out, const lab::Certification& certification);

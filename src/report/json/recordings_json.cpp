@@ -1,0 +1,71 @@
+#include <cmath>
+
+#include "report/json/scene_json.hpp"
+#include "report/json/schemas.hpp"
+#include "report/recording_fields.hpp"
+
+namespace tactile_net::report {
+namespace {
+
+struct ReportTold {
+  std::string scene{};
+  std::size_t fine = 0;
+  std::size_t needs_a_look = 0;
+  std::size_t no_answer = 0;
+  std::vector<RecordingTold> recordings{};
+  IfAny<UnitsTold> units{};
+
+  static constexpr auto described = std::tuple{
+      field("scene", &ReportTold::scene, "The scene's file."),
+      field("fine", &ReportTold::fine, "How many recordings are fine."),
+      field("needs_a_look", &ReportTold::needs_a_look, "How many somebody should look at."),
+      field("no_answer", &ReportTold::no_answer, "How many could not be read or solved."),
+      field("recordings", &ReportTold::recordings, "Each recording, the most suspicious first."),
+      field("units", &ReportTold::units,
+            "The units of these numbers; only of a scene with [units].")};
+};
+
+}  // namespace
+
+std::string recordings_json(RecordingRows rows, const AnyScene& scene) {
+  ReportTold all{.recordings = recordings_told(rows, scene)};
+  for (const RecordingTold& one : all.recordings) {
+    all.fine += one.standing == lab::Standing::fine ? 1 : 0;
+    all.needs_a_look += one.standing == lab::Standing::needs_a_look ? 1 : 0;
+    all.no_answer += one.standing == lab::Standing::no_answer ? 1 : 0;
+  }
+  const bool skin = std::holds_alternative<SkinScene>(scene);
+  std::visit(
+      [&](const auto& one) {
+        all.scene = one.file;
+        if (one.units)
+          all.units.value =
+              units_told(*one.units, skin ? Dimension::point_force : Dimension::force);
+      },
+      scene);
+  return document_text(kind::report, all);
+}
+
+std::string recording_keys_json(RecordingRows rows, const AnyScene& scene) {
+  Json all = Json::array();
+  for (const lab::RecordingRow& row : rows) {
+    const auto number = [&](double value) {
+      return row.problem.empty() ? finite_or_null(value) : Json(nullptr);
+    };
+    all.push_back({row.name, lab::name(row.problem.empty() ? row.verdict : lab::Verdict::failed),
+                   number(row.share_faultless()), number(static_cast<double>(row.findings.size())),
+                   number(row.force ? row.force->value : std::nan("")),
+                   row.force_time ? Json(*row.force_time)
+                                  : number(row.force_frame ? static_cast<double>(*row.force_frame)
+                                                           : std::nan("")),
+                   number_or_null(row.slip_margin), number_or_null(row.duration),
+                   worst_in_words(row, scene)});
+  }
+  return all.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json recordings_schema() {
+  return document_schema<ReportTold>(kind::report, "What `report` found in many recordings");
+}
+
+}  // namespace tactile_net::report
