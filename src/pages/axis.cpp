@@ -13,11 +13,6 @@ std::vector<double> PlotAxis::operator()(std::vector<double> values) const {
   return values;
 }
 
-PlotAxis axis(const Scene& scene, const std::string& what, Dimension dimension,
-              std::initializer_list<const std::vector<double>*> values) {
-  return axis(scene.units, what, dimension, values);
-}
-
 PlotAxis axis(const std::optional<Units>& units, const std::string& what, Dimension dimension,
               std::initializer_list<const std::vector<double>*> values) {
   double largest = 0.0;

@@ -20,9 +20,6 @@ struct PlotAxis {
 };
 
 /// With the prefix that suits the largest of all `values`; those that are not finite do not count.
-[[nodiscard]] PlotAxis axis(const Scene& scene, const std::string& what, Dimension dimension,
-                            std::initializer_list<const std::vector<double>*> values);
-
 [[nodiscard]] PlotAxis axis(const std::optional<Units>& units, const std::string& what,
                             Dimension dimension,
                             std::initializer_list<const std::vector<double>*> values);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/frames_section.hpp"
 #include "pages/pad_drawing.hpp"
 #include "pages/parts.hpp"
 #include "pages/skin_figures.hpp"
@@ -199,25 +200,20 @@ Figure pad_of(const Scene& scene, std::span<const double> tractions) {
 
 Figure pad_of(const SkinScene& scene, std::span<const double> tractions) {
   const SurfaceGrid cells = grid(scene);
-  const std::vector<double> shown = tractions.empty()
-                                        ? std::vector<double>(cells.count())
-                                        : std::vector(tractions.begin(), tractions.end());
-  Scales scales;
-  take(scales, shown, cells);
-  const bool loaded = scales.pressure > 0.0;
-  if (!loaded) scales.pressure = 1.0;
-  return {
-      .name = "pad",
-      .section = "pad",
-      .caption = loaded ? "Seen from outside: " + std::string(voltages) +
-                              ", colours the pressure of each cell, arrows its drag, dots the "
-                              "taxels. A node is named after its cell: p_3_5 of row 3 and "
-                              "column 5, from 0, qy_3_5 and qz_3_5 its drags."
-                        : "The cells that the circuit's nodes stand for; nothing presses.",
-      .plot = {},
-      .picture = maps({traction_map(scene, cells, shown, scales)}) + traction_bar(scene, scales),
-      .data = "certificate.json",
-      .type = "skin"};
+  const bool loaded = std::any_of(tractions.begin(), tractions.end(),
+                                  [](double traction) { return traction != 0.0; });
+  if (!loaded) return {};
+  return {.name = "pad",
+          .section = "pad",
+          .caption = "Seen from outside: " + std::string(voltages) +
+                     ", colours the pressure of each cell, arrows its drag, dots the taxels. A "
+                     "node is named after its cell: p_3_5 of row 3 and column 5, from 0, qy_3_5 "
+                     "and qz_3_5 its drags. The pointer tells what is under it; a click keeps a "
+                     "cell for the curves through it.",
+          .plot = {},
+          .picture = skin_load(scene, cells, tractions, "The circuit's answer"),
+          .data = "certificate.json",
+          .type = "whole-row"};
 }
 
 std::vector<Figure> figures_of(const lab::Certification& c) {
@@ -265,8 +261,12 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
     html += element("p", in_words(remark), "note");
   if (c.curves) html += element("p", in_words(*c.curves), "note");
 
-  html += "<div class=\"two top\">" + figures.html("pad") + "<div>" +
-          element("h2", "What is known of it") + html_list(known(c)) + "</div></div>\n";
+  const std::string pad = figures.html("pad");
+  const std::string facts = element("h2", "What is known of it") + html_list(known(c));
+  // A skin's map has curves beside it, and takes the whole row.
+  html += std::holds_alternative<SkinScene>(c.scene())
+              ? facts + pad
+              : "<div class=\"two top\">" + pad + "<div>" + facts + "</div></div>\n";
 
   html += element("h2", "Over time");
   if (!c.certificate().dynamics)

@@ -1,12 +1,15 @@
 #include "pages/frames_section.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "pages/pad_drawing.hpp"
+#include "tactile_net/drawing/figure.hpp"
 #include "tactile_net/drawing/html.hpp"
-#include "tactile_net/report/json/frames_json.hpp"
 #include "tactile_net/report/words/frame_words.hpp"
+#include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -36,7 +39,8 @@ std::string player(std::size_t frames) {
 
 /// Hidden until there is a script, which alone can fill it.
 std::string section_of(const std::string& pictures, const std::string& json) {
-  return "<section id=\"frames\" hidden>\n" + pictures + drawing::data_html(json) + "</section>\n";
+  return "<section id=\"frames\" class=\"frames\" hidden>\n" + pictures + drawing::data_html(json) +
+         "</section>\n";
 }
 
 /// Frames in words, evenly thinned out, the one at `start` among them: for who has no script, and
@@ -65,33 +69,45 @@ constexpr std::string_view over_time =
 constexpr std::string_view bands =
     " Bands are two standard deviations, of noise and of what alpha smooths away together.";
 
+/// A table that the script fills with the contacts of the frame shown.
+std::string contacts_place(const lab::RecordingOverview& overview) {
+  if (std::all_of(overview.groups.begin(), overview.groups.end(),
+                  [&](const lab::FrameGroup& group) { return overview.contacts(group).empty(); }))
+    return {};
+  return "<div class=\"wide\"><table data-view=\"contacts\"><thead><tr></tr></thead><tbody></tbody>"
+         "</table></div>\n" +
+         element("p",
+                 "The contacts of this frame. A contact keeps its number from frame to frame, as "
+                 "long as it covers some of the cells that it covered before.",
+                 "quiet");
+}
+
 /// Of a skin: what differs between a recording and a frame is known to the script.
-std::string skin_pictures(std::size_t frames, bool truth, bool deviations, bool drags,
-                          std::string_view data) {
+std::string skin_pictures(bool truth, bool deviations, bool drags, std::string_view data) {
+  const bool two = truth || deviations;
   const std::string tractions = figure_of(
       "tractions", "maps",
       std::string("Seen from outside: colours are the pressure, mean of each cell") +
           (drags ? ", arrows the drag" : "") +
           "; dots are the taxels, crosses dead ones, and the line runs around the cells that "
-          "touch, "
-          "over which forces are summed. The pointer tells what is under it; a click keeps a cell, "
-          "and a second one lets it go.",
+          "touch, over which forces are summed." +
+          (deviations && !truth ? " The pressure may be off most where taxels tell little: beyond "
+                                  "the last of them and between them."
+                                : "") +
+          " The pointer tells what is under it; a click keeps a cell, and a second one lets it go.",
       data);
   const std::string sections = figure_of(
-      "sections", truth ? "maps" : "stack",
+      "sections", two ? "maps" : "stack",
       "Two lines through the cell that presses hardest, or through the one that was clicked." +
           std::string(deviations ? bands : "") + (truth ? " Dashed: true." : ""),
       data);
-  std::string html = player(frames);
-  html +=
-      truth ? tractions + sections : "<div class=\"two top\">" + tractions + sections + "</div>\n";
-  if (truth || deviations)
-    html += figure_of("errors", truth ? "maps" : "maps small",
-                      truth ? "How far the pressure may be off and how far it is. A ring of both "
-                              "colours around a contact is its edge, smoothed; errors all over the "
-                              "skin are noise, and a larger alpha lowers them."
-                            : "How far the pressure may be off: most where taxels tell little, "
-                              "beyond the last of them and between them.",
+  std::string html =
+      two ? tractions + sections : "<div class=\"two top\">" + tractions + sections + "</div>\n";
+  if (truth)
+    html += figure_of("errors", "maps",
+                      "How far the pressure may be off and how far it is. A ring of both colours "
+                      "around a contact is its edge, smoothed; errors all over the skin are noise, "
+                      "and a larger alpha lowers them.",
                       data);
   return html + figure_of("readings", "maps small",
                           "What the taxels read: all that the answer is made of. Blue is "
@@ -99,27 +115,29 @@ std::string skin_pictures(std::size_t frames, bool truth, bool deviations, bool 
                           "readings.csv");
 }
 
-}  // namespace
+std::string skin_pictures(const lab::RecordingOverview& overview) {
+  const std::vector<lab::FrameGroup>& groups = overview.groups;
+  const bool deviations = std::none_of(groups.begin(), groups.end(), [](const auto& group) {
+    return group.answer.deviations.empty();
+  });
+  std::string html = player(groups.size()) + contacts_place(overview) +
+                     skin_pictures(false, deviations, overview.tangential(), "tractions.csv");
+  if (groups.size() > 1) html += figure_of("time", "stack", over_time, "result.json");
+  return html;
+}
 
-std::string frames_section(const lab::RecordingOverview& overview) {
-  const PadLayout pad = pad_layout(overview.scene);
-  const std::string inside = "<image data-part=\"inside\" x=\"0\" y=\"" +
-                             std::to_string(pad.surface) + "\" width=\"1000\" height=\"" +
-                             std::to_string(pad.thickness) + "\" preserveAspectRatio=\"none\"/>\n";
-  const std::string above = "<path class=\"pressure\" data-part=\"pressure\" data-surface=\"" +
-                            std::to_string(pad.surface) +
-                            "\"/><path class=\"drag\" data-part=\"drag\"/>\n";
+std::string line_pictures(const lab::RecordingOverview& overview) {
   const std::string drag = overview.tangential() ? " and the drag" : "";
-  std::string html = player(overview.groups.size()) + "<div class=\"two top\">";
-  html += figure_html(
-      "", "<div data-view=\"pad\">" + draw_pad(overview.scene, inside, above) + "</div>",
-      "The pad in section. On the surface the pressure" + drag +
-          "; inside, the stress across the surface that they cause: blue presses, "
-          "red pulls.",
-      "shown.csv");
+  std::string html = player(overview.groups.size()) + contacts_place(overview);
+  html += "<div class=\"two top\">";
+  html += figure_html("", view_of_pad(draw_pad(overview.line(), true)),
+                      "The pad in section. On the surface the pressure" + drag +
+                          "; inside, the stress across the surface that they cause: blue presses, "
+                          "red pulls.",
+                      "shown.csv");
   html += figure_html("", place_of("sections", "stack"),
                       "The tractions of this frame along the array." +
-                          std::string(overview.peak().bands ? bands : ""),
+                          std::string(overview.peak().answer.bands ? bands : ""),
                       "shown.csv") +
           "</div>\n";
   html += figure_of("readings", "maps",
@@ -133,37 +151,65 @@ std::string frames_section(const lab::RecordingOverview& overview) {
                           "them. In maps of y over time blue presses and red would pull, orange "
                           "drags along +y and purple against it.",
                       "shown.csv");
+  return html;
+}
+
+}  // namespace
+
+std::string frames_section(const lab::RecordingOverview& overview) {
   std::vector<FrameWords> words;
   for (const lab::FrameGroup& group : overview.groups)
     words.push_back(report::frame_words(overview, group));
   const auto start = static_cast<std::size_t>(&overview.peak() - overview.groups.data());
-  return section_of(html, report::frames_json(overview)) + table_of(words, start);
+  return section_of(overview.is_line() ? line_pictures(overview) : skin_pictures(overview),
+                    report::frames_json(overview)) +
+         table_of(words, start);
 }
 
-std::string frames_section(const lab::SkinRecordingAnswer& recording) {
-  const bool deviations = std::none_of(recording.shown.begin(), recording.shown.end(),
-                                       [](const auto& shown) { return shown.deviations.empty(); });
-  const bool drags = recording.shown.front().tractions.size() > recording.grid.count();
-  std::string html =
-      skin_pictures(recording.shown.size(), false, deviations, drags, "tractions.csv");
-  if (recording.shown.size() > 1) html += figure_of("time", "stack", over_time, "result.json");
-  std::vector<FrameWords> words;
-  std::size_t start = 0;
-  for (const auto& shown : recording.shown) {
-    if (shown.frame == recording.hardest) start = words.size();
-    words.push_back(report::frame_words(recording, shown));
-  }
-  return section_of(html, report::frames_json(recording)) + table_of(words, start);
-}
-
-std::string frames_section(const lab::SkinExperiment& experiment) {
-  const auto& answer = experiment.answer;
-  const std::vector<double>& tractions = answer ? answer->tractions : experiment.frame.truth;
+std::string frames_section(const lab::Experiment& experiment) {
+  const lab::MethodResult& result = experiment.results.front();
+  const bool answer = result.has_answer();
+  const std::vector<double>& tractions = answer ? result.answer.tractions : experiment.frame.truth;
   return section_of(
-      skin_pictures(1, answer && experiment.has_truth(), answer && !answer->deviations.empty(),
-                    tractions.size() > experiment.grid.count(),
-                    answer ? "tractions.csv" : "readings.csv"),
+      player(1) + skin_pictures(answer && experiment.has_truth(), result.answer.has_bands(),
+                                tractions.size() > experiment.grid.count(),
+                                answer ? "tractions.csv" : "readings.csv"),
       report::frames_json(experiment));
+}
+
+std::string view_of_pad(const std::string& svg) {
+  return "<div data-view=\"pad\">" + svg + "</div>";
+}
+
+std::string drawn_load(const std::string& views, const report::ShownLoad& load) {
+  return "<div class=\"frames\">" + views + drawing::data_html(report::frames_json(load)) +
+         "</div>\n";
+}
+
+std::string skin_load(const SkinScene& scene, const SurfaceGrid& grid,
+                      std::span<const double> tractions, const std::string& title) {
+  const SkinWrench wrench = resultant(tractions, grid);
+  const std::span<const double> normal = tractions.first(grid.count());
+  const auto hardest = std::max_element(normal.begin(), normal.end());
+  const auto cell = static_cast<std::size_t>(hardest - normal.begin());
+  const auto said = [&](Dimension dimension, double value) {
+    return report::in_unit(scene.units, dimension, value);
+  };
+  std::string words = "Force " + said(Dimension::point_force, wrench.force[0]);
+  if (tractions.size() > grid.count())
+    words += ", drag " + said(Dimension::point_force, std::hypot(wrench.force[1], wrench.force[2]));
+  words += "; hardest at y = " + said(Dimension::length, grid.y(cell / grid.columns)) +
+           ", z = " + said(Dimension::length, grid.z(cell % grid.columns)) + ": " +
+           said(Dimension::stress, *hardest) + ".";
+  return element("p", words) +
+         drawn_load("<div class=\"two top\">" + place_of("tractions", "maps") +
+                        place_of("sections", "stack") + "</div>",
+                    {.grid = grid,
+                     .units = scene.units,
+                     .tractions = tractions,
+                     .title = title,
+                     .sites = sites(scene.sensor),
+                     .dead = scene.dead_taxels});
 }
 
 }  // namespace tactile_net::pages

@@ -61,6 +61,7 @@ std::string grasp_report_html(const lab::GraspResult& grasp, const Made& made) {
     html += element("h2", "How the measured forces balance") + html_list(balance_in_words(grasp));
   if (grasp.held) html += element("h2", "How it is held") + html_list(hold_in_words(grasp));
   html += element("h2", "Where the contacts come from") + html_list(sources_in_words(grasp));
+  html += pad_contacts_html(report::pad_contacts(grasp));
   html += element("p",
                   "± is one standard deviation. Normal is into the pad and tangential along its y; "
                   "the distance to the friction cone's edge is a force.");

@@ -18,7 +18,7 @@ std::string arrows_caption(const ArrowsShown& shown) {
     html += arrow_key("held", shown.measured ? "what would hold the load (thick, orange)"
                                              : "what would hold the load (orange)");
   if (shown.load) html += ", and " + arrow_key("load", "the load (green)");
-  html += ".";
+  html += "; the pointer on an arrow tells its numbers.";
   if (shown.cones)
     html +=
         " A force holds while its arrow stays inside its grey cone of friction, whose length "
@@ -28,6 +28,13 @@ std::string arrows_caption(const ArrowsShown& shown) {
         " Where thin and thick arrows of a finger part, the fingers do not press as the load "
         "asks.";
   return html;
+}
+
+std::string row_in_words(const std::vector<std::vector<std::string>>& table, std::size_t row) {
+  std::string words = table[row][0];
+  for (std::size_t k = 1; k < table[row].size(); ++k)
+    words += (k == 1 ? ": " : ", ") + table[0][k] + ' ' + table[row][k];
+  return words;
 }
 
 std::string grasp_tables(const std::string& title,
@@ -40,6 +47,13 @@ std::string grasp_tables(const std::string& title,
       element("h2", title) + "<div class=\"cards\">" + verdict_table(contacts) + "</div>";
   if (torques.size() > 1)
     html += element("p", about_torques, "quiet") + drawing::html_table(torques);
+  return html;
+}
+
+std::string pad_contacts_html(const std::vector<report::PadContacts>& pads) {
+  std::string html;
+  for (const report::PadContacts& pad : pads)
+    html += element("p", pad.title) + drawing::html_table(pad.rows);
   return html;
 }
 

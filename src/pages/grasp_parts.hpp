@@ -2,11 +2,13 @@
 /// What the pages of a grasp of the plane and of one in space have in common. Private.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "pages/parts.hpp"
 #include "tactile_net/drawing/html.hpp"
+#include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::pages {
 
@@ -28,6 +30,12 @@ struct ArrowsShown {
                                        const std::vector<std::vector<std::string>>& contacts,
                                        std::vector<std::vector<std::string>> torques,
                                        const std::string& about_torques);
+
+/// A row of such a table in one line, for a pointer: "left: contact at (1, 2) mm, verdict holds".
+[[nodiscard]] std::string row_in_words(const std::vector<std::vector<std::string>>& table,
+                                       std::size_t row);
+/// A table for each pad with several contacts.
+[[nodiscard]] std::string pad_contacts_html(const std::vector<report::PadContacts>& pads);
 
 /// Whether any finger has a friction.
 [[nodiscard]] bool has_friction(const auto& fingers) {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "pages/grasp_parts.hpp"
 #include "pages/picture.hpp"
+#include "tactile_net/report/words/grasp_words.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -80,16 +82,6 @@ void draw_finger(Picture& picture, const lab::Fingertip& tip) {
   picture.text(base + Vector2{0.0, 30.0}, tip.finger.name, "middle");
 }
 
-/// The hand's axes, at the picture's lower left.
-void draw_frame(Picture& picture) {
-  const Vector2 origin = {picture.low().x + 4.0, picture.high().y + 66.0};
-  constexpr double size = 46.0;
-  picture.arrow(origin, {size, 0.0}, "frame");
-  picture.arrow(origin, {0.0, -size}, "frame");
-  picture.text(origin + Vector2{size + 6.0, 5.0}, "X", "start");
-  picture.text(origin + Vector2{10.0, -size + 8.0}, "Y", "start");
-}
-
 }  // namespace
 
 std::string draw_hand(const lab::GraspResult& grasp) {
@@ -110,21 +102,25 @@ std::string draw_hand(const lab::GraspResult& grasp) {
     if (const auto& friction = grasp.hand.fingers[i].friction)
       draw_cone(picture, grasp.tips[i].pose, contacts[i], *friction);
   for (const lab::Fingertip& tip : grasp.tips) draw_finger(picture, tip);
-  const auto arrows = [&](const std::vector<FingerAction>& actions, const std::string& type) {
-    for (const FingerAction& action : actions)
-      picture.arrow(picture.at(action.point), {forces * action.force.x, -forces * action.force.y},
-                    type);
+  const auto arrows = [&](const auto& answer, const std::string& type) {
+    const std::vector<FingerAction>& actions = answer.grasp.fingers;
+    const auto cells = report::contact_cells(grasp, actions, answer.margins);
+    for (std::size_t i = 0; i < actions.size(); ++i)
+      picture.arrow(picture.at(actions[i].point),
+                    {forces * actions[i].force.x, -forces * actions[i].force.y}, type,
+                    row_in_words(cells, i + 1));
   };
-  if (grasp.held) arrows(grasp.held->grasp.fingers, "held");
-  if (grasp.measured) arrows(grasp.measured->grasp.fingers, "measured");
+  if (grasp.held) arrows(*grasp.held, "held");
+  if (grasp.measured) arrows(*grasp.measured, "measured");
   for (const Vector2 contact : contacts) picture.dot(contact, 4.0, "contact");
   if (const auto& load = grasp.hand.load) {
     const Vector2 at = picture.at(load->point);
-    picture.arrow(at, {forces * load->force.x, -forces * load->force.y}, "load");
+    picture.arrow(at, {forces * load->force.x, -forces * load->force.y}, "load",
+                  report::load_in_words(grasp));
     draw_torque(picture, at, load->torque);
     picture.dot(at, 4.0, "load head");
   }
-  draw_frame(picture);
+  draw_axes(picture, "X", "Y");
   draw_scales(picture, lengths, forces, grasp.hand.si);
   return picture.finish("The hand, its contacts and the forces on the object");
 }

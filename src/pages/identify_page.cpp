@@ -3,14 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "pages/axis.hpp"
 #include "pages/pad_drawing.hpp"
 #include "pages/parts.hpp"
+#include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/json/waves_json.hpp"
+#include "tactile_net/report/words/answers.hpp"
 #include "tactile_net/report/words/identify_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
 namespace tactile_net::pages {
@@ -19,6 +24,7 @@ namespace {
 using drawing::Curve;
 using drawing::element;
 using drawing::Figure;
+using drawing::figure_html;
 using drawing::Figures;
 using drawing::html_list;
 using drawing::html_table;
@@ -30,8 +36,8 @@ using report::material_in_words;
 using report::sensor_in_words;
 using report::verdict_in_words;
 
-double deviation(const Resolution& resolution, Traction component) {
-  return component == Traction::normal ? resolution.normal : resolution.tangential;
+double deviation(const SkinResolution& resolution, SkinRipple part) {
+  return resolution.of_wave[static_cast<std::size_t>(part)];
 }
 
 Plot singular_value_plot(const Identifiability& result) {
@@ -58,23 +64,24 @@ std::vector<const lab::SensorChoice*> drawn(const lab::Survey& survey, std::size
   return choices;
 }
 
-Plot deviation_plot(const Scene& scene, const lab::Survey& survey, Traction component) {
+Plot deviation_plot(const Scene& scene, const lab::Survey& survey, SkinRipple component) {
   // Far above the traction nothing is left to see: a curve ends there.
   constexpr double top = 1e4;
   const std::vector<const lab::SensorChoice*> choices = drawn(survey, 5);
   double shortest = std::numeric_limits<double>::infinity();
   for (const lab::SensorChoice* choice : choices)
-    for (const Resolution& resolution : choice->resolutions)
+    for (const SkinResolution& resolution : choice->resolutions)
       if (deviation(resolution, component) <= top * survey.traction)
-        shortest = std::min(shortest, resolution.wavelength);
-  const auto shown = [&](const Resolution& resolution) {
-    return std::isfinite(resolution.wavelength) && resolution.wavelength >= shortest;
+        shortest = std::min(shortest, resolution.wavelength());
+  const auto shown = [&](const SkinResolution& resolution) {
+    return std::isfinite(resolution.wavelength()) && resolution.wavelength() >= shortest;
   };
   std::vector<double> wavelengths;
-  for (const Resolution& resolution : survey.own.resolutions)
-    if (shown(resolution)) wavelengths.push_back(resolution.wavelength);
-  const PlotAxis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
-  Plot plot{std::string(component == Traction::normal ? "Normal" : "Tangential") +
+  for (const SkinResolution& resolution : survey.own.resolutions)
+    if (shown(resolution)) wavelengths.push_back(resolution.wavelength());
+  const PlotAxis along =
+      axis(scene.units, "wavelength of a ripple", Dimension::length, {&wavelengths});
+  Plot plot{std::string(component == SkinRipple::pressure ? "Normal" : "Tangential") +
                 " traction: what noise hides",
             along.label,
             "standard deviation / ripple",
@@ -86,7 +93,7 @@ Plot deviation_plot(const Scene& scene, const lab::Survey& survey, Traction comp
     Curve line{in_words(*choice, scene.units) + (choice == &survey.own ? " (now)" : ""),
                {},
                plot.curves.size() + 1};
-    for (const Resolution& resolution : choice->resolutions)
+    for (const SkinResolution& resolution : choice->resolutions)
       if (shown(resolution)) {
         const double ratio = deviation(resolution, component) / survey.traction;
         line.y.push_back(ratio <= top ? ratio : std::numeric_limits<double>::quiet_NaN());
@@ -104,10 +111,10 @@ struct Spectrum {
   double longest = 0.0;
 
   explicit Spectrum(const lab::SensorChoice& choice) {
-    for (const Resolution& resolution : choice.resolutions) {
-      if (!std::isfinite(resolution.wavelength)) continue;
-      shortest = std::min(shortest, resolution.wavelength);
-      longest = std::max(longest, resolution.wavelength);
+    for (const SkinResolution& resolution : choice.resolutions) {
+      if (!std::isfinite(resolution.wavelength())) continue;
+      shortest = std::min(shortest, resolution.wavelength());
+      longest = std::max(longest, resolution.wavelength());
     }
   }
   [[nodiscard]] double at(double wavelength) const {
@@ -118,25 +125,26 @@ struct Spectrum {
 
 /// What of one traction stands out of the noise: full colour where ten times as much, none where
 /// the noise is larger.
-std::string sight(const lab::SensorChoice& choice, Traction component, double traction,
+std::string sight(const lab::SensorChoice& choice, SkinRipple component, double traction,
                   const Spectrum& spectrum, double top, double height) {
   const std::string place = "\" y=\"" + fixed(top, 0) + "\" height=\"" + fixed(height, 0) + "\"";
   std::string svg = "<rect class=\"room\" x=\"0\" width=\"1000" + place + "/>";
   const auto& all = choice.resolutions;
   for (std::size_t j = 0; j < all.size(); ++j) {
     const double ratio = deviation(all[j], component) / traction;
-    if (!std::isfinite(all[j].wavelength) || !(ratio <= 1.0)) continue;
+    if (!std::isfinite(all[j].wavelength()) || !(ratio <= 1.0)) continue;
     // From half way to the next longer wavelength to half way to the next shorter one.
-    const double here = all[j].wavelength;
+    const double here = all[j].wavelength();
     const double longer =
-        j > 0 && std::isfinite(all[j - 1].wavelength) ? all[j - 1].wavelength : here;
-    const double shorter = j + 1 < all.size() ? all[j + 1].wavelength : here;
+        j > 0 && std::isfinite(all[j - 1].wavelength()) ? all[j - 1].wavelength() : here;
+    const double shorter = j + 1 < all.size() ? all[j + 1].wavelength() : here;
     const double from = spectrum.at(std::sqrt(here * shorter));
     const double to = spectrum.at(std::sqrt(here * longer));
     const double opacity = std::min(1.0, 0.3 - 0.7 * std::log10(std::max(ratio, 1e-3)));
-    svg += "<rect class=\"" + std::string(component == Traction::normal ? "normal" : "tangential") +
-           "\" x=\"" + fixed(from, 1) + "\" width=\"" + fixed(to - from + 0.5, 1) + place +
-           " fill-opacity=\"" + fixed(opacity, 2) + "\"/>";
+    svg += "<rect class=\"" +
+           std::string(component == SkinRipple::pressure ? "normal" : "tangential") + "\" x=\"" +
+           fixed(from, 1) + "\" width=\"" + fixed(to - from + 0.5, 1) + place + " fill-opacity=\"" +
+           fixed(opacity, 2) + "\"/>";
   }
   return svg;
 }
@@ -145,18 +153,18 @@ std::string sight(const lab::SensorChoice& choice, Traction component, double tr
 Plot sight_plot(const Scene& scene, const std::vector<const lab::SensorChoice*>& choices,
                 double traction) {
   std::vector<double> wavelengths;
-  for (const Resolution& resolution : choices.front()->resolutions)
-    if (std::isfinite(resolution.wavelength)) wavelengths.push_back(resolution.wavelength);
-  const PlotAxis along = axis(scene, "wavelength of a ripple", Dimension::length, {&wavelengths});
+  for (const SkinResolution& resolution : choices.front()->resolutions)
+    if (std::isfinite(resolution.wavelength())) wavelengths.push_back(resolution.wavelength());
+  const PlotAxis along =
+      axis(scene.units, "wavelength of a ripple", Dimension::length, {&wavelengths});
   Plot plot{"", along.label, "standard deviation / ripple", along(wavelengths), {}};
   for (const lab::SensorChoice* choice : choices)
-    for (const Traction component : {Traction::normal, Traction::tangential_y}) {
-      if (component == Traction::tangential_y && choice->unknowns == 1) continue;
+    for (const SkinRipple component : lab::ripples_of(choice->unknowns)) {
       Curve curve{in_words(*choice, scene.units) +
-                      (component == Traction::normal ? ", normal" : ", tangential"),
+                      (component == SkinRipple::pressure ? ", normal" : ", tangential"),
                   {}};
-      for (const Resolution& resolution : choice->resolutions)
-        if (std::isfinite(resolution.wavelength))
+      for (const SkinResolution& resolution : choice->resolutions)
+        if (std::isfinite(resolution.wavelength()))
           curve.y.push_back(deviation(resolution, component) / traction);
       plot.curves.push_back(std::move(curve));
     }
@@ -177,13 +185,13 @@ Figure sight_figure(const Scene& scene, const lab::Survey& survey) {
     const bool own = choice == &survey.own;
     html +=
         element("span", in_words(*choice, scene.units) + (own ? " (now)" : ""), own ? "own" : "");
-    const std::string told =
-        choice->normal ? "normal from " + length(*choice->normal) : "no normal";
+    const auto normal = choice->resolvable(SkinRipple::pressure);
+    const std::string told = normal ? "normal from " + length(*normal) : "no normal";
     html +=
         "<svg viewBox=\"0 0 1000 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\"" +
         drawing::escaped(in_words(*choice, scene.units) + ": " + told) + "\">" +
-        sight(*choice, Traction::normal, survey.traction, spectrum, 0.0, two ? 46.0 : 100.0) +
-        (two ? sight(*choice, Traction::tangential_y, survey.traction, spectrum, 54.0, 46.0) : "") +
+        sight(*choice, SkinRipple::pressure, survey.traction, spectrum, 0.0, two ? 46.0 : 100.0) +
+        (two ? sight(*choice, SkinRipple::drag_along, survey.traction, spectrum, 54.0, 46.0) : "") +
         "</svg>\n";
   }
   html += "<div class=\"scale\">" + element("span", "wavelength " + length(spectrum.shortest)) +
@@ -211,7 +219,7 @@ std::vector<Figure> figures_of(const Scene& scene, const lab::Survey& survey) {
        .caption = "The pad in section, to scale: the deeper the taxels below the surface, the more "
                   "the pad smooths before they read.",
        .plot = {},
-       .picture = draw_pad(scene, "", ""),
+       .picture = draw_pad(scene, false),
        .data = "result.json"},
       sight_figure(scene, survey),
       {"singular-values", "scene",
@@ -219,41 +227,99 @@ std::vector<Figure> figures_of(const Scene& scene, const lab::Survey& survey) {
        "strongest first. The lower a dot, the more its combination is drowned; those on or below "
        "the heavy line are lost to rounding, whatever the noise; one of exactly 0 has no place "
        "here.",
-       singular_value_plot(survey.own.identifiability)},
-      {"resolution-normal", "others", ripples, deviation_plot(scene, survey, Traction::normal)}};
+       singular_value_plot(*survey.own.identifiability)},
+      {"resolution-normal", "others", ripples,
+       deviation_plot(scene, survey, SkinRipple::pressure)}};
   if (survey.own.unknowns == 2)
     figures.push_back({"resolution-tangential", "others", "The same for the tangential traction.",
-                       deviation_plot(scene, survey, Traction::tangential_y)});
+                       deviation_plot(scene, survey, SkinRipple::drag_along)});
   std::erase_if(figures, [](const Figure& figure) {
     return figure.plot.x.empty() && figure.picture.empty();
   });
   return figures;
 }
 
-}  // namespace
+// A skin's map: a square for each wave.
 
-Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made) {
+std::string waves_figure(const SkinScene& scene, const lab::Survey& survey) {
+  return figure_html(
+      "waves",
+      "<div class=\"waves maps\">" + drawing::data_html(report::waves_json(scene, survey)) +
+          "</div>\n",
+      "What the scene's sensors see away from the ends of the skin: a square for each wave, "
+      "uniform at the upper left, shorter to the right along y and downwards along z. The darker, "
+      "the further a ripple of " +
+          report::in_unit(scene.units, Dimension::stress, survey.traction) +
+          " stands out of the noise; the line runs around those that do, and the pointer tells how "
+          "far.",
+      "waves.csv", "skin");
+}
+
+/// The numbers behind the maps.
+std::string waves_csv(const lab::Survey& survey) {
+  std::string csv = "wavenumber_y,wavenumber_z,pressure,drag_along,drag_across\n";
+  for (const SkinResolution& one : survey.own.resolutions) {
+    csv += shortest(one.wavenumber_y) + ',' + shortest(one.wavenumber_z);
+    for (const double deviation : one.of_wave)
+      csv += ',' + (std::isfinite(deviation) ? shortest(deviation) : std::string{});
+    csv += '\n';
+  }
+  return csv;
+}
+
+// What is the same of both.
+
+/// What is drawn of the answer and of the others, and how a line's singular values lie.
+struct SurveyFigures {
+  std::string answer, others, singular_values;
+  drawing::Files files;
+};
+
+SurveyFigures figures_with(const Scene& scene, const lab::Survey& survey) {
   const Figures figures(figures_of(scene, survey));
-  Page page{.files = figures.data()};
+  return {figures.html("answer"), figures.html("others"), figures.html("scene"), figures.data()};
+}
+SurveyFigures figures_with(const SkinScene& scene, const lab::Survey& survey) {
+  return {waves_figure(scene, survey), "", "", {{"waves.csv", waves_csv(survey)}}};
+}
 
+Page survey_page(const auto& scene, const lab::Survey& survey, const Made& made) {
+  const std::optional<Units>& units = scene.units;
+  const SurveyFigures figures = figures_with(scene, survey);
+  Page page{.files = figures.files};
   std::string html =
       heading(scene.title, scene.file, sensor_in_words(scene) + "; " + material_in_words(scene));
-  html += answer_box(answers(scene, survey));
-  const std::vector<std::string> verdict = verdict_in_words(survey, scene.units);
-  const bool hidden = survey.own.identifiability.null_space.dimension > 0;
-  html += element("p", verdict.front(), hidden ? "bad" : "");
-  html += figures.html("answer");
-  html += paragraphs({verdict.begin() + 1, verdict.end()}, "");
+  html += answer_box(answers(survey, units));
+  const std::vector<std::string> hidden = report::hidden_in_words(survey, units);
+  const std::vector<std::string> verdict = verdict_in_words(survey, units);
+  html += paragraphs(hidden, "bad");
+  html +=
+      paragraphs({verdict.begin() + static_cast<std::ptrdiff_t>(hidden.size()), verdict.end()}, "");
+  html += figures.answer;
+  html += element("h2", "Which reading determines what");
+  html += element("p", report::shares_in_words(survey, units));
+  html += html_table(report::share_cells(survey, units));
   html += element("h2", "Which quantities, at which depth");
-  html += element("p", report::cells_in_words(scene, survey));
-  html += html_table(report::survey_cells(survey, scene.units));
-  html += figures.html("others");
-  html += element("h2", "What these sensors hide, by singular values");
-  html += html_list(report::singular_values_in_words(survey.own.identifiability, scene.units));
-  html += figures.html("scene");
+  html += element("p", report::cells_in_words(survey, units));
+  html += html_table(report::survey_cells(survey, units));
+  html += figures.others;
+  if (survey.own.identifiability) {
+    html += element("h2", "What these sensors hide, by singular values");
+    html += html_list(report::singular_values_in_words(*survey.own.identifiability, units));
+    html += figures.singular_values;
+  }
   html += colophon("The scene, the files, the command", scene_html(scene), page.files, made);
   page.html = page_html(scene.file + " - tactile-net identify", html);
   return page;
+}
+
+}  // namespace
+
+Page survey_html(const Scene& scene, const lab::Survey& survey, const Made& made) {
+  return survey_page(scene, survey, made);
+}
+Page survey_html(const SkinScene& scene, const lab::Survey& survey, const Made& made) {
+  return survey_page(scene, survey, made);
 }
 
 }  // namespace tactile_net::pages

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <set>
 #include <utility>
-#include <vector>
 
+#include "pages/frames_section.hpp"
 #include "pages/pixel_text.hpp"
 #include "tactile_net/drawing/html.hpp"
-#include "tactile_net/drawing/png.hpp"
+#include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/lab/interior.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -19,145 +18,222 @@ namespace {
 
 using drawing::element;
 
-std::string letter(double x, double y, std::string_view words) {
-  return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\">" + std::string(words) + "</text>\n";
+/// What a section shows, of a line's pad or of a skin's.
+struct PadSection {
+  double middle = 0.0;      ///< y of the surface's middle [m]
+  double half_width = 0.0;  ///< [m]
+  double bottom = 0.0;      ///< depth that is drawn [m]
+  std::optional<Units> units{};
+  std::optional<Layer> layer{};
+  std::vector<Site> sites{};
+  std::string deep{};    ///< what is below, without a layer
+  std::string depths{};  ///< of the taxels
+
+  [[nodiscard]] std::string length(double value) const {
+    return report::in_unit(units, Dimension::length, value);
+  }
+  [[nodiscard]] std::vector<std::string> ends() const {
+    return {"y = " + length(middle - half_width), middle == 0.0 ? "0" : length(middle),
+            length(middle + half_width)};
+  }
+};
+
+PadSection pad_section(const Scene& scene) {
+  const Surface places = surface(scene);
+  return {.middle = places.centre,
+          .half_width = places.half_width(),
+          .bottom = lab::interior_depth(scene),
+          .units = scene.units,
+          .layer = scene.material.layer,
+          .sites = sites(scene.sensor),
+          .deep = "deep: a half plane",
+          .depths = "taxels at depth x = " + report::depths_in_words(scene)};
 }
 
-std::string line(std::string_view type, double y) {
-  return "<line class=\"" + std::string(type) + "\" x1=\"0\" x2=\"1000\" y1=\"" + px(y) +
-         "\" y2=\"" + px(y) + "\"/>\n";
+PadSection pad_section(const SkinScene& scene, const SurfaceGrid& grid) {
+  PadSection section{.middle = grid.centre_y,
+                     .half_width = 0.5 * grid.spacing_y * static_cast<double>(grid.rows),
+                     .units = scene.units,
+                     .layer = scene.material.layer,
+                     .sites = sites(scene.sensor),
+                     .deep = "deep: a half space"};
+  double deepest = 0.0;
+  for (const Site& site : section.sites) deepest = std::max(deepest, site.depth);
+  section.bottom = section.layer ? section.layer->thickness : 2.0 * deepest;
+  section.depths =
+      (scene.sensor.depths.size() == 1 ? "taxels at depth x = " : "taxels down to x = ") +
+      section.length(deepest);
+  return section;
 }
 
-double largest(std::span<const double> values) {
-  double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
-/// What lies below the pad, and where the taxels are; above that the ends of y.
-std::string words_below(const Scene& scene) {
-  const auto length = [&](double value) {
-    return report::in_unit(scene, Dimension::length, value);
+std::string draw_pad(const PadSection& pad, bool loaded) {
+  constexpr double surface = 110.0;  // y of the surface: above it loads are drawn
+  const double scale = 500.0 / pad.half_width;
+  const double thickness = std::clamp(scale * pad.bottom, 90.0, 420.0);
+  const double top = loaded ? 0.0 : surface - 40.0;
+  const std::string box =
+      "x=\"0\" y=\"" + px(surface) + "\" width=\"1000\" height=\"" + px(thickness) + '"';
+  const auto line = [](std::string_view type, double y) {
+    return "<line class=\"" + std::string(type) + "\" x1=\"0\" x2=\"1000\" y1=\"" + px(y) +
+           "\" y2=\"" + px(y) + "\"/>\n";
   };
-  const auto& layer = scene.material.layer;
+  const auto letter = [](double x, double y, std::string_view words) {
+    return "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\">" + std::string(words) + "</text>\n";
+  };
+  std::string svg = "<svg class=\"section\" viewBox=\"-34 " + px(top) + " 1078 " +
+                    px(surface + thickness + 4.0 - top) +
+                    "\" role=\"img\" aria-label=\"Section of the pad: taxels below the surface" +
+                    (loaded ? ", tractions on top" : "") + "\">\n<rect class=\"pad\" " + box +
+                    "/>\n";
+  if (loaded)
+    svg += "<image data-part=\"inside\" data-depth=\"" + shortest(pad.bottom) + "\" " + box +
+           " preserveAspectRatio=\"none\"/>\n";
+  std::set<double> places;
+  for (const Site& site : pad.sites) places.insert(site.y);
+  const double radius = std::clamp(300.0 / static_cast<double>(places.size()), 1.2, 4.0);
+  std::set<std::pair<double, double>> drawn;  // several quantities may be read at one place
+  for (const Site& site : pad.sites)
+    if (drawn.emplace(site.y, site.depth).second) {
+      const double half = std::max(0.5 * site.width * scale, radius);
+      svg += "<rect class=\"taxel\" x=\"" + px(500.0 + scale * (site.y - pad.middle) - half) +
+             "\" y=\"" + px(surface + thickness * site.depth / pad.bottom - radius) +
+             "\" width=\"" + px(2.0 * half) + "\" height=\"" + px(2.0 * radius) + "\" rx=\"" +
+             px(radius) + "\"/>";
+    }
+  svg += '\n' + line("surface", surface);
+  if (pad.layer) svg += line("base", surface + thickness);
+  svg += "<g class=\"axis\"><path d=\"M-12 " + px(surface) +
+         "v46m-5 -9l5 9l5 -9\"/><path d=\"M968 " + px(surface - 8.0) +
+         "h40m-9 -5l9 5l-9 5\"/></g>\n" + letter(-20.0, surface + 76.0, "x") +
+         letter(1016.0, surface - 1.0, "y");
+  if (loaded)
+    svg +=
+        "<path class=\"pressure\" data-part=\"pressure\"/><path class=\"drag\" "
+        "data-part=\"drag\"/>\n";
   std::string ends;
-  for (const std::string& end : ends_of_surface(scene)) ends += element("span", end);
-  return "<div class=\"pad-words\">" + ends + "</div><div class=\"pad-words\">" +
-         element("span", !layer ? "deep: a half plane"
-                                : length(layer->thickness) + " thick, " +
-                                      (layer->base == Base::bonded ? "bonded to a rigid base"
-                                                                   : "slides on a rigid base")) +
-         element("span", "taxels at depth x = " + report::depths_in_words(scene)) + "</div>\n";
+  for (const std::string& end : pad.ends()) ends += element("span", end);
+  return svg + "</svg>\n<div class=\"pad-words\">" + ends + "</div><div class=\"pad-words\">" +
+         element("span", !pad.layer
+                             ? pad.deep
+                             : pad.length(pad.layer->thickness) + " thick, " +
+                                   (pad.layer->base == Base::bonded ? "bonded to a rigid base"
+                                                                    : "slides on a rigid base")) +
+         element("span", pad.depths) + "</div>\n";
+}
+
+/// What stands on the pad: the truth where it is known.
+const std::vector<double>& shown(const lab::Experiment& experiment) {
+  return experiment.has_truth() ? experiment.frame.truth
+                                : experiment.results.front().answer.tractions;
+}
+
+/// stress_x below the cells of a column, row by row from the surface. Points lie on the lattice of
+/// the cells or of their halves, so that few distances occur, and the kernel is asked once for
+/// each.
+std::vector<double> stress_below(const lab::Experiment& experiment, std::size_t rows, double bottom,
+                                 std::size_t column) {
+  const SurfaceGrid& grid = experiment.grid;
+  const std::size_t per_cell = grid.rows <= 32 ? 2 : 1;
+  const std::size_t points = per_cell * grid.rows;
+  const double step = grid.spacing_y / static_cast<double>(per_cell);
+  const std::size_t last = per_cell * (grid.rows - 1);  // the first point of the last row of cells
+  std::vector<double> stress(rows * points);
+  std::vector<double> by_distance(last + points);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const SkinKernel kernel(experiment.skin().material,
+                            bottom * (static_cast<double>(i) + 0.5) / static_cast<double>(rows));
+    for (const Traction which : skin_tractions) {
+      const auto values = lab::component(shown(experiment), grid, which);
+      for (std::size_t of = 0; !values.empty() && of < grid.columns; ++of) {
+        for (std::size_t d = 0; d < by_distance.size(); ++d)
+          by_distance[d] =
+              kernel(Quantity::stress_x, which, {grid.spacing_y, grid.spacing_z},
+                     step * (static_cast<double>(d) - static_cast<double>(last) + 0.5) -
+                         0.5 * grid.spacing_y,
+                     grid.z(column) - grid.z(of));
+        for (std::size_t row = 0; row < grid.rows; ++row)
+          for (std::size_t j = 0; j < points; ++j)
+            stress[i * points + j] +=
+                values[row * grid.columns + of] * by_distance[j + last - per_cell * row];
+      }
+    }
+  }
+  return stress;
+}
+
+/// The column of the cell where the answer presses hardest.
+std::size_t peak_column(const lab::Experiment& experiment) {
+  const auto p = lab::component(experiment.results.front().answer.tractions, experiment.grid,
+                                Traction::normal);
+  return static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin()) %
+         experiment.grid.columns;
+}
+
+bool presses(std::span<const double> normal) {
+  return std::any_of(normal.begin(), normal.end(), [](double p) { return p != 0.0; });
 }
 
 }  // namespace
 
-std::vector<std::string> ends_of_surface(const Scene& scene) {
-  const Surface places = surface(scene);
-  const auto from_middle = [&](double y) {
-    return report::in_unit(scene, Dimension::length, places.centre + y);
-  };
-  return {"y = " + from_middle(-places.half_width()), places.centre == 0.0 ? "0" : from_middle(0.0),
-          from_middle(places.half_width())};
-}
+std::vector<std::string> ends_of_surface(const Scene& scene) { return pad_section(scene).ends(); }
 
-PadLayout pad_layout(const Scene& scene) {
-  PadLayout layout;
-  const Surface places = surface(scene);
-  layout.middle = places.centre;
-  layout.scale = layout.width / (2.0 * places.half_width());
-  layout.bottom = lab::interior_depth(scene);
-  layout.thickness = std::clamp(layout.scale * layout.bottom, 90.0, 420.0);
-  layout.height = layout.surface + layout.thickness + 4.0;
-  return layout;
-}
-
-std::string draw_pad(const Scene& scene, std::string_view inside, std::string_view above) {
-  const PadLayout layout = pad_layout(scene);
-  const double top = above.empty() ? layout.surface - 40.0 : 0.0;
-  const auto depth = [&](double x) {
-    return layout.surface + layout.thickness * x / layout.bottom;
-  };
-  std::string svg = "<svg class=\"section\" viewBox=\"-34 " + px(top) + " 1078 " +
-                    px(layout.height - top) +
-                    "\" role=\"img\" aria-label=\"Section of the pad: taxels below the surface" +
-                    (above.empty() ? "" : ", tractions on top") + "\">\n";
-  svg += "<rect class=\"pad\" x=\"0\" y=\"" + px(layout.surface) + "\" width=\"1000\" height=\"" +
-         px(layout.thickness) + "\"/>\n";
-  svg += inside;
-  const double radius = std::clamp(300.0 / static_cast<double>(scene.sensor.count), 1.2, 4.0);
-  std::set<std::pair<double, double>> drawn;  // several quantities may be read at one place
-  for (const Site& site : sites(scene.sensor))
-    if (drawn.emplace(site.y, site.depth).second) {
-      const double half = std::max(0.5 * site.width * layout.scale, radius);
-      svg += "<rect class=\"taxel\" x=\"" + px(layout.at(site.y) - half) + "\" y=\"" +
-             px(depth(site.depth) - radius) + "\" width=\"" + px(2.0 * half) + "\" height=\"" +
-             px(2.0 * radius) + "\" rx=\"" + px(radius) + "\"/>";
-    }
-  const double y = layout.surface;
-  svg += '\n' + line("surface", y);
-  if (scene.material.layer) svg += line("base", y + layout.thickness);
-  svg += "<g class=\"axis\"><path d=\"M-12 " + px(y) + "v46m-5 -9l5 9l5 -9\"/><path d=\"M968 " +
-         px(y - 8.0) + "h40m-9 -5l9 5l-9 5\"/></g>\n" + letter(-20.0, y + 76.0, "x") +
-         letter(1016.0, y - 1.0, "y");
-  svg += above;
-  return svg + "</svg>\n" + words_below(scene);
-}
-
-std::string draw_stress(const Scene& scene, const PadLoad& load) {
-  constexpr std::size_t rows = 18;
-  const double most = largest(load.normal);
-  const std::size_t count = load.normal.size();
-  if (!(most > 0.0) || count > 1024) return {};
-  const lab::InteriorKernels kernels = lab::interior_kernels(scene, rows, !load.tangential.empty());
-  std::vector<std::uint8_t> pixels;
-  for (const double stress : lab::interior_stress(kernels, load.normal, load.tangential))
-    pixels.push_back(drawing::diverging_index(stress / most));
-  const PadLayout layout = pad_layout(scene);
-  return "<image x=\"0\" y=\"" + px(layout.surface) + "\" width=\"1000\" height=\"" +
-         px(layout.thickness) + "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
-         drawing::base64(
-             drawing::png(count, rows, pixels, drawing::diverging({192, 57, 43}, {33, 102, 172}))) +
-         "\"/>\n";
-}
-
-std::string draw_load(const Scene& scene, const PadLoad& load) {
-  const PadLayout layout = pad_layout(scene);
-  const double most = largest(load.normal);
-  if (!(most > 0.0)) return {};
-  const Surface places = surface(scene);
-  const auto x = [&](std::size_t i) { return layout.at(places.position(i)); };
-  std::string area = "M0 " + px(layout.surface);
-  for (std::size_t i = 0; i < load.normal.size(); ++i)
-    area += 'L' + px(x(i)) + ' ' + px(layout.surface - 85.0 * load.normal[i] / most);
-  std::string arrows;
-  const double drag = largest(load.tangential);
-  const std::size_t every = (load.tangential.size() + 40) / 41;
-  for (std::size_t i = 0; i < load.tangential.size() && drag > 0.0; i += every) {
-    const double length = 36.0 * load.tangential[i] / drag;
-    const double head = std::copysign(std::min(6.0, std::abs(length)), length);
-    if (std::abs(length) < 1.5) continue;
-    arrows += 'M' + px(x(i)) + ' ' + px(layout.surface - 5.0) + 'h' + px(length) + 'm' + px(-head) +
-              " -4l" + px(head) + " 4l" + px(-head) + " 4";
-  }
-  return "<path class=\"pressure\" d=\"" + area + "L1000 " + px(layout.surface) + "Z\"/>" +
-         (arrows.empty() ? "" : "<path class=\"drag\" d=\"" + arrows + "\"/>") + '\n';
+std::string draw_pad(const Scene& scene, bool loaded) {
+  return draw_pad(pad_section(scene), loaded);
 }
 
 drawing::Figure pad_figure(const Scene& scene, const PadLoad& load, std::string_view on_top,
                            std::string_view section, std::string_view data) {
-  const std::string loads = draw_load(scene, load);
+  const bool loaded = presses(load.normal);
+  std::string picture = draw_pad(scene, loaded);
+  if (loaded) {
+    std::vector<double> tractions(load.normal.begin(), load.normal.end());
+    tractions.insert(tractions.end(), load.tangential.begin(), load.tangential.end());
+    report::ShownLoad shown{.grid = report::ShownLoad::grid_of(surface(scene)),
+                            .units = scene.units,
+                            .tractions = tractions,
+                            .is_line = true};
+    std::vector<double> stress;
+    if (load.normal.size() <= 1024) {
+      shown.rows = 18;
+      stress =
+          lab::interior_stress(lab::interior_kernels(scene, shown.rows, !load.tangential.empty()),
+                               load.normal, load.tangential);
+      shown.stress = stress;
+    }
+    picture = drawn_load(view_of_pad(picture), shown);
+  }
   return {.name = "pad",
           .section = std::string(section),
-          .caption = loads.empty()
-                         ? "The pad in section, to scale: the taxels lie at their depth, and "
-                           "nothing presses."
-                         : "The pad in section, to scale. On top " + std::string(on_top) +
-                               "; inside, the stress across the surface that they cause, which is "
-                               "what smooths: blue presses, red pulls.",
+          .caption = !loaded ? "The pad in section, to scale: the taxels lie at their depth, and "
+                               "nothing presses."
+                             : "The pad in section, to scale. On top " + std::string(on_top) +
+                                   "; inside, the stress across the surface that they cause, which "
+                                   "is what smooths: blue presses, red pulls. The pointer tells "
+                                   "what is under it.",
           .plot = {},
-          .picture = draw_pad(scene, draw_stress(scene, load), loads),
+          .picture = std::move(picture),
           .data = std::string(data)};
+}
+
+std::string pad_picture(const lab::Experiment& experiment) {
+  const SurfaceGrid& grid = experiment.grid;
+  const PadSection pad = pad_section(experiment.skin(), grid);
+  const std::size_t column = peak_column(experiment);
+  std::vector<double> tractions;  // along y: of the cells through the peak
+  for (const Traction which : {Traction::normal, Traction::tangential_y}) {
+    const auto all = lab::component(shown(experiment), grid, which);
+    for (std::size_t i = column; i < all.size(); i += grid.columns) tractions.push_back(all[i]);
+  }
+  if (!presses(std::span(tractions).first(grid.rows))) return draw_pad(pad, false);
+  report::ShownLoad load{.grid = grid,
+                         .units = experiment.skin().units,
+                         .tractions = tractions,
+                         .is_line = true,
+                         .rows = pad.layer ? std::size_t{8} : std::size_t{16}};
+  load.grid.columns = 1;
+  const std::vector<double> stress = stress_below(experiment, load.rows, pad.bottom, column);
+  load.stress = stress;
+  return drawn_load(view_of_pad(draw_pad(pad, true)), load);
 }
 
 }  // namespace tactile_net::pages

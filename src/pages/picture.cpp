@@ -34,6 +34,15 @@ void draw_torque(Picture& picture, Vector2 at, double torque) {
   picture.area({end + 11.0 * u, end + side, end - side}, "load head");
 }
 
+void draw_axes(Picture& picture, const std::string& right, const std::string& up) {
+  const Vector2 origin = {picture.low().x + 4.0, picture.high().y + 66.0};
+  constexpr double size = 46.0;
+  picture.arrow(origin, {size, 0.0}, "frame");
+  picture.arrow(origin, {0.0, -size}, "frame");
+  picture.text(origin + Vector2{size + 6.0, 5.0}, right, "start");
+  picture.text(origin + Vector2{10.0, -size + 8.0}, up, "start");
+}
+
 void draw_scales(Picture& picture, double lengths, double forces, bool si) {
   const double y = picture.high().y + 34.0;
   double x = picture.low().x;

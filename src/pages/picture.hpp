@@ -48,10 +48,12 @@ class Picture {
     svg_ += "<text class=\"" + type + "\" x=\"" + px(p.x) + "\" y=\"" + px(p.y) +
             "\" text-anchor=\"" + anchor + "\">" + drawing::escaped(words) + "</text>\n";
   }
-  /// `v` in the picture's plane.
-  void arrow(Vector2 from, Vector2 v, const std::string& type) {
+  /// `v` in the picture's plane. @param words  what the pointer is told; empty: nothing
+  void arrow(Vector2 from, Vector2 v, const std::string& type, const std::string& words = {}) {
     const double size = length(v);
     if (!(size > 1.0)) return;
+    svg_ += "<g>";
+    if (!words.empty()) svg_ += "<title>" + drawing::words_html(words) + "</title>";
     const Vector2 u = 1.0 / size * v;
     const double head = std::min(13.0, 0.6 * size);
     const Vector2 end = from + v;
@@ -59,8 +61,8 @@ class Picture {
     const Vector2 side = 0.42 * head * quarter_turn(u);
     line({from, neck}, type + " shaft");
     area({end, neck + side, neck - side}, type + " head");
+    svg_ += "</g>\n";
   }
-  void raw(const std::string& svg) { svg_ += svg; }
   void grow(Vector2 p) {
     low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
     high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
@@ -100,6 +102,9 @@ class Picture {
 
 /// A turn, counter-clockwise where > 0: an arc with a head, in the colour of the load.
 void draw_torque(Picture& picture, Vector2 at, double torque);
+
+/// Two axes of the hand with their names, at the picture's lower left.
+void draw_axes(Picture& picture, const std::string& right, const std::string& up);
 
 /// Bars of a round length and a round force, below all that was drawn.
 ///

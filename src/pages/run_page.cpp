@@ -6,10 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "pages/alpha_figure.hpp"
 #include "pages/axis.hpp"
 #include "pages/network_section.hpp"
 #include "pages/pad_drawing.hpp"
 #include "pages/parts.hpp"
+#include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/lab/agreement.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -60,33 +62,40 @@ std::string label_of(const lab::Experiment& experiment, const lab::Agreement& gr
 /// One component of every answer under the truth, equal ones once, with the first's band of two
 /// standard deviations.
 void add_component(std::vector<Figure>& figures, const lab::Experiment& experiment,
-                   lab::Component lab::MethodResult::*which, const std::string& file,
-                   const std::string& title, const std::vector<double>& truth) {
-  const Scene& scene = experiment.scene;
+                   std::size_t which, const std::string& file, const std::string& title) {
+  const Scene& scene = experiment.line();
   const std::vector<double> places = positions(surface(scene));
-  const PlotAxis along = axis(scene, "y", Dimension::length, {&places});
+  const auto component = [&](const std::vector<double>& values) {
+    const auto one = lab::component(values, places.size(), which);
+    return std::vector<double>(one.begin(), one.end());
+  };
+  std::vector<double> truth = component(experiment.frame.truth);
+  truth.resize(places.size());  // else nothing drags
+  const PlotAxis along = axis(scene.units, "y", Dimension::length, {&places});
   std::vector<double> all = truth;
   std::vector<double> apart;
-  for (const lab::MethodResult& result : experiment.results)
-    for (std::size_t i = 0; i < (result.*which).traction.size(); ++i) {
-      all.push_back((result.*which).traction[i]);
-      apart.push_back(all.back() - truth[i]);
+  for (const lab::MethodResult& result : experiment.results) {
+    const std::vector<double> tractions = component(result.answer.tractions);
+    for (std::size_t i = 0; i < tractions.size(); ++i) {
+      all.push_back(tractions[i]);
+      apart.push_back(tractions[i] - truth[i]);
     }
-  const PlotAxis traction = axis(scene, "traction", Dimension::stress, {&all});
-  const PlotAxis off = axis(scene, "answer - truth", Dimension::stress, {&apart});
+  }
+  const PlotAxis traction = axis(scene.units, "traction", Dimension::stress, {&all});
+  const PlotAxis off = axis(scene.units, "answer - truth", Dimension::stress, {&apart});
   Plot found{title + " traction", along.label, traction.label, along(places), {}};
   Plot error{title + " traction: error", along.label, off.label, along(places), {}};
   std::size_t colour = 0;
   bool band = false;
   for (const lab::Agreement& group : lab::agreements(experiment.results)) {
-    const lab::Component& component = experiment.results[group.results.front()].*which;
-    if (component.traction.empty()) continue;
-    Curve curve{label_of(experiment, group), traction(component.traction), ++colour};
-    std::vector<double> difference = component.traction;
+    const lab::FrameAnswer& answer = experiment.results[group.results.front()].answer;
+    std::vector<double> difference = component(answer.tractions);
+    if (difference.empty()) continue;
+    Curve curve{label_of(experiment, group), traction(difference), ++colour};
     for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= truth[i];
     error.curves.push_back({curve.label, off(std::move(difference)), colour});
-    if (!band && !component.deviation.empty()) {
-      curve.half_width = traction(component.deviation);
+    if (!band && answer.has_bands()) {
+      curve.half_width = traction(component(answer.deviations));
       for (double& width : curve.half_width) width *= 2.0;
       band = true;
     }
@@ -116,43 +125,6 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
                      std::move(error)});
 }
 
-/// What each rule minimises over alpha, each between 0 and 1.
-Figure rules_figure(const AlphaSweep& sweep, std::optional<AlphaRule> used) {
-  Plot plot{"What each rule for alpha makes least",
-            "alpha [unit of K'K]",
-            "criterion, 0 to 1",
-            sweep.alphas,
-            {},
-            true};
-  for (const AlphaSweep::Curve& curve : sweep.curves) {
-    std::vector<double> values = curve.values;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const double value : values) {
-      if (!std::isfinite(value)) continue;
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-    if (!(high > low)) continue;  // without readings a rule has nothing to choose by
-    for (double& value : values) value = (value - low) / (high - low);
-    Curve drawn{std::string(name(curve.rule)) + " " + brief(curve.choice.alpha), values,
-                1 + plot.curves.size()};
-    drawn.width = curve.rule == used ? 4.0 : 1.5;
-    const auto chosen = std::lower_bound(sweep.alphas.begin(), sweep.alphas.end() - 1,
-                                         curve.choice.alpha * (1.0 - 1e-9));
-    drawn.names.resize(sweep.alphas.size());
-    drawn.names[static_cast<std::size_t>(chosen - sweep.alphas.begin())] =
-        std::string(name(curve.rule)) + (curve.rule == used ? ", used" : "");
-    plot.curves.push_back(std::move(drawn));
-  }
-  return {"alpha", std::string(choice_section),
-          "Every rule's criterion over alpha, each scaled to run from 0 to 1; a rule chooses where "
-          "its own curve is lowest, at its name and the value in the key; the thick one was used. "
-          "A flat valley "
-          "means that other values do as well; valleys far apart mean that the rules disagree.",
-          std::move(plot)};
-}
-
 /// Every frame's traction as the method finds it: y over time.
 Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
   const std::size_t n = surface(scene).count;
@@ -162,8 +134,8 @@ Figure map_figure(const Scene& scene, const lab::TimeCourse& course) {
     return course.tractions[frame * stride + taxel];
   };
   const std::vector<double> places = positions(surface(scene));
-  const PlotAxis along = axis(scene, "y", Dimension::length, {&places});
-  const PlotAxis traction = axis(scene, "traction", Dimension::stress, {&course.tractions});
+  const PlotAxis along = axis(scene.units, "y", Dimension::length, {&places});
+  const PlotAxis traction = axis(scene.units, "traction", Dimension::stress, {&course.tractions});
   Plot plot{"Normal traction", "time [s]", traction.label, course.time, {}};
   std::vector<double> peaks(frames);
   for (std::size_t i = 0; i < n; ++i) {
@@ -207,7 +179,7 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
   const std::vector<double> pressed = of(course.truth, &Resultant::normal);
   const std::vector<double> found_drag = of(course.found, &Resultant::tangential);
   const std::vector<double> drag = of(course.truth, &Resultant::tangential);
-  const PlotAxis force = axis(scene, "force", Dimension::force, {&found, &pressed});
+  const PlotAxis force = axis(scene.units, "force", Dimension::force, {&found, &pressed});
   Plot forces{"Force over time", "time [s]", force.label, course.time, {}};
   forces.curves.push_back({method + ", normal", force(found), 1});
   if (course.tangential) forces.curves.push_back({method + ", tangential", force(found_drag), 2});
@@ -236,7 +208,7 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
     return values;
   };
   const std::vector<double> places = positions(surface(scene));
-  const PlotAxis along = axis(scene, "y", Dimension::length, {&places});
+  const PlotAxis along = axis(scene.units, "y", Dimension::length, {&places});
   Plot centre{"Centre of pressure over time", "time [s]", along.label, course.time, {}};
   centre.y_at_least = scene.sensor.pitch * along.factor;
   centre.curves.push_back({method, along(centres(course.found)), 1});
@@ -251,9 +223,9 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
 
 /// What the taxels read, channel by channel.
 void add_readings(std::vector<Figure>& figures, const lab::Experiment& experiment) {
-  const Scene& scene = experiment.scene;
+  const Scene& scene = experiment.line();
   const std::vector<double> all = positions(scene.sensor);
-  const PlotAxis along = axis(scene, "y", Dimension::length, {&all});
+  const PlotAxis along = axis(scene.units, "y", Dimension::length, {&all});
   const std::vector<Site> where = sites(scene.sensor);
   for (const Channel& channel : channels(scene.sensor)) {
     std::vector<double> places;
@@ -265,7 +237,7 @@ void add_readings(std::vector<Figure>& figures, const lab::Experiment& experimen
     const std::string quantity(name(channel.quantity));
     const bool strain = quantity.starts_with("strain");
     const PlotAxis reading =
-        axis(scene, quantity, strain ? Dimension::none : Dimension::stress, {&values});
+        axis(scene.units, quantity, strain ? Dimension::none : Dimension::stress, {&values});
     figures.push_back({"readings-" + channel.name,
                        std::string(readings_section),
                        "What the taxels read: all that the methods are given. Where it has not "
@@ -279,21 +251,23 @@ void add_readings(std::vector<Figure>& figures, const lab::Experiment& experimen
 }
 
 std::vector<Figure> figures_of(const lab::Experiment& experiment) {
-  const Scene& scene = experiment.scene;
-  const TractionField& truth = experiment.frame.truth;
-  std::vector<Figure> figures = {pad_figure(
-      experiment.scene, {truth.normal, truth.tangential},
-      truth.tangential.empty() ? "the contacts' pressure" : "the contacts' pressure and drag",
-      answer_section, "truth.csv")};
-  add_component(figures, experiment, &lab::MethodResult::normal, "normal", "Normal", truth.normal);
-  const bool tangential = std::any_of(
-      experiment.results.begin(), experiment.results.end(),
-      [](const lab::MethodResult& result) { return !result.tangential.traction.empty(); });
-  if (tangential)
-    add_component(
-        figures, experiment, &lab::MethodResult::tangential, "tangential", "Tangential",
-        truth.tangential.empty() ? std::vector<double>(truth.normal.size()) : truth.tangential);
-  if (experiment.sweep) figures.push_back(rules_figure(*experiment.sweep, experiment.rule()));
+  const Scene& scene = experiment.line();
+  const std::size_t places = experiment.places();
+  const auto truth = [&](std::size_t which) {
+    const auto one = lab::component(experiment.frame.truth, places, which);
+    return std::vector<double>(one.begin(), one.end());
+  };
+  const bool drags = experiment.frame.truth.size() > places;
+  std::vector<Figure> figures = {
+      pad_figure(scene, {truth(0), truth(1)},
+                 drags ? "the contacts' pressure and drag" : "the contacts' pressure",
+                 answer_section, "truth.csv")};
+  add_component(figures, experiment, 0, "normal", "Normal");
+  if (std::any_of(experiment.results.begin(), experiment.results.end(),
+                  [](const lab::MethodResult& result) { return result.errors.size() > 1; }))
+    add_component(figures, experiment, 1, "tangential", "Tangential");
+  if (experiment.sweep)
+    figures.push_back(alpha_figure(*experiment.sweep, experiment.rule(), choice_section));
   if (experiment.course) {
     figures.push_back(map_figure(scene, *experiment.course));
     add_course(figures, scene, *experiment.course);
@@ -303,7 +277,7 @@ std::vector<Figure> figures_of(const lab::Experiment& experiment) {
 }
 
 std::string methods_section(const lab::Experiment& experiment) {
-  const Scene& scene = experiment.scene;
+  const Scene& scene = experiment.line();
   std::string html =
       element("h2", "Methods compared") + verdict_table(comparison_cells(experiment));
   if (const std::string others = other_conditions_in_words(experiment); !others.empty())
@@ -317,11 +291,12 @@ std::string methods_section(const lab::Experiment& experiment) {
                "frame is a whole run of ngspice, not the circuit's settling time.");
   for (const lab::MethodResult& result : experiment.results) {
     const std::string method = std::string(name(result.method)) + ": ";
-    if (result.resultant)
-      html += element("p", method + resultant_in_words(scene, *result.resultant) +
+    if (const auto& found = result.answer.bands) {
+      html += element("p", method + resultant_in_words(scene, found->resultant) +
                                " (one standard deviation; bands in the plots are two).");
-    if (const auto rows = report::patch_cells(scene.units, result.patches); !rows.empty())
-      html += element("p", method + "each contact by itself:") + drawing::html_table(rows);
+      if (const auto rows = report::patch_cells(scene.units, found->patches); !rows.empty())
+        html += element("p", method + "each contact by itself:") + drawing::html_table(rows);
+    }
     html += remarks_html(remarks_in_words(experiment, result), method);
   }
   return html;
@@ -336,7 +311,7 @@ std::string titled(const Figures& figures, const std::string& title, std::string
 }  // namespace
 
 Page report_html(const lab::Experiment& experiment, const Made& made) {
-  const Scene& scene = experiment.scene;
+  const Scene& scene = experiment.line();
   const Figures figures(figures_of(experiment));
   Page page{.files = figures.data()};
 
@@ -363,6 +338,7 @@ Page report_html(const lab::Experiment& experiment, const Made& made) {
 }
 
 Page run_page(const lab::Experiment& experiment, const std::string& by) {
+  if (experiment.of_skin()) return skin_run_page(experiment, by);
   drawing::Files files = report::run_files(experiment);
   Made made{.by = by, .files = {"result.json"}};
   for (const auto& [name, content] : files) made.files.push_back(name);

@@ -1,12 +1,7 @@
 #include "pages/skin_figures.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-#include <vector>
-
+#include "pages/pad_drawing.hpp"
 #include "pages/parts.hpp"
-#include "pages/skin_section.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/contact_words.hpp"
@@ -19,54 +14,8 @@ namespace {
 
 using drawing::element;
 using drawing::figure_html;
-using Values = std::vector<double>;
-
-double largest_finite(std::span<const double> values) {
-  double most = 0.0;
-  for (const double value : values)
-    if (std::isfinite(value)) most = std::max(most, std::abs(value));
-  return most;
-}
-
-double largest_drag(const Values& values, const SurfaceGrid& grid) {
-  const auto y = lab::component(values, grid, Traction::tangential_y);
-  const auto z = lab::component(values, grid, Traction::tangential_z);
-  double most = 0.0;
-  for (std::size_t i = 0; i < y.size(); ++i) most = std::max(most, std::hypot(y[i], z[i]));
-  return most;
-}
 
 }  // namespace
-
-void take(Scales& scales, const Values& values, const SurfaceGrid& grid) {
-  const auto p = lab::component(values, grid, Traction::normal);
-  scales.pressure = std::max(scales.pressure, largest_finite(p));
-  scales.drag = std::max(scales.drag, largest_drag(values, grid));
-  scales.negative =
-      scales.negative || *std::min_element(p.begin(), p.end()) < -0.03 * scales.pressure;
-}
-
-std::string traction_map(const SkinScene& scene, const SurfaceGrid& cells, const Values& values,
-                         const Scales& scales) {
-  const MapGrid grid = map_grid(cells);
-  const auto of = [&](Traction which) { return lab::component(values, cells, which); };
-  std::string svg =
-      map_image(grid, of(Traction::normal), scales.pressure, MapColours::signed_values) +
-      map_taxels(grid, scene.sensor, scene.dead_taxels);
-  if (scales.drag > least_drag * scales.pressure && !of(Traction::tangential_y).empty())
-    svg += map_arrows(grid, of(Traction::tangential_y), of(Traction::tangential_z), scales.drag);
-  return map_picture(scene.units, grid, "", "Map of the tractions", svg);
-}
-
-std::string traction_bar(const SkinScene& scene, const Scales& scales) {
-  const auto& units = scene.units;
-  return colour_bar(MapColours::signed_values,
-                    report::axis_unit(units, Dimension::stress, scales.pressure), scales.pressure,
-                    scales.negative,
-                    scales.drag > least_drag * scales.pressure
-                        ? "drag of " + report::in_unit(units, Dimension::stress, scales.drag)
-                        : "");
-}
 
 std::string scene_html(const SkinScene& scene) {
   return element("p", "Sensor: " + report::sensor_in_words(scene) +
@@ -75,15 +24,9 @@ std::string scene_html(const SkinScene& scene) {
          drawing::html_list(report::contacts_in_words(scene));
 }
 
-std::string maps(const std::vector<std::string>& pictures) {
-  std::string html = "<div class=\"maps\">";
-  for (const std::string& picture : pictures) html += "<div>" + picture + "</div>";
-  return html + "</div>\n";
-}
-
 namespace {
 
-std::string pad_section_figure(const lab::SkinExperiment& experiment) {
+std::string pad_section_figure(const lab::Experiment& experiment) {
   return figure_html(
       "pad", pad_picture(experiment),
       std::string("The pad to scale, cut along y through the peak. On top what presses and "
@@ -95,9 +38,9 @@ std::string pad_section_figure(const lab::SkinExperiment& experiment) {
       "tractions.csv", "skin");
 }
 
-std::string judgement(const lab::SkinExperiment& experiment) {
-  const SkinScene& scene = experiment.scene;
-  const lab::FrameAnswer& answer = *experiment.answer;
+std::string judgement(const lab::Experiment& experiment) {
+  const SkinScene& scene = experiment.skin();
+  const lab::FrameAnswer& answer = experiment.results.front().answer;
   std::string html =
       element("h2", experiment.has_truth() ? "Found beside true" : "What was found") +
       drawing::html_table(report::found_cells(experiment));
@@ -119,7 +62,7 @@ std::string judgement(const lab::SkinExperiment& experiment) {
 
 }  // namespace
 
-std::string frame_html(const lab::SkinExperiment& experiment) {
+std::string frame_html(const lab::Experiment& experiment) {
   return pad_section_figure(experiment) + judgement(experiment);
 }
 

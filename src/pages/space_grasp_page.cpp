@@ -47,6 +47,7 @@ std::string grasp_report_html(const lab::SpaceGraspResult& grasp, const Made& ma
     html += section(grasp, "What would hold the load", *grasp.held, report::hold_in_words(grasp));
   html +=
       element("h2", "Where the contacts come from") + html_list(report::sources_in_words(grasp));
+  html += pad_contacts_html(report::pad_contacts(grasp));
   html += element("p",
                   "± is one standard deviation. Normal is into the pad, y and z run along it; the "
                   "distance to the friction cone's edge is a force, with torsion over its radius "

@@ -6,8 +6,10 @@
 #include <numbers>
 #include <utility>
 
+#include "pages/grasp_parts.hpp"
 #include "pages/picture.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/report/words/space_grasp_words.hpp"
 
 namespace tactile_net::pages {
 namespace {
@@ -108,11 +110,11 @@ class Sheet {
     for (const Label& label : labels_)
       picture_.text(label.place, join(label.words, ", "), label.anchor);
     ring();
-    if (grasp_.held) arrows(grasp_.held->grasp.fingers, "held");
-    if (grasp_.measured) arrows(grasp_.measured->grasp.fingers, "measured");
+    if (grasp_.held) arrows(*grasp_.held, "held");
+    if (grasp_.measured) arrows(*grasp_.measured, "measured");
     for (const lab::SpaceFingertip& tip : tips) picture_.dot(at(contact(tip)), 4.0, "contact");
     if (grasp_.hand.load) load(*grasp_.hand.load);
-    axes();
+    draw_axes(picture_, view_.axes[0], view_.axes[1]);
     if (with_scales) draw_scales(picture_, scales_.length, scales_.force, grasp_.hand.si);
     return "<div><p class=\"quiet\">" + view_.title + "</p>" +
            picture_.finish(view_.title + ": the hand, its contacts and the forces on the object",
@@ -216,26 +218,20 @@ class Sheet {
     if (points.size() > 1) picture_.line(points, "grasp");
   }
 
-  void arrows(const std::vector<SpaceAction>& actions, const std::string& type) {
-    for (const SpaceAction& action : actions)
-      picture_.arrow(at(action.point), arrow(action.force), type);
+  void arrows(const auto& answer, const std::string& type) {
+    const std::vector<SpaceAction>& actions = answer.grasp.fingers;
+    const auto cells = report::contact_cells(grasp_, actions, answer.margins);
+    for (std::size_t i = 0; i < actions.size(); ++i)
+      picture_.arrow(at(actions[i].point), arrow(actions[i].force), type,
+                     row_in_words(cells, i + 1));
   }
 
   void load(const SpaceLoad& load) {
     const Vector2 place = at(load.point);
-    picture_.arrow(place, arrow(load.force), "load");
+    picture_.arrow(place, arrow(load.force), "load", report::load_in_words(grasp_));
     const double turn = dot(load.torque, view_.towards);
     if (std::abs(turn) > 1e-9 * length(load.torque)) draw_torque(picture_, place, turn);
     picture_.dot(place, 4.0, "load head");
-  }
-
-  void axes() {
-    const Vector2 origin = {picture_.low().x + 4.0, picture_.high().y + 66.0};
-    constexpr double size = 46.0;
-    picture_.arrow(origin, {size, 0.0}, "frame");
-    picture_.arrow(origin, {0.0, -size}, "frame");
-    picture_.text(origin + Vector2{size + 6.0, 5.0}, view_.axes[0], "start");
-    picture_.text(origin + Vector2{10.0, -size + 8.0}, view_.axes[1], "start");
   }
 
   const lab::SpaceGraspResult& grasp_;

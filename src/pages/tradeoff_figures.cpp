@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "pages/frames_section.hpp"
 #include "pages/pad_drawing.hpp"
-#include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/tradeoff_words.hpp"
 #include "tactile_net/report/words/work_point_words.hpp"
 #include "tactile_net/study/work_precision.hpp"
 
@@ -274,6 +275,71 @@ bool has_sizes_of_circuits(const std::vector<study::WorkPoint>& points) {
   });
 }
 
+/// Of one follower at every speed.
+Curve error_curve(const study::MovingContacts& moving, const study::Follower& follower,
+                  const std::vector<double>& speeds) {
+  constexpr double least_shown = 1e-6;
+  Curve curve;
+  curve.label = in_words(follower);
+  for (const double speed : speeds) {
+    const double error = study::error_behind(moving, follower, speed);
+    if (!(error > least_shown)) continue;
+    curve.x.push_back(speed);
+    curve.y.push_back(error);
+  }
+  if (!follower.realization) curve.width = 3.0;
+  return curve;
+}
+
+/// Every follower, and what parts of 1 % leave of circuits at any speed.
+std::vector<Curve> moving_curves(const study::Study& study, const study::MovingContacts& moving) {
+  std::vector<Curve> curves;
+  const std::vector<double> speeds = study::shown_speeds(moving);
+  if (speeds.empty()) return curves;
+  for (const study::Follower& one : moving.followers) {
+    curves.push_back(error_curve(moving, one, speeds));
+    curves.back().colour = curves.size();
+  }
+  for (const study::StudySection& section : study.sections)
+    for (const study::PartsFloor& floor : section.floors) {
+      const auto own = std::find_if(
+          moving.followers.begin(), moving.followers.end(),
+          [&](const study::Follower& one) { return one.realization == floor.realization; });
+      if (floor.relative != study::one_percent || !(floor.median.value_or(1.0) < 1.0) ||
+          own == moving.followers.end())
+        continue;
+      Curve line;
+      line.label = in_words(*own) + ", 1 % parts";
+      line.x = {speeds.front(), speeds.back()};
+      line.y = {*floor.median, *floor.median};
+      line.colour = 1 + static_cast<std::size_t>(own - moving.followers.begin());
+      line.dashed = true;
+      curves.push_back(std::move(line));
+    }
+  return curves;
+}
+
+/// How circuits and loops follow contacts that move; without a curve where nothing does.
+Figure moving_figure(const study::Study& study) {
+  Plot plot;
+  plot.title = "Contacts that move: error over speed";
+  plot.x_label = study.input.units() ? "speed [m/s]" : "speed [units of the pitch a second]";
+  plot.y_label = "error of the answer, relative";
+  plot.logarithmic_x = true;
+  plot.logarithmic_y = true;
+  plot.wide = true;
+  for (const study::StudySection& section : study.sections)
+    if (section.moving) plot.curves = moving_curves(study, *section.moving);
+  return {.name = "moving",
+          .section = "moving",
+          .caption =
+              "Behind contacts that move: how far the answer is from the exact one to where they "
+              "are. Heavy: loops. Dashed: what parts of 1 % leave of a circuit at any speed "
+              "(median). Right of where a loop's line crosses a dashed one the circuit is nearer. "
+              "Beyond some tens of per cent the answer is one to another place.",
+          .plot = std::move(plot)};
+}
+
 /// What the contacts do: of a line the pad in section, of a skin the map of its cells.
 Figure contact_figure(const study::StudyInput& input) {
   const auto component = [&](std::size_t u) {
@@ -287,18 +353,16 @@ Figure contact_figure(const study::StudyInput& input) {
   std::vector<double> truth;
   for (const std::vector<double>& one : input.truth)
     truth.insert(truth.end(), one.begin(), one.end());
-  Scales scales;
-  take(scales, truth, skin.grid());
   return {.name = "pad",
           .section = "forward",
           .caption =
               "Seen from outside: what the contacts do, colours the pressure, mean of each "
-              "cell, arrows the drag, dots the taxels.",
+              "cell, arrows the drag, dots the taxels. The pointer tells what is under it; "
+              "a click keeps a cell for the curves through it.",
           .plot = {},
-          .picture = maps({traction_map(skin.scene(), skin.grid(), truth, scales)}) +
-                     traction_bar(skin.scene(), scales),
+          .picture = skin_load(skin.scene(), skin.grid(), truth, "What presses"),
           .data = "tradeoff.json",
-          .type = "skin"};
+          .type = "whole-row"};
 }
 
 }  // namespace

@@ -62,17 +62,19 @@ COMMANDS = [
     ("certify an unstable circuit", 3, ["certify", "ringing.toml"]),
     ("certify without time", 2, ["certify", "thesis/cylinder.toml"]),
     ("certify one frequency", 1, ["certify", "circuits/lc.toml"]),
+    ("certify a skin", 5, ["certify", "skins/circuit.toml"]),
     ("tradeoff", 3, ["tradeoff", "thesis/cylinder.toml", "--digital"]),
+    ("tradeoff of a skin", 4, ["tradeoff", "skins/circuit.toml", "--digital"]),
     ("grasp", 1, ["grasp", "hands/two-fingers.toml"]),
     ("grasp in space", 1, ["grasp", "hands/box.toml"]),
     ("sweep", 4, ["sweep", "sweeps/depth.toml"]),
     ("solve", 4, ["solve", "recorded/thin-pad.toml", "--readings", SCENES + "/recorded/thin-pad.csv"]),
     ("solve with a gap", 4, ["solve", "recorded/thin-pad.toml", "--readings", "HERE/gap.csv", "--missing", "skip"]),
-    ("run a skin", 5, ["run", "skins/sphere.toml"]),
-    ("solve a skin", 6, ["solve", "recorded/skin-pad.toml", "--readings", SCENES + "/recorded/skin-pad.csv"]),
-    ("solve a skin of uneven taxels", 5, ["solve", "recorded/skin-pad-uneven.toml", "--readings",
+    ("run a skin", 6, ["run", "skins/sphere.toml"]),
+    ("solve a skin", 5, ["solve", "recorded/skin-pad.toml", "--readings", SCENES + "/recorded/skin-pad.csv"]),
+    ("solve a skin of uneven taxels", 4, ["solve", "recorded/skin-pad-uneven.toml", "--readings",
                                           SCENES + "/recorded/skin-pad-uneven.csv"]),
-    ("frames of 16 x 16 x 3", 6, ["solve", "rolls.toml", "--readings", "HERE/rolls.csv"]),
+    ("frames of 16 x 16 x 3", 5, ["solve", "rolls.toml", "--readings", "HERE/rolls.csv"]),
     ("identify a skin", 1, ["identify", "skins/row.toml"]),
     ("calibrate", 1, ["calibrate", "calibration/rod-layer.csv", "--scene", SCENES + "/calibration/rod-layer.toml"]),
 ]
@@ -185,20 +187,123 @@ class Pages(unittest.TestCase):
         for cell in (cells[0], max(cells, key=lambda one: one["normal"]), cells[len(cells) // 3]):
             row = round((cell["y"] - grid["y"]) / grid["dy"])
             column = round((cell["z"] - grid["z"]) / grid["dz"])
-            said = self.browser.evaluate(f"""(() => {{
-              const map = document.querySelectorAll('[data-view=tractions] > div')[1];
-              const box = map.querySelector('.map-box'), frame = box.getBoundingClientRect();
-              box.dispatchEvent(new PointerEvent('pointermove', {{
-                clientX: frame.left + frame.width * ({row} + .5) / {grid["rows"]},
-                clientY: frame.top + frame.height * ({column} + .5) / {grid["columns"]}}}));
-              return map.querySelector('.readout').textContent;
-            }})()""")
+            said = self.said_under("[data-view=tractions] > div:nth-child(2)", (row + 0.5) / grid["rows"],
+                                   (column + 0.5) / grid["columns"])
             self.assertRegex(said, r"p .*true")
             word = re.search(r": p (\S+)", said).group(1).replace("−", "-")
             # The page has a whole number of steps, and says as many digits as the deviation has.
             last_digit = 10.0 ** -len(word.partition(".")[2])
             self.assertAlmostEqual(float(word), cell["normal"] * stress, delta=0.51 * (step * stress + last_digit))
             self.assertLess(step * stress + last_digit, 0.05 * largest * stress)
+
+    def said_under(self, place, across, down, picture=".map-box"):
+        """What a picture says of the place under the pointer, as shares of its width and height."""
+        return self.browser.evaluate(f"""(() => {{
+          const place = document.querySelector('{place}'), picture = place.querySelector('{picture}');
+          const box = picture.getBoundingClientRect();
+          picture.dispatchEvent(new PointerEvent('pointermove', {{bubbles: true,
+            clientX: box.left + {across} * box.width, clientY: box.top + {down} * box.height}}));
+          return place.querySelector('.readout').textContent;
+        }})()""").replace("−", "-")
+
+    def test_the_pointer_reads_of_a_skin_what_the_sentence_says(self):
+        units = {"mm": 1e-3, "µm": 1e-6, "kPa": 1e3, "Pa": 1.0, "MPa": 1e6}
+        number = r"(\S+) (\S+)"
+        for name in ("certify a skin", "tradeoff of a skin"):
+            page = self.pages[name]
+            text = page.read_text()
+            said = re.search(rf"hardest at y = {number}, z = {number}: {number}\.<", text).groups()
+            y, z, p = (float(value) * units[unit] for value, unit in zip(said[::2], said[1::2]))
+            self.browser.open(page.as_uri(), 1400, False)
+            grid = self.browser.evaluate("JSON.parse(document.querySelector('.frames script').textContent).grid")
+            row, column = round((y - grid["y"]) / grid["dy"]), round((z - grid["z"]) / grid["dz"])
+            read = self.said_under("[data-view=tractions] > div", (row + 0.5) / grid["rows"],
+                                   (column + 0.5) / grid["columns"])
+            value, unit = re.search(rf": p {number}, q_y", read).groups()
+            # A page has a 300th of the largest value, and says four digits.
+            self.assertAlmostEqual(float(value) * units[unit], p, delta=0.005 * p)
+
+    def test_the_pointer_reads_the_waves_of_a_survey(self):
+        page = self.pages["identify a skin"]
+        self.browser.open(page.as_uri(), 1400, False)
+        data = self.data(page)
+        with (page.parent / "waves.csv").open() as file:
+            waves = list(csv.DictReader(file))
+        along, across = (sorted({abs(float(wave[key])) for wave in waves}) for key in ("wavenumber_y", "wavenumber_z"))
+        amplitudes = []
+        for wave in waves:
+            if not wave["pressure"]:
+                continue
+            row, column = along.index(abs(float(wave["wavenumber_y"]))), across.index(abs(float(wave["wavenumber_z"])))
+            said = self.said_under(".waves > div", (row + 0.5) / len(data["y"]), (column + 0.5) / len(data["z"]))
+            amplitudes.append(float(re.search(r": (\S+) times the noise", said).group(1)) * float(wave["pressure"]))
+        self.assertGreater(len(amplitudes), 3)
+        for amplitude in amplitudes:  # of one ripple, in deviations of its own
+            self.assertAlmostEqual(amplitude / amplitudes[0], 1.0, delta=0.02)
+
+    def test_the_pointer_reads_the_load_and_the_stress_of_a_pad(self):
+        page = self.pages["run"]
+        self.browser.open(page.as_uri(), 1400, False)
+        data = self.data(page)
+        with (page.parent / "truth.csv").open() as file:
+            row = next(csv.DictReader(file))
+        truth = [float(value) * data["stress"]["factor"] for name, value in row.items() if name.startswith("normal")]
+        count, most = len(truth), max(truth)
+        self.assertEqual(count, data["grid"]["rows"])
+        for i in (0, truth.index(most), count // 3):
+            said = self.said_under("[data-view=pad]", (i + 0.5) / count, -0.05, ".pad")
+            self.assertAlmostEqual(float(re.search(r": p (\S+)", said).group(1)), truth[i], delta=0.005 * most)
+        below = self.said_under("[data-view=pad]", (truth.index(most) + 0.5) / count, 0.02, ".pad")
+        self.assertRegex(below, r"^y \S+, depth \S+.*: stress \S+")
+
+    def test_the_pointer_reads_truth_and_band_of_a_plot(self):
+        page = self.pages["run"]
+        self.browser.open(page.as_uri(), 1400, False)
+        said = self.browser.evaluate("""(() => {
+          const figure = document.getElementById('normal'), over = figure.querySelector('.u-over');
+          const box = over.getBoundingClientRect();
+          over.dispatchEvent(new MouseEvent('mousemove', {clientX: box.left + 0.5 * box.width,
+                                                          clientY: box.top + 0.5 * box.height}));
+          return figure.querySelector('.readout').textContent;
+        })()""").replace("−", "-")
+        place, truth = (float(re.search(what + r" ([-\d.e]+)", said).group(1)) for what in (r"^y \[.*?\]", "truth"))
+        with (page.parent / "normal.csv").open() as file:
+            head, *rows = csv.reader(file)
+        nearest = min(rows, key=lambda row: abs(float(row[0]) - place))
+        self.assertAlmostEqual(float(nearest[head.index("truth")]), truth, delta=1e-3 * abs(truth))
+        self.assertRegex(said, r"\[.*\].*: \S.* ± .*truth")
+
+    def test_the_contacts_of_a_frame_are_rows_that_agree_with_its_sentence(self):
+        page = self.pages["frames of 16 x 16 x 3"]
+        self.browser.open(page.as_uri(), 1400, False)
+        seen = 0
+        for k, rows in enumerate(self.data(page)["contacts"]["rows"]):
+            said, force, shown = self.browser.evaluate(f"""(() => {{
+              const slider = document.querySelector('[data-view=slider]');
+              slider.value = {k};
+              slider.dispatchEvent(new Event('input'));
+              const cells = [...document.querySelectorAll('[data-view=contacts] td:nth-child(2)')];
+              return [document.querySelector('[data-view=answer]').textContent, cells[0].textContent,
+                      cells.filter((cell) => cell.textContent !== '–').length];
+            }})()""")
+            self.assertEqual(shown, len(rows))
+            if len(rows) == 1:  # the sum is that of the one contact
+                self.assertTrue(said.startswith(f"force {force}, "), (said, force))
+                seen += 1
+        self.assertGreater(seen, 3)
+
+    def test_an_arrow_of_a_hand_tells_its_row_of_the_table(self):
+        for name in ("grasp", "grasp in space"):
+            self.browser.open(self.pages[name].as_uri(), 1400, False)
+            rows, titles = self.browser.evaluate("""[
+              [...document.querySelectorAll('.cards tbody tr')].map((row) => [...row.cells].map((cell) =>
+                [cell.dataset.label, cell.textContent.replace(/^\\W /, '')])),
+              [...document.querySelectorAll('.hand title')].map((title) => title.textContent)]""")
+            self.assertGreater(len(rows), 1)
+            for row in rows:
+                told = [title for title in titles if title.startswith(row[0][1] + ": ")]
+                self.assertTrue(any(all(f"{label} {text}" in title for label, text in row[1:]) for title in told),
+                                (row, told))
 
     def test_pictures_over_time_are_empty_where_a_frame_is_missing(self):
         page = self.pages["solve with a gap"]
@@ -212,7 +317,7 @@ class Pages(unittest.TestCase):
             const canvas = box.querySelector('canvas'), over = box.querySelector('.u-over');
             const left = over.getBoundingClientRect().left - canvas.getBoundingClientRect().left;
             return (time) => {
-              const x = Math.round(left + over.clientWidth * (time + 0.005) / 0.07);
+              const x = Math.round(left + over.clientWidth * time / 0.06);
               const pixels = canvas.getContext('2d').getImageData(x, 0, 1, canvas.height).data;
               let count = 0;
               for (let i = 0; i < pixels.length; i += 4)
@@ -228,7 +333,7 @@ class Pages(unittest.TestCase):
         self.assertGreaterEqual(sum(after > 0 for *_, after in ink), 5, ink)
 
     def test_a_thousand_frames_of_a_skin_are_quick(self):
-        # More than a page has (lab::SkinRecordingAnswer::most_values); how large it is, C++ tests.
+        # More than a page has (lab::Recording::most_skin_values); how large it is, C++ tests.
         page = self.pages["frames of 16 x 16 x 3"]
         data = self.data(page)
         once = len(data["frames"]["number"])
@@ -254,8 +359,9 @@ class Pages(unittest.TestCase):
                     if which in line:
                         line[which] *= times
         data["touching"] = data["touching"] and data["touching"] * times
+        data["contacts"]["rows"] *= times
         frames = data["frames"]
-        for which in ("distrusted", "place", "clock", "answer", "trust"):
+        for which in ("distrusted", "place", "answer", "trust"):
             frames[which] *= times
         frames["number"] = list(range(once * times))
         frames["time"] = [0.01 * k for k in frames["number"]]

@@ -12,7 +12,8 @@
 namespace tactile_net::pages {
 
 /// One file, without a network; a byte or two for each of the values that are shown. A recording
-/// without frames is a page that says so.
+/// without frames is a page that says so. Of a skin with all of the frame that presses hardest, and
+/// that one's files.
 ///
 /// @param notes  what else is to be said: remarks of the method, columns that were not read
 [[nodiscard]] drawing::Page recording_page(const lab::RecordingOverview& overview,

@@ -10,9 +10,11 @@
 
 namespace tactile_net::pages {
 
+/// Of a line.
 [[nodiscard]] drawing::Page report_html(const lab::Experiment& experiment, const Made& made = {});
 
-/// The same with every file beside it but result.json: what `run` writes into its folder.
+/// The page, of a line or a skin, with every file beside it but result.json: what `run` writes into
+/// its folder.
 /// @param by  as `Made`
 [[nodiscard]] drawing::Page run_page(const lab::Experiment& experiment, const std::string& by);
 

@@ -100,7 +100,7 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
   if (map) {
     const column = columnsOf(spec.xs), count = spec.xs.length;
     spec.curves = [];
-    spec.x.range = [column(0)[0], column(count - 1)[1]];
+    spec.x.range = [spec.xs[0], spec.xs[count - 1]];
     spec.value = spec.y.label;
     spec.y = {label: map.label, range: [map.low, map.high]};
     behind = heatMap(
@@ -279,31 +279,45 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
     marker.style.left = `${x}px`;
   }
 
-  /** The point nearest to the pointer, of a linked chart nearest in x. */
+  const valueOf = (curve, i) => {
+    const band = curve.edges ? (curve.edges[1][i] - curve.edges[0][i]) / 2 : 0;
+    return brief(curve.y[i], 4) + (band > 0 ? ` ± ${brief(band, 2)}` : '');
+  };
+  /**
+   * Every curve at the x nearest to the pointer; nothing where they are many, or have an x each.
+   */
+  function sayAll(plotted, left) {
+    const xs = curveX(curves[0]);
+    if (curves.length > 6 || curves.some((curve) => curveX(curve) !== xs || curve.names)) return '';
+    const x = plotted.posToVal(left, 'x');
+    const at =
+        xs.reduce((best, one, i) => Math.abs(one - x) < Math.abs(xs[best] - x) ? i : best, 0);
+    const known = curves.filter((curve) => Number.isFinite(curve.y[at]));
+    return `${spec.x.label} ${brief(xs[at], 4)}, ${spec.y.label}: ` +
+        known.map((curve) => `${curve.label} ${valueOf(curve, at)}`).join(', ');
+  }
+  function sayNearest(plotted, left, top) {
+    let best = 40, text = ' ';
+    for (const curve of curves)
+      for (let i = 0; i < curve.y.length; ++i) {
+        const x = curveX(curve)[i];
+        const away =
+            Math.hypot(plotted.valToPos(x, 'x') - left, plotted.valToPos(curve.y[i], 'y') - top);
+        if (!(away < best)) continue;
+        best = away;
+        text = `${curve.names?.[i] || curve.label}: ${spec.x.label} ${brief(x, 4)}, ${
+            spec.y.label} ${valueOf(curve, i)}`;
+      }
+    return text;
+  }
+
+  /** What the pointer reads. */
   function say(plotted) {
     const {left, top} = plotted.cursor;
-    let text = ' ';
-    if (left >= 0 && map) {
-      text = sayMap(plotted.posToVal(left, 'x'), plotted.posToVal(top, 'y'));
-    } else if (left >= 0 && linked) {
-      text = linked.say(linked.near(plotted.posToVal(left, 'x')));
-    } else if (left >= 0) {
-      let best = 40;
-      for (const curve of curves)
-        for (let i = 0; i < curve.y.length; ++i) {
-          const x = curveX(curve)[i];
-          const across = plotted.valToPos(x, 'x') - left,
-                down = plotted.valToPos(curve.y[i], 'y') - top;
-          const away = Math.hypot(across, down);
-          if (!(away < best)) continue;
-          best = away;
-          const band = curve.edges ? (curve.edges[1][i] - curve.edges[0][i]) / 2 : 0;
-          text = `${curve.names?.[i] || curve.label}: ${spec.x.label} ${brief(x, 4)}, ${
-                     spec.y.label} ` +
-              brief(curve.y[i], 4) + (band > 0 ? ` ± ${brief(band, 2)}` : '');
-        }
-    }
-    readout.textContent = text;
+    readout.textContent = !(left >= 0) ? ' ' :
+        map    ? sayMap(plotted.posToVal(left, 'x'), plotted.posToVal(top, 'y')) :
+        linked ? linked.say(linked.near(plotted.posToVal(left, 'x'))) :
+                 sayAll(plotted, left) || sayNearest(plotted, left, top);
   }
 
   function axisOf(axis, side) {
@@ -340,7 +354,6 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
 
   function build() {
     plot?.destroy();
-    const zoomed = {};
     const drag = {x: true, y: !linked, uni: 20, dist: 6};
     plot = new uPlot(
         {

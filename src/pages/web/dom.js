@@ -1,26 +1,11 @@
 // Small helpers of all pictures.
 
-const svgSpace = 'http://www.w3.org/2000/svg';
-
 /** An element with attributes and children, which are elements or text. */
 function element(tag, attributes = {}, ...children) {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
   made.append(...children);
   return made;
-}
-
-/** Runs `draw` before the next picture of the screen, once, however often it is asked to. */
-function onceAFrame(draw) {
-  let asked = false;
-  return () => {
-    if (asked) return;
-    asked = true;
-    requestAnimationFrame(() => {
-      asked = false;
-      draw();
-    });
-  };
 }
 
 /** Runs `draw` where the colours of the page or its medium change. */

@@ -1,11 +1,9 @@
 // The frames of a recording, or one frame, of a line or a skin: a slider moves one mark through all
-// pictures, and the pointer one place.
+// pictures, and the pointer one place. A page has places for the views that it shows.
 
 function showFrames(root, d) {
   const skin = !d.line;
-  const {place, clock, answer, trust} = d.frames;
-  const said =
-      place.map((_, k) => ({place: place[k], clock: clock[k], answer: answer[k], trust: trust[k]}));
+  const {place: when, answer, trust} = d.frames;
   const find = (view) => root.querySelector(`[data-view=${view}]`);
   const all = d.tractions.map((one) => ({
                                 ...one,
@@ -15,7 +13,7 @@ function showFrames(root, d) {
                               }));
   const normal = all[0];
   const readings = d.readings.map((one) => ({...one, values: unpack(one.values)}));
-  const count = said.length, {rows, columns} = d.grid;
+  const count = when.length, {rows, columns} = d.grid;
   const places = Array.from({length: rows}, (_, i) => (d.grid.y + i * d.grid.dy) * d.length.factor);
   const across =
       Array.from({length: columns}, (_, i) => (d.grid.z + i * d.grid.dz) * d.length.factor);
@@ -24,6 +22,8 @@ function showFrames(root, d) {
   const unitOf = (unit) => unit.label ? ` [${unit.label}]` : '';
   const lengthLabel = (axis) => axis + unitOf(d.length);
   const stress = (value, deviation) => withUnit(value, deviation, d.stress);
+
+  const inShort = (k) => `${when[k]}: ${answer[k]}`;
 
   let frame = d.frames.start, pinned = null;
   const touching = (k) => {
@@ -49,8 +49,8 @@ function showFrames(root, d) {
                                                                        row * columns + column;
   };
   const placeOf = (cell) => ({
-    y: d.grid.y + d.grid.dy * Math.floor(cell / columns),
-    z: d.grid.z + d.grid.dz * (cell % columns)
+    y: placeOfCell(d.grid.y, d.grid.dy, Math.floor(cell / columns)),
+    z: placeOfCell(d.grid.z, d.grid.dz, cell % columns)
   });
   const inWords = (cell) => {
     const {y, z} = placeOf(cell), length = (x) => brief(x * d.length.factor);
@@ -74,9 +74,38 @@ function showFrames(root, d) {
     return best;
   };
 
+  // ---- Contacts of the frame shown: always as many rows, so that nothing below moves.
+  const contacts = find('contacts');
+  const most = contacts ? Math.max(...d.contacts.rows.map((rows) => rows.length)) : 0;
+  /** The contacts' numbers, where they press. */
+  const namesOf = (k) => {
+    if (most < 2) return undefined;
+    const [y, z] = ['centre, y', 'centre, z'].map(
+        (label) => 1 + d.contacts.columns.findIndex((one) => one.label === label));
+    return d.contacts.rows[k]
+        .filter((row) => y && z && row[y] && row[z])
+        .map((row) => ({text: `${row[0]}`, y: row[y][0], z: row[z][0]}));
+  };
+  function showContacts() {
+    const rows = d.contacts.rows[frame], {columns} = d.contacts;
+    const cell = (label, text) => element('td', {'data-label': label}, text);
+    const number = (of, {factor}) => of ? plusMinus(of[0] * factor, of[1] * factor) : '–';
+    const texts =
+        ([id, ...values]) => [`${id}`, ...columns.map(({unit}, i) => number(values[i], unit))];
+    const labels = ['contact', ...columns.map(({label, unit}) => label + unitOf(unit))];
+    contacts.tBodies[0].replaceChildren(...Array.from(
+        {length: most},
+        (_, i) => element(
+            'tr', {},
+            ...(rows[i] ? texts(rows[i]) : labels.map(() => '–'))
+                .map((text, k) => cell(labels[k], text)))));
+    contacts.tHead.rows[0].replaceChildren(...labels.map((label) => element('th', {}, label)));
+  }
+
   // ---- Maps of a skin.
   const maps = [];
   function addMap(view, title, palette, what, half = false) {
+    if (!find(view)) return;
     const place = element('div');
     find(view).append(place);
     const map = makeMap(
@@ -121,12 +150,13 @@ function showFrames(root, d) {
             taxels,
             arrows: found(k),
             touching: touching(k),
+            names: namesOf(k),
             say: sayCell
           })
         },
         !d.negative);
     if (normal.deviations)
-      addMap('errors', 'How far p may be off: one standard deviation', 'sizes', {
+      addMap(normal.truth ? 'errors' : 'tractions', 'Standard deviation of p', 'sizes', {
         of: (k) => {
           const values = normal.deviations.of(k);
           return {
@@ -215,11 +245,13 @@ function showFrames(root, d) {
     const row = Math.floor(cellShown() / columns);
     return values.subarray(row * columns, (row + 1) * columns);
   };
-  addSection('y', places, skin ? alongY : (values) => values, all.slice(0, 2));
-  if (skin) addSection('z', across, alongZ, all.length === 3 ? [all[0], all[2]] : [all[0]]);
+  if (find('sections')) {
+    addSection('y', places, skin ? alongY : (values) => values, all.slice(0, 2));
+    if (skin) addSection('z', across, alongZ, all.length === 3 ? [all[0], all[2]] : [all[0]]);
+  }
 
-  // ---- A line's pad and readings.
-  const pad = find('pad') && makePad(find('pad'), d);
+  // ---- The pad, and a line's readings.
+  const pad = find('pad') && makePad(find('pad'), d, sayCell);
   const lines = [];
   if (!skin)
     for (const channel of readings) {
@@ -261,12 +293,11 @@ function showFrames(root, d) {
   if (count > 1) {
     time = makeTimeline(d);
     time.onPick = (k) => show(k);
-    const sayFrame = (k) => `${said[k].clock}: ${said[k].answer}`;
     for (const one of d.courses)
       time.chart(
           titled(one.title),
           {name: one.title, y: {label: one.label}, band_label: one.bands, curves: one.lines},
-          sayFrame);
+          inShort);
     for (const one of skin ? all.slice(0, 1) : all) {
       const largestAlong = (k, row) => {
         const values = one.values.of(k);
@@ -293,7 +324,7 @@ function showFrames(root, d) {
             }] :
                                                           []
           },
-          sayFrame,
+          inShort,
           heatMap(
               time, rows, largestAlong, most, one.colour === 'normal' ? 'signed' : 'drag', low,
               high));
@@ -343,7 +374,7 @@ function showFrames(root, d) {
                              y: over(one.values, d.stress.factor),
                              band: one.deviations && over(one.deviations, 2 * d.stress.factor)
                            }));
-    const sayPlace = (k) => `${said[k].clock}: ` +
+    const sayPlace = (k) => `${when[k]}: ` +
         all.map(
                (one) => `${one.sign} ` +
                    stress(one.values.of(k)[cellShown()], one.deviations?.of(k)[cellShown()]))
@@ -378,7 +409,7 @@ function showFrames(root, d) {
         y: scaled(Array.from({length: count}, (_, k) => one.values.of(k)[taxel]), one.unit.factor)
       };
     });
-    const say = (k) => `${said[k].clock}: ` +
+    const say = (k) => `${when[k]}: ` +
         same.map(
                 (one) => `${one.name} ${
                     withUnit(one.values.of(k)[nearest(one, traces.at)], 0, one.unit)}`)
@@ -392,8 +423,15 @@ function showFrames(root, d) {
         say);
   }
 
-  const slider = find('slider'), where = find('where'), answered = find('answer'),
-        distrust = find('trust');
+  const slider = find('slider');
+  function sayFrame() {
+    find('where').textContent = when[frame];
+    find('answer').textContent = answer[frame];
+    find('trust').textContent = trust[frame];
+    find('trust').hidden = !trust[frame];
+    slider.value = frame;
+    slider.setAttribute('aria-valuetext', inShort(frame));
+  }
   function show(k) {
     frame = k;
     for (const {map, what} of maps) map.show(what.of(k));
@@ -401,15 +439,10 @@ function showFrames(root, d) {
     for (const one of lines) one.chart.update(one.curves());
     showPlace();
     time?.mark(k);
-    const {place, answer, trust} = said[k];
-    where.textContent = place;
-    answered.textContent = answer;
-    distrust.textContent = trust;
-    distrust.hidden = !trust;
-    slider.value = k;
-    slider.setAttribute('aria-valuetext', `${place}: ${answer}`);
+    if (slider) sayFrame();
+    if (contacts) showContacts();
   }
-  slider.addEventListener('input', () => show(Number(slider.value)));
-  slider.hidden = count < 2;
+  slider?.addEventListener('input', () => show(Number(slider.value)));
+  if (slider) slider.hidden = count < 2;
   show(frame);
 }

@@ -6,7 +6,9 @@ const mostDots = 2048;  // of more taxels dots would be a grey sheet
 
 /**
  * A map in `place`. @param grid {rows, columns, y, z, dy, dz}: cells row after row along y
- * @param said {title, label, palette, half, unit, length, arrow}; `half`: no values below 0
+ * @param said {title, label, palette, half, length, ends?, where?}; `half`: no values below 0;
+ *   `ends` {y: [first, last], along, z: [first, last]} and `where`(row, column) are words where y
+ *   and z are no places
  */
 function makeMap(place, grid, said) {
   const width = grid.rows * grid.dy, height = grid.columns * grid.dz;
@@ -15,10 +17,15 @@ function makeMap(place, grid, said) {
   const mark = element('i', {class: 'mark', hidden: ''});
   const box = element('div', {class: 'map-box'}, cells, above, mark);
   box.style.aspectRatio = `${width} / ${height}`;
-  const ends = (first, step, count) => [first - step / 2, first - step / 2 + step * count].map(
-      (at) => brief(at * said.length.factor));
-  const [left, right] = ends(grid.y, grid.dy, grid.rows);
-  const [top, bottom] = ends(grid.z, grid.dz, grid.columns);
+  const length = (x) => brief(x * said.length.factor);
+  const edges =
+      (first, step, count) => [first - step / 2, first - step / 2 + step * count].map(length);
+  const where = said.where ??
+      ((row, column) => `y ${length(placeOfCell(grid.y, grid.dy, row))}, z ${
+           length(placeOfCell(grid.z, grid.dz, column))} ${said.length.label}`);
+  let {y: [left, right], along = 'y →', z: [top, bottom]} =
+      said.ends ?? {y: edges(grid.y, grid.dy, grid.rows), z: edges(grid.z, grid.dz, grid.columns)};
+  if (!said.ends) right += ` ${said.length.label}`;
   const spans = (...all) => all.map((text) => element('span', {}, text));
   const readout = element('p', {class: 'readout'}, ' ');
   const ramp = element('span', {class: 'ramp'});
@@ -28,8 +35,7 @@ function makeMap(place, grid, said) {
       element('p', {class: 'map-title'}, said.title),
       element(
           'div', {class: 'map'}, element('div', {class: 'ticks'}, ...spans(top, 'z ↓', bottom)),
-          box, element('i'),
-          element('div', {class: 'ends'}, ...spans(left, 'y →', `${right} ${said.length.label}`))),
+          box, element('i'), element('div', {class: 'ends'}, ...spans(left, along, right))),
       readout, bar);
 
   let shown = null;
@@ -40,10 +46,6 @@ function makeMap(place, grid, said) {
         row * grid.columns + column :
         null;
   };
-  const placeOf = (cell) => ({
-    y: grid.y + grid.dy * Math.floor(cell / grid.columns),
-    z: grid.z + grid.dz * (cell % grid.columns)
-  });
 
   function drawArrows(context, scale) {
     const {along, across, most} = shown.arrows;
@@ -150,6 +152,20 @@ function makeMap(place, grid, said) {
     context.globalAlpha = 1;
   }
 
+  function drawNames(context, scale) {
+    context.font = 'bold 14px system-ui, sans-serif';
+    context.textAlign = 'center';
+    context.textBaseline = 'middle';
+    context.lineWidth = 4;
+    context.strokeStyle = ink('--paper');
+    context.fillStyle = ink('--ink');
+    for (const {text, y, z} of shown.names) {
+      const at = [scale * (y - grid.y + grid.dy / 2), scale * (z - grid.z + grid.dz / 2)];
+      context.strokeText(text, ...at);
+      context.fillText(text, ...at);
+    }
+  }
+
   function draw() {
     if (!shown) return;
     const context = cells.getContext('2d');
@@ -169,6 +185,7 @@ function makeMap(place, grid, said) {
     if (shown.taxels) drawTaxels(over, scale);
     if (shown.arrows) drawArrows(over, scale);
     if (shown.touching) drawOutline(over, scale);
+    if (shown.names) drawNames(over, scale);
   }
 
   function drawBar() {
@@ -182,7 +199,7 @@ function makeMap(place, grid, said) {
   }
 
   const map = {
-    /** @param what {values, most, unit, arrows?, touching?, taxels?, discs?, say(cell)} */
+    /** @param what {values, most, unit, arrows?, touching?, taxels?, discs?, names?, say(cell)} */
     show(what) {
       const bar = !shown || shown.most !== what.most;
       shown = what;
@@ -200,14 +217,12 @@ function makeMap(place, grid, said) {
         readout.textContent = ' ';
         return;
       }
-      const where = placeOf(cell);
-      mark.style.left = `${100 * (where.y - grid.y) / width}%`;
-      mark.style.top = `${100 * (where.z - grid.z) / height}%`;
-      mark.style.width = `${100 * grid.dy / width}%`;
-      mark.style.height = `${100 * grid.dz / height}%`;
-      const length = (x) => brief(x * said.length.factor);
-      readout.textContent =
-          `y ${length(where.y)}, z ${length(where.z)} ${said.length.label}: ${shown.say(cell)}`;
+      const row = Math.floor(cell / grid.columns), column = cell % grid.columns;
+      mark.style.left = `${100 * row / grid.rows}%`;
+      mark.style.top = `${100 * column / grid.columns}%`;
+      mark.style.width = `${100 / grid.rows}%`;
+      mark.style.height = `${100 / grid.columns}%`;
+      readout.textContent = `${where(row, column)}: ${shown.say(cell)}`;
     },
     onPoint: null,
     onPick: null,

@@ -10,16 +10,36 @@ function brief(number, digits = 3) {
   return text.replace('e+', 'e').replace('-', '−');
 }
 
+/** The place of a cell; the middle of a surface is 0 in spite of rounding. */
+function placeOfCell(first, step, index) {
+  const place = first + step * index;
+  return Math.abs(place) < 1e-9 * step ? 0 : place;
+}
+
 /**
- * "0.9817 ± 0.0017": rounded to the deviation's first two digits if these are below 20, else one.
+ * "0.9817 ± 0.0017": rounded to the deviation's first two digits if these are below 20, else one;
+ * large and small numbers with one power of ten for both. As plus_minus of numeric/number_text.cpp.
  */
 function plusMinus(value, deviation) {
   if (!Number.isFinite(value)) return '–';
   if (!(deviation > 0)) return brief(value, 4);
-  const power = Math.floor(Math.log10(deviation));
-  const digits = deviation / 10 ** power < 2 ? 1 - power : -power;
-  if (digits < 0 || digits > 9) return `${brief(value, 4)} ± ${brief(deviation, 2)}`;
-  return `${value.toFixed(digits).replace('-', '−')} ± ${deviation.toFixed(digits)}`;
+  let power = Math.floor(Math.log10(deviation));
+  if (Math.round(deviation / 10 ** (power - 1)) < 20) --power;
+  const fixed = (number, digits) => {
+    const text = number.toFixed(digits);
+    return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '−');
+  };
+  const largest = Math.max(Math.abs(value), deviation);
+  if (power > 4 || largest < 1e-3) {
+    const common = Math.floor(Math.log10(largest)), unit = 10 ** common;
+    const digits = Math.max(0, common - power);
+    return `(${fixed(value / unit, digits)} ± ${fixed(deviation / unit, digits)})e${common}`
+        .replace('e-', 'e−');
+  }
+  const step = 10 ** power;
+  const rounded = (number) =>
+      power < 0 ? fixed(number, Math.min(15, -power)) : fixed(Math.round(number / step) * step, 0);
+  return `${rounded(value)} ± ${rounded(deviation)}`;
 }
 
 /** A value in a unit {label, factor}. */

@@ -12,7 +12,7 @@ function makeTimeline(d) {
   const charts = [], listeners = [];
   const gaps = new Set(d.frames.gaps);
   const column = columnsOf(xs, gaps);
-  const range = [column(0)[0], column(count - 1)[1]];
+  const range = [xs[0], xs[count - 1]];
   const near = (x) => {
     let low = 0, high = count - 1;
     while (high - low > 1) {
