@@ -18,11 +18,11 @@ using namespace tactile_net::circuits;
 constexpr const char* introduction =
     R"(# The circuits
 
-Node voltages that solve `P f = b`: eight ways to build the network, what is proven of each, and what ngspice says of it.
+Eight ways to build a network whose node voltages solve `P f = b`, what is proven of each, and what ngspice finds.
 Written by `tactile-net-circuits .` (target `tactile_net_circuits`); no number in a table is typed in. The array of every table:
 21 taxels, pitch 0.5, strain_x at depth 1.5, a cylinder of half width 2, E = 1, nu = 0.45, l = 1, 1 mS and 1 V per unit.
 
-Read the tables so:
+The columns of the tables:
 
 - *agreement*: ngspice's answer with ideal parts (op-amps as nullors) against the direct solve, relative in the 2-norm.
 - *slowest pole*, *settles*: with op-amps of gain 1e6 and a gain-bandwidth product of 10 MHz (10 pF at the nodes where there are
@@ -40,25 +40,23 @@ At alpha = 1e-3:
 
 constexpr const char* choice =
     R"(
-- To check that the network solves the problem: `ideal`.
-- To build it: `lattice`. One amplifier a traction, nothing that rings with one pole, second poles from twice the bandwidth on
-  with any capacitance at the op-amps' inputs (below that only without any), and parts of 1 % cost it least. P is never
-  formed, so nothing that squares the condition number is built from resistors; it takes the readings themselves. Its price is
-  four resistors an entry of K.
-- With small alpha, where its slowest directions take too long: `least_squares`, which trades amplifiers for time, with op-amps whose second
-  pole lies far above their bandwidth (the bound of T6 says how far).
-- With parts of 1 % and more taxels than the lattice bears: `least_squares` with a ladder, under the same conditions on its op-amps.
-- With the fewest parts and alpha of 1e-3 or more: `crossbar` with complementary outputs. No rule on their bandwidths.
-- `nic` is the thesis' own proposal; `rail` does it with O(N) op-amps and is the most sensitive of all. `lc` and `ndr` are its
-  two other ones.
-- `tactile-net certify SCENE.toml` says which, for the scene's own alpha and tolerances.
-- Circuits of small skins, by the same commands: [skins.md](skins.md#as-a-circuit).
+- To check that the network solves the problem use `ideal`.
+- To build it use `lattice`: one amplifier a traction, no ringing with one pole, second poles from twice the bandwidth on
+  with any capacitance at the op-amps' inputs (below that only without any), and parts of 1 % cost it least. It takes the readings themselves, so no resistors form P,
+  which squares the condition number. It needs four resistors an entry of K.
+- If alpha is small, and its slowest directions take too long, use `least_squares`: more amplifiers, less time. The second
+  pole of its op-amps must lie far above their bandwidth (T6 says how far).
+- With parts of 1 % and more taxels than the lattice bears use `least_squares` with a ladder, with the same op-amps.
+- With alpha of 1e-3 or more `crossbar` with complementary outputs has the fewest parts, and needs no rule on bandwidths.
+- The thesis proposes `nic`, `lc` and `ndr`; `rail` does the same as `nic` with O(N) op-amps, and is the most sensitive of all.
+- `tactile-net certify SCENE.toml` recommends one for the scene's alpha and tolerances.
+- The same commands make circuits of small skins: [skins.md](skins.md#as-a-circuit).
 
 ## How stability is known
 
-`.op` and `.ac` are blind: a network that grows has an operating point like any other. What is certain:
+`.op` and `.ac` do not show it: a network that grows has an operating point, too. These do:
 
-**The state space.** From the very parts that the deck is written from (sub-circuits' insides and the polarity of every input
+**The state space.** From the parts of the deck (sub-circuits' insides and the polarity of every input
 included) the library assembles `x' = A x + b` and decomposes it: poles, the growing mode, settling time.
 
 **The reduced equations.** With fast converters and inverters every network is `T z' = -S z + h`: z the node voltages, or the amplifiers'
@@ -71,16 +69,16 @@ the two are coupled by a skew block.
 **Finite gain** A of the op-amps is in every theorem on stability below. Where one says *only if*, gain is infinite: finite gain adds positive parts to
 the equations, so a P that is not definite by less than they are settles too, at an answer that is not that of P f = b. The certificate calls such a P not definite.
 
-**ngspice's transient**, with three precautions: sources step from zero (from its DC solution an unstable circuit stays there for a while),
-trapezoidal integration (Gear's damps what grows), first steps of 0.02/bandwidth. Where the certificate says unstable the sources begin with a kick,
-each by another share: a symmetric load leaves antisymmetric modes asleep. An unstable circuit is reported with its growth and its mode beside the
+**ngspice's transient**, with three precautions: sources step from zero (an unstable circuit stays at its DC solution for a while),
+trapezoidal integration (Gear's damps growth), first steps of 0.02/bandwidth. If the certificate says unstable the sources begin with a kick,
+each by another share, because a symmetric load does not excite antisymmetric modes. An unstable circuit is reported with its growth and its mode beside the
 certificate's.
 
-**Yield** is counted on the reduced equations, op-amps fast against the network, and what the scene's op-amps do at rest is in every build: offsets and bias currents drawn with
-what is stated as standard deviation, finite gain, common-mode rejection and output resistance as they are. Where the certificate's poles say otherwise, it says so beside it.
-Recommended is only what is known to be stable with everything that the scene states, by its own poles; where they are too many (1500 states), by its theorem.
-Theorems and margins take complementary outputs for each other's exact opposites; `tolerance = { relative = 0.01, balance = 0.001 }` draws by how much they are not, and
-`stabiliser = 0.001` gives the stabiliser's resistors, where differences cancel, a tolerance of their own.
+**Yield** is counted on the reduced equations, op-amps fast against the network. Every build has the scene's op-amps at rest: offsets and bias currents drawn with
+the stated values as standard deviations, finite gain, common-mode rejection and output resistance as they are. If the certificate's poles disagree, it says so.
+A circuit is recommended only if it is known to be stable with everything that the scene states, by its poles or, beyond 1500 states, by its theorem.
+Theorems and margins take complementary outputs for exact opposites; `tolerance = { relative = 0.01, balance = 0.001 }` draws their difference, and
+`stabiliser = 0.001` gives the stabiliser's resistors, where differences cancel, their own tolerance.
 
 **Noise**, where op-amps have a `noise_voltage` e: x' = A x + white noise of 2 k T g for every resistor and (W e)^2/2 for every op-amp (and i^2/2 at every input of a `noise_current` i) has the
 covariance X of A X + X A' + Q = 0 at rest (Lyapunov). Of a crossbar whose rows have the same total D it is W (k T + D e^2/4) P^-1, in siemens:
@@ -88,42 +86,42 @@ the resistors' part is equipartition and holds for any D. More siemens lower it 
 
 ## What to order
 
-`tactile-net certify SCENE.toml --budget 0.3% --out out` asks which resistors have to be how exact for 95 of 100 builds to err by less. To first
-order a resistor's relative error t moves the squared answer by v t^2/3, v from the inverse of the reduced equations, so with a
-Lagrange multiplier on the mean square error each resistor's class is chosen by itself; the multiplier is found by halving, what is left over is spent on coarser parts, and the dual
-says what no list can be cheaper than. 95 of 100 builds lie within 1.55 times the root mean square: measured, and checked by draws with the list
-itself; where few parts count and the draws miss, the list is made anew for a smaller target, and drawn anew. The scene's op-amps are in every build, as they are in the yield, their
-`balance` too: the resistors get what those leave of the target, and where they leave nothing it says which property of the op-amps takes how much. It does so for every realisation, and
-leaves out those that are not known to be stable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
-for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two outputs. The better parts stand where differences cancel: in the stabiliser at
+`tactile-net certify SCENE.toml --budget 0.3% --out out` finds how exact each resistor must be so that 95 of 100 builds err by less. To first
+order a resistor's relative error t moves the squared answer by v t^2/3, v from the inverse of the reduced equations. So with a
+Lagrange multiplier on the mean square error each resistor's class is chosen by itself; the multiplier is found by halving, the rest is spent on coarser parts, and the dual
+bounds the price of any list. 95 of 100 builds lie within 1.55 times the root mean square: measured, and checked by draws with the list
+itself; if few parts count and the draws miss, a new list is made for a smaller target. Every build has the scene's op-amps, as in the yield, their
+`balance` too: the resistors get what these leave of the target, and if they leave nothing the output says how much each property of the op-amps takes. All realisations are compared, except
+those not known to be stable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
+for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two outputs. The better parts are where differences cancel: in the stabiliser at
 alpha = 1e-3, in K at 1e-5.
 
-*Loads*: what a part counts is the mean over five loads, the scene's contacts where they are and moved along the sensor by an eighth and a quarter of its
-length either way; a build's error is the root mean square over them: for one load alone fewer better parts would do. Of 41 taxels at alpha = 1e-3, for 0.3 %, parts of exactly the values wanted
+*Loads*: a part's weight is the mean over five loads, the scene's contacts and the same moved along the sensor by an eighth and a quarter of its
+length either way; a build's error is the root mean square over them. One load alone needs fewer better parts. Of 41 taxels at alpha = 1e-3, for 0.3 %, parts of exactly the values wanted
 (a third place each an eighth of the length to either side; 200 draws; the last column: each load's own draws, the worst of them):
 
 )";
 
 constexpr const char* values_text =
-    R"(The ladder wants fewest better parts: less than 70 of them for all five places, 22 for one, where `lattice` needs 75 to 169 of twice as many resistors. `lattice` is cheaper all the same,
-since an op-amp costs as much as forty better resistors and it has half as many: `certify --budget` names both. Where the target is to hold under each load by itself, ask for a tenth less: over five places
+    R"(The ladder needs the fewest better parts: less than 70 for all five places, 22 for one, where `lattice` needs 75 to 169 of twice as many resistors. `lattice` is still cheaper,
+since an op-amp costs as much as forty better resistors and it has half as many: `certify --budget` names both. If each load by itself must meet the target, ask for a tenth less: over five places
 the worst load's draws lie up to 12 % above the mean's.
 
 *Values* are of the scene's series, E96 where it names none. One part is within 1.5 % of any value, two in series or in parallel, of 1 ohm to 10 megohm, within 3e-4 (2e-4 from 100 ohm to 100 kilo-ohm). An entry of
 K' becomes what that of K became, times their ratio: an error that both share only changes the model. Parts of better classes are pairs, and as
 many of the others, those that count most first, until values take a sixteenth of the squared error; the rest is left to tolerances.
 
-The folder then holds, of the cheapest circuit whose draws meet the target, `parts.csv` (value, tolerance, quantity, designators of resistors, and the op-amps: to order from), `BOM.csv`
-as assemblers take it (a part a row: `Comment`, which is its value such as `4.99k` or `499R`, `Designator`, `Footprint`, `MPN` for you to fill in, tolerance, its name in the deck, the other
-one of a resistor's pair, and a note where it takes more power at the scene's contacts than its size carries: 0402 62.5 mW, 0603 0.1 W), and `board.kicad_pcb`, which KiCad from 6 on opens: footprints
+The folder has three files of the cheapest circuit whose draws meet the target. `parts.csv` is the list to order: value, tolerance, quantity, designators of resistors, and the op-amps. `BOM.csv`
+is for assemblers, a part a row: `Comment` (its value such as `4.99k` or `499R`), `Designator`, `Footprint`, `MPN` for you to fill in, tolerance, its name in the deck, the other
+one of a resistor's pair, and a note if the scene's contacts put more power into it than its size carries (0402 62.5 mW, 0603 0.1 W). `board.kicad_pcb` opens in KiCad 6 and newer: footprints
 with designators, values, tolerances, courtyards and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
-pins; a pin for each current of a reading, each output and the supply. The board is not routed and has only the deck's parts: add decoupling capacitors yourself. The deck of the same
-parts, with each tolerance as a comment, is `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`.
+pins; a pin for each current of a reading, each output and the supply. Route the board, and add decoupling capacitors. `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
+writes the deck of the same parts, with each tolerance as a comment.
 
 ## Other simulators
 
-`gen --dialect ltspice` or `xyce` writes what those read, and nothing that breaks their rules as documented: no `^`, which LTspice takes for an exclusive
-or; `noopac` for ngspice alone, elsewhere 1 milliohm in series with each inductor of `lc` and 1 teraohm from each output to ground; for Xyce `.print`, currents
+`gen --dialect ltspice` or `xyce` keeps the documented rules of these simulators: no `^`, which LTspice takes for an exclusive
+or; `noopac` for ngspice only, elsewhere 1 milliohm in series with each inductor of `lc` and 1 teraohm from each output to ground; for Xyce `.print`, currents
 of devices and of slewing op-amps in braces, packages of options, and `PARAMS:` before a sub-circuit's. Negative resistors are marked as untried. Neither simulator was at hand:
 ngspice reads the decks for LTspice to the same answer, and gnucap those of every realisation of resistors and op-amps, of the ladder too.
 
@@ -333,8 +331,8 @@ the curve has no quadratic term, and no slope below -g anywhere.
 **Convexity.** The network's potential, the sum of the integrals of each branch's current over its voltage, has a second derivative of at least
 P everywhere: strictly convex if P > 0. One operating point, approached from everywhere with capacitance at the nodes.
 
-Beyond the device's own volts there is no such answer: where the curves may change it by more than half of itself, `gen` and `relax` refuse, and `certify`
-warns, since what it says is of the linear circuit.
+Beyond the device's own volts there is no such answer: if the curves may change it by more than half of itself, `gen` and `relax` refuse, and `certify`,
+which judges the linear circuit, warns.
 
 The error grows as the square of node voltages over the device's own (`device_volts`):
 

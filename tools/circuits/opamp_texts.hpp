@@ -5,7 +5,7 @@
 inline constexpr const char* opamps_text =
     R"(## Real op-amps
 
-What a data sheet says beyond gain and bandwidth, each a key of [`opamp`](scene.md#network), in the deck, the state space and the certificate.
+Each figure of a data sheet is a key of [`opamp`](scene.md#network), and counts in the deck, the state space and the certificate.
 
 **At rest.** An offset v_i at amplifier i moves the answer as a current D_i v_i into row i: by P^-1 D v over the answer, to first order, so one over
 `volts`; a bias current i_b by P^-1 i_b over siemens and volts. `certify` takes both from the circuit's own sparse equations (one adjoint solve), so from any
@@ -14,7 +14,7 @@ inputs follow the nodes (nic, rail), like errors of resistors of 1/cmrr; inputs 
 stands inside a loop of the op-amp's gain. Complementary outputs are held each other's opposite by a loop of their own, which is taken for ideal:
 out = core - resistance (i_out - i_inv)/2. Two outputs without that loop are loaded differently, and err at any volts.
 
-No theorem on stability speaks of output resistances, nor T1 and T2 of a finite common-mode rejection: the certificate says so, and its poles decide.
+No theorem on stability includes output resistances, nor T1 and T2 a finite common-mode rejection: the certificate says so, and its poles decide.
 
 **Slew.** The core integrates a bent rate: x' = slew tanh(r/slew), r what the inputs ask for (a thousandth of r passes straight on, without which a simulator finds no
 slope). The certificate's settling time then comes from these equations: a method of Rosenbrock's until no rate exceeds by a hundredth of the slew
@@ -53,8 +53,8 @@ inline constexpr const char* motion_text =
 Readings that change steadily, g + g' t, are followed as they were `delay` ago: x settles at -A^-1 b(t) - A^-2 b', so the answer is behind by C A^-2 B g', and the delay is
 |C A^-2 B g'| over |C A^-1 B g'|. `certify` takes g' from the scene's own contacts, moved along y, and says the delay, the speed at which it is 1 % of the
 answer, and up to which frequency the slowest direction follows (its slowest pole; only loads that the stabiliser alone holds lie in it).
-While the shape of the readings changes as well, an edge that passes a taxel, the lag is up to three times as large. ngspice agrees within 5 %, with a contact
-that moves over the array in forty pieces at half that speed. A digital answer that is sampled and held at 1 kHz is up to 1 ms behind, whatever its arithmetic takes.
+If the shape of the readings changes too, as when an edge passes a taxel, the lag is up to three times as large. ngspice agrees within 5 %, with a contact
+that moves over the array in forty pieces at half that speed. A digital answer sampled and held at 1 kHz is up to 1 ms behind, however fast its arithmetic is.
 
 Op-amps of gain 1e6 and 10 MHz, lengths in mm:
 
@@ -63,8 +63,8 @@ Op-amps of gain 1e6 and 10 MHz, lengths in mm:
 inline constexpr const char* arrays_text =
     R"(## Programmable arrays
 
-Cells that are programmed (memristors, floating gates, switched resistors) in place of resistors that are soldered: `bits`, `cell_noise` and `wire_resistance` in a scene's
-[`tolerance`](scene.md#network). Signs are by complementary lines, so a cell holds |K_ij|.
+Programmed cells (memristors, floating gates, switched resistors) can replace soldered resistors: `bits`, `cell_noise` and `wire_resistance` in a scene's
+[`tolerance`](scene.md#network). Complementary lines make the signs, so a cell holds |K_ij|.
 
 **Steps.** Rounding the cells of K and K' to the same steps of the largest only changes the model: the circuit solves the rounded K's problem exactly, which costs about 2^-bits
 at any alpha, 8 bits for some 3e-3. In lattice rows of small sums, those at the ends, have small cells, and so fewer steps: at alpha = 1e-5
