@@ -22,13 +22,11 @@ def schema(kind):
     return json.loads(subprocess.run([tool, "schema", kind], capture_output=True, text=True, check=True).stdout)
 
 
-def inner(part, definitions):
+def inner(part):
     """The object that a value is, or that a list is of."""
-    if "$ref" in part:
-        return inner(definitions[part["$ref"].rsplit("/", 1)[1]], definitions)
     if "anyOf" in part:
-        return inner(part["anyOf"][0], definitions)
-    return inner(part["items"], definitions) if "items" in part else part
+        return inner(part["anyOf"][0])
+    return inner(part["items"]) if "items" in part else part
 
 
 def words(part):
@@ -36,25 +34,25 @@ def words(part):
     return [one["const"] for one in part.get("oneOf", []) if "const" in one]
 
 
-def keys(part, definitions, prefix="", without=()):
+def keys(part, prefix="", without=()):
     """(key, unit, sentence) of each value, those inside objects behind them."""
     for key, value in part.get("properties", {}).items():
         if "description" in value and key not in without:
-            inside = inner(value, definitions)
+            inside = inner(value)
             choice = "".join(f" `{word}`" for word in words(inside))
             yield prefix + key, value.get("unit", ""), value["description"] + choice
             if set(inside.get("properties", {})) != {"value", "deviation"}:  # every such number has these
-                yield from keys(inside, definitions, f"{prefix}{key}.")
+                yield from keys(inside, f"{prefix}{key}.")
 
 
 def parts_of(match):
-    """What a table is of, of each form that the document may have, and the definitions that it refers to."""
+    """What a table is of, of each form that the document may have."""
     whole = schema(match["kind"])
     forms = whole.get("oneOf", [whole])
     for part in forms if not match["form"] else [forms[int(match["form"])]]:
         for key in match["key"].split(".") if match["key"] else ():
-            part = inner(part["properties"][key], whole.get("$defs", {}))
-        yield part, whole.get("$defs", {})
+            part = inner(part["properties"][key])
+        yield part
 
 
 def part_of(match):
@@ -82,7 +80,7 @@ def rows_of_keys(match):
     """Where a document has two forms, these are of lines and of skins."""
     without = match["without"].split(", ") if match["without"] else ()
     yield "| key | unit | what it is |\n|---|---|---|\n"
-    sides = [{name: rest for name, *rest in keys(*part, without=without)} for part in parts_of(match)]
+    sides = [{name: rest for name, *rest in keys(part, without=without)} for part in parts_of(match)]
     lines, skins = sides[0], sides[-1]
     for name in merged(lines, skins):
         told = [(lines.get(name), "")] if lines.get(name) == skins.get(name) else [
@@ -95,16 +93,15 @@ def rows_of_keys(match):
 
 def rows_of_values(match):
     yield "| value | what it means |\n|---|---|\n"
-    for one in part_of(match)[0]["oneOf"]:
+    for one in part_of(match)["oneOf"]:
         yield f"| `{one['const']}` | {one['description']} |\n"
 
 
 def rows_of_kinds(match):
-    part, definitions = part_of(match)
     yield "| kind | what was seen | its numbers |\n|---|---|---|\n"
-    for one in part["oneOf"]:
+    for one in part_of(match)["oneOf"]:
         numbers = [f"`{name}`{f' [{unit}]' if unit else ''}: {sentence}"
-                   for name, unit, sentence in keys(one, definitions, without=("text", "advice"))]
+                   for name, unit, sentence in keys(one, without=("text", "advice"))]
         yield f"| `{one['properties']['kind']['const']}` | {one['description']} | {' '.join(numbers)} |\n"
 
 

@@ -40,8 +40,4 @@ std::vector<FindingTold> findings_told(const lab::Findings& findings, const AnyS
   return all;
 }
 
-Json findings_json(const lab::Findings& findings, const AnyScene& scene) {
-  return as_json(findings_told(findings, scene));
-}
-
 }  // namespace tactile_net::report

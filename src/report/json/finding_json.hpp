@@ -40,7 +40,6 @@ struct JsonForm<FindingTold> {
 
 [[nodiscard]] std::vector<FindingTold> findings_told(const lab::Findings& findings,
                                                      const AnyScene& scene);
-[[nodiscard]] Json findings_json(const lab::Findings& findings, const AnyScene& scene);
 
 }  // namespace report
 }  // namespace tactile_net

@@ -51,17 +51,4 @@ UnitsTold units_told(const Units& units, Dimension force) {
                      .force = units.force.name}};
 }
 
-Json units_json(const Units& units) { return as_json(units_told(units, Dimension::force)); }
-Json skin_units_json(const Units& units) {
-  return as_json(units_told(units, Dimension::point_force));
-}
-
-Json skin_weight_json(const SkinScene& scene, const lab::ChosenAlpha& alpha) {
-  if (components(scene) == 1) return nullptr;
-  return number_or_null(alpha.tangential_weight ? alpha.tangential_weight
-                                                : scene.reconstruct.tangential_weight);
-}
-
-Json skin_grid_json(const SurfaceGrid& grid) { return as_json(grid); }
-
 }  // namespace tactile_net::report

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "report/json/described.hpp"
-#include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/scene/any_scene.hpp"
 
 namespace tactile_net::report {
@@ -90,14 +89,5 @@ struct SceneFrameTold : SceneTold {
 
 /// @param force  Dimension::force of a line, of a skin Dimension::point_force
 [[nodiscard]] UnitsTold units_told(const Units& units, Dimension force);
-[[nodiscard]] Json units_json(const Units& units);
-/// The same, whose force is a point's.
-[[nodiscard]] Json skin_units_json(const Units& units);
-
-/// Where a skin's cells lie.
-[[nodiscard]] Json skin_grid_json(const SurfaceGrid& grid);
-/// The tangential weight that the scene states or the frame has; null with one component, which
-/// nothing weighs.
-[[nodiscard]] Json skin_weight_json(const SkinScene& scene, const lab::ChosenAlpha& alpha);
 
 }  // namespace tactile_net::report
