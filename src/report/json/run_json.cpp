@@ -111,10 +111,10 @@ struct ReconstructionTold : lab::AnswerTold {
           field("grid", &ReconstructionTold::grid,
                 "The cells of this answer; only of a circuit whose nodes stand for other cells."),
           field(
-              "warnings", [](const ReconstructionTold& told) { return told.said.warnings; },
+              "warnings", [](const auto& told) { return told.said.warnings; },
               "What to know before the answer is trusted."),
           field(
-              "notes", [](const ReconstructionTold& told) { return told.said.notes; },
+              "notes", [](const auto& told) { return told.said.notes; },
               "What was found beside it in the normal course."),
           field("failure", &ReconstructionTold::failure,
                 "Why no answer holds; absent: one does.")});

@@ -69,29 +69,29 @@ struct ShownTold {
 
   static constexpr auto described = std::tuple{
       field(
-          "frame", [](const ShownTold& told) { return told.group.shown; },
+          "frame", [](const auto& told) { return told.group.shown; },
           "The frame, from 0: the one that presses hardest of those it stands for."),
       field(
-          "t", [](const ShownTold& told) { return if_finite(told.group.time); }, Measure::time,
+          "t", [](const auto& told) { return if_finite(told.group.time); }, Measure::time,
           "Its time; null: it has none, or one of no known unit."),
       field(
-          "first", [](const ShownTold& told) { return told.group.first; },
+          "first", [](const auto& told) { return told.group.first; },
           "The first frame that it stands for."),
       field(
-          "count", [](const ShownTold& told) { return told.group.count; },
+          "count", [](const auto& told) { return told.group.count; },
           "How many frames it stands for."),
       field(
-          "distrusted", [](const ShownTold& told) { return told.group.distrusted; },
+          "distrusted", [](const auto& told) { return told.group.distrusted; },
           "How many of these have a verdict that is a fault."),
       field(
-          "verdict", [](const ShownTold& told) { return told.group.answer.verdict; },
+          "verdict", [](const auto& told) { return told.group.answer.verdict; },
           "Whether the answer can be trusted: ok, or what is wrong."),
       field(
-          "doubted", [](const ShownTold& told) { return told.group.doubted; },
+          "doubted", [](const auto& told) { return told.group.doubted; },
           "How many of these hold readings that cannot be true."),
       field(
           "data",
-          [](const ShownTold& told) {
+          [](const auto& told) {
             const auto& data = told.group.answer.data;
             return data ? std::optional(data->doubts) : std::nullopt;
           },
@@ -110,7 +110,7 @@ struct ShownTold {
           Of::lines),
       field(
           "patches",
-          [](const ShownTold& told) {
+          [](const auto& told) {
             const auto contacts = told.overview.contacts(told.group);
             return std::vector(contacts.begin(), contacts.end());
           },
@@ -130,40 +130,40 @@ struct RowTold {
 
   static constexpr auto described = std::tuple{
       field(
-          "t", [](const RowTold& told) { return if_finite(told.row.time); }, Measure::time,
+          "t", [](const auto& told) { return if_finite(told.row.time); }, Measure::time,
           "Its time; null: it has none, or one of no known unit."),
       field(
-          "verdict", [](const RowTold& told) { return told.row.verdict; },
+          "verdict", [](const auto& told) { return told.row.verdict; },
           "Whether the answer can be trusted: ok, or what is wrong."),
       field(
           "missing",
-          [](const RowTold& told) -> std::optional<Incomplete> {
+          [](const auto& told) -> std::optional<Incomplete> {
             if (told.row.missing) return Incomplete::skipped;
             if (told.row.estimated) return Incomplete::estimated;
             return std::nullopt;
           },
           "What became of it for readings that are missing; null: none are."),
       field(
-          "alpha", [](const RowTold& told) { return told.unless_missing(told.row.alpha.value); },
+          "alpha", [](const auto& told) { return told.unless_missing(told.row.alpha.value); },
           "How much is smoothed; null: the frame has no answer."),
       field(
           "alpha_rule",
-          [](const RowTold& told) { return told.unless_missing(source(told.row.alpha)); },
+          [](const auto& told) { return told.unless_missing(source(told.row.alpha)); },
           "The rule that chose alpha, or given; null: the frame has no answer."),
       field("tangential_weight", &RowTold::tangential_weight,
             "Of the drags' stabiliser over the pressure's: stated, or the one under which the "
             "frame is likeliest; null: only one component was solved for, or there is no answer."),
       field(
-          "resultant", [](const RowTold& told) { return told.unless_missing(told.row.wrench); },
+          "resultant", [](const auto& told) { return told.unless_missing(told.row.wrench); },
           "What the cells that touch amount to; null: the frame has no answer."),
       field(
-          "friction", [](const RowTold& told) { return told.row.friction; },
+          "friction", [](const auto& told) { return told.row.friction; },
           "Drag over force; null: not known."),
       field(
-          "patches", [](const RowTold& told) { return told.row.contacts; },
+          "patches", [](const auto& told) { return told.row.contacts; },
           "Each contact by itself, the strongest first."),
       field(
-          "data", [](const RowTold& told) { return told.unless_missing(told.row.data.doubts); },
+          "data", [](const auto& told) { return told.unless_missing(told.row.data.doubts); },
           "Why its readings cannot be a contact's, worst first; null: there is no answer.")};
 };
 
