@@ -324,7 +324,7 @@ void add_frames(SolveTold& told, const lab::RecordingOverview& overview) {
     if (!row.missing && number_of_components(overview.skin()) > 1)
       one.tangential_weight =
           row.alpha.tangential_weight ? row.alpha.tangential_weight : told.tangential_weight;
-    told.rows.push_back(std::move(one));
+    told.rows.push_back(one);
   }
   if (!overview.groups.empty())
     told.hardest = overview.is_line() ? overview.peak().shown : overview.hardest;
