@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "report/load_dimension.hpp"
 #include "tactile_net/inverse/contact_patch.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -31,7 +32,7 @@ struct ContactColumn {
 /// @param stated  what the forces are, where it is not what the sensor's are
 [[nodiscard]] inline std::vector<ContactColumn> contact_columns(
     bool of_skin, std::optional<Dimension> stated = std::nullopt) {
-  const Dimension force = stated.value_or(of_skin ? Dimension::point_force : Dimension::force);
+  const Dimension force = stated.value_or(load_dimension(of_skin));
   using Patch = const ContactPatch&;
   return {{"force", force, [](Patch one) { return std::optional(one.wrench.normal); }},
           {"drag", force,

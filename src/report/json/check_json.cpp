@@ -6,6 +6,7 @@
 #include "report/json/finding_json.hpp"
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
+#include "report/load_dimension.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -75,9 +76,8 @@ struct CheckTold {
             "The units of these numbers; only of a scene with [units].")};
 };
 
-/// @param force  what a load is: along the depth, or a point's
 CheckTold check_told(const lab::ReadingsCheck& check, const auto& scene,
-                     const std::string& readings, Dimension force) {
+                     const std::string& readings) {
   CheckTold all{.scene = scene.file,
                 .readings = readings,
                 .frames = check.frames,
@@ -97,17 +97,8 @@ CheckTold check_told(const lab::ReadingsCheck& check, const auto& scene,
                 .reading = check.peak->reading,
                 .traction = check.peak->traction,
                 .force = check.peak->force};
-  if (scene.units) all.units.value = units_told(*scene.units, force);
+  all.units = units_told(scene.units, load_dimension(scene));
   return all;
-}
-
-CheckTold check_told(const lab::ReadingsCheck& check, const Scene& scene,
-                     const std::string& readings) {
-  return check_told(check, scene, readings, Dimension::force);
-}
-CheckTold check_told(const lab::ReadingsCheck& check, const SkinScene& scene,
-                     const std::string& readings) {
-  return check_told(check, scene, readings, Dimension::point_force);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
+#include "report/load_dimension.hpp"
 #include "report/recording_fields.hpp"
 
 namespace tactile_net::report {
@@ -34,13 +35,10 @@ std::string recordings_json(RecordingRows rows, const AnyScene& scene) {
     all.needs_a_look += one.standing == lab::Standing::needs_a_look ? 1 : 0;
     all.no_answer += one.standing == lab::Standing::no_answer ? 1 : 0;
   }
-  const bool skin = std::holds_alternative<SkinScene>(scene);
   std::visit(
       [&](const auto& one) {
         all.scene = one.file;
-        if (one.units)
-          all.units.value =
-              units_told(*one.units, skin ? Dimension::point_force : Dimension::force);
+        all.units = units_told(one.units, load_dimension(one));
       },
       scene);
   return document_text(kind::report, all);

@@ -2,6 +2,7 @@
 /// How the JSON documents of a scene begin, and numbers with a deviation in all of them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -83,11 +84,8 @@ struct SceneFrameTold : SceneTold {
 [[nodiscard]] SceneFrameTold scene_told(const SkinScene& scene);
 [[nodiscard]] SceneFrameTold scene_told(const AnyScene& scene);
 
-/// As `document`, then that.
-[[nodiscard]] Json scene_json(const DocumentKind& kind, const Scene& scene);
-[[nodiscard]] Json scene_json(const DocumentKind& kind, const SkinScene& scene);
-
-/// @param force  Dimension::force of a line, of a skin Dimension::point_force
-[[nodiscard]] UnitsTold units_told(const Units& units, Dimension force);
+/// Those that a scene states; absent: it states none.
+/// @param load  what a load is: `load_dimension`
+[[nodiscard]] IfAny<UnitsTold> units_told(const std::optional<Units>& units, Dimension load);
 
 }  // namespace tactile_net::report

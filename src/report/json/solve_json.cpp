@@ -12,6 +12,7 @@
 #include "report/json/finding_json.hpp"
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
+#include "report/load_dimension.hpp"
 #include "report/shown_numbers.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 
@@ -105,8 +106,8 @@ struct ShownTold {
       shown_number<5>(Measure::length, "The centre of pressure; null: nothing presses.", Of::lines),
       shown_number<6>(Measure::length, "Its deviation; null: not known.", Of::lines),
       shown_number<7>(
-          Measure::none,
-          "What the tractions leave of the readings, relative; null: there is no answer.",
+          Measure::reading,
+          "The noise of a reading as the residual shows it; null: deviations are not known.",
           Of::lines),
       field(
           "patches",
@@ -310,11 +311,11 @@ std::size_t number_of_components(const Scene& scene) { return unknowns(scene); }
 std::size_t number_of_components(const SkinScene& scene) { return components(scene); }
 
 /// What the scene itself says.
-void add_scene(SolveTold& told, const auto& scene, Dimension force) {
+void add_scene(SolveTold& told, const auto& scene) {
   told.scene = scene.file;
   told.offset = scene.reconstruct.offset;
   if (number_of_components(scene) > 1) told.tangential_weight = scene.reconstruct.tangential_weight;
-  if (scene.units) told.units.value = units_told(*scene.units, force);
+  told.units = units_told(scene.units, load_dimension(scene));
 }
 
 void add_frames(SolveTold& told, const lab::RecordingOverview& overview) {
@@ -365,11 +366,7 @@ std::string solve_json(const lab::RecordingOverview& overview, const lab::Solved
                  .events = overview.tracker.events(),
                  .grid = overview.grid};
   const Of of = overview.is_line() ? Of::lines : Of::skins;
-  std::visit(
-      [&](const auto& scene) {
-        add_scene(told, scene, of == Of::lines ? Dimension::force : Dimension::point_force);
-      },
-      overview.scene);
+  std::visit([&](const auto& scene) { add_scene(told, scene); }, overview.scene);
   add_summary(told, solved);
   told.missing.policy = report.missing;
   add_frames(told, overview);

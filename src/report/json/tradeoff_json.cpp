@@ -6,6 +6,7 @@
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
 #include "report/json/work_point_json.hpp"
+#include "report/load_dimension.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/version.hpp"
@@ -250,9 +251,7 @@ std::string study_json(const study::Study& study, std::string_view scene_text) {
                  .pareto = {front(study::to_solution), front(study::to_truth)},
                  .jobs = study.sections,
                  .scene_text = std::string(scene_text)};
-  if (input.units())
-    told.units.value =
-        units_told(*input.units(), input.is_skin() ? Dimension::point_force : Dimension::force);
+  told.units = units_told(input.units(), load_dimension(input.is_skin()));
   return document_text(kind::tradeoff, told);
 }
 

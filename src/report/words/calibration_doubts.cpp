@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "report/load_dimension.hpp"
 #include "report/words/calibration_parts.hpp"
 #include "report/words/check_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -17,8 +18,7 @@ std::string quantity_in_words(const lab::SceneCalibration& found, PressQuantity 
                               double value, double sd) {
   switch (quantity) {
     case PressQuantity::force:
-      return in_unit(found.units(), found.is_skin() ? Dimension::point_force : Dimension::force,
-                     value, sd);
+      return in_unit(found.units(), load_dimension(found.is_skin()), value, sd);
     case PressQuantity::position:
     case PressQuantity::half_width:
     case PressQuantity::position_z:

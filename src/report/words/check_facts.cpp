@@ -80,7 +80,8 @@ std::vector<std::string> understood(const lab::ReadingsCheck& check, const auto&
     facts.push_back("largest reading " + reading(scene, check.peak->channel, check.peak->reading) +
                     ", in frame " + std::to_string(check.peak->frame) + ": a normal traction of " +
                     in_unit(scene.units, Dimension::stress, check.peak->traction) +
-                    ", a force of " + in_unit(scene.units, force_of(scene), check.peak->force));
+                    ", a force of " +
+                    in_unit(scene.units, load_dimension(scene), check.peak->force));
   facts.push_back(judged_in_words(check));
   if (check.residual)
     facts.push_back("the residual, which no traction explains, is " + brief(*check.residual) +

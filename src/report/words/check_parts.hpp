@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 
+#include "report/load_dimension.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
@@ -23,10 +24,6 @@ namespace tactile_net::report {
 [[nodiscard]] inline std::size_t taxels_of(const SkinScene& scene) {
   return taxel_count(scene.sensor);
 }
-
-/// Of a line, along its depth; of a skin.
-[[nodiscard]] inline Dimension force_of(const Scene&) { return Dimension::force; }
-[[nodiscard]] inline Dimension force_of(const SkinScene&) { return Dimension::point_force; }
 
 [[nodiscard]] QuantityKind kind_of(const auto& scene, std::size_t channel) {
   return traits(channels(scene.sensor)[channel].quantity).kind;

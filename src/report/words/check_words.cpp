@@ -285,13 +285,14 @@ Words say(const finding::ZeroUnderLoad& f, const auto& scene) {
   const std::string frames =
       f.first == f.last ? "frame " + std::to_string(f.first)
                         : "frames " + std::to_string(f.first) + " to " + std::to_string(f.last);
-  return {
-      "in " + frames + " the pad is pulled with " + in_unit(scene.units, force_of(scene), f.force) +
-          " as a contact would press: the zero was taken while something touched",
-      f.first == f.last ? "take the zero anew, of frames in which nothing touches"
-                        : "take the zero of the frames that are loaded least: under [calibration], "
-                          "baseline_frames = [" +
-                              std::to_string(f.first) + ", " + std::to_string(f.last) + "]"};
+  return {"in " + frames + " the pad is pulled with " +
+              in_unit(scene.units, load_dimension(scene), f.force) +
+              " as a contact would press: the zero was taken while something touched",
+          f.first == f.last
+              ? "take the zero anew, of frames in which nothing touches"
+              : "take the zero of the frames that are loaded least: under [calibration], "
+                "baseline_frames = [" +
+                    std::to_string(f.first) + ", " + std::to_string(f.last) + "]"};
 }
 Words say(const finding::Drift& f, const auto& scene) {
   std::string seen = "the readings drift: at rest they change by up to " +

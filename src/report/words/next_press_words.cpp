@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "report/load_dimension.hpp"
 #include "report/words/calibration_parts.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/calibration_words.hpp"
@@ -36,11 +37,9 @@ std::vector<std::vector<std::string>> next_press_cells(const lab::SceneCalibrati
     } else {
       row.insert(row.end(), {length(press.position), length(press.radius)});
     }
-    row.insert(row.end(),
-               {length(press.half_width),
-                in_unit(found.units(), found.is_skin() ? Dimension::point_force : Dimension::force,
-                        press.force),
-                unknown(found, press.remaining)});
+    row.insert(row.end(), {length(press.half_width),
+                           in_unit(found.units(), load_dimension(found.is_skin()), press.force),
+                           unknown(found, press.remaining)});
     rows.push_back(std::move(row));
   }
   return rows;

@@ -3,6 +3,7 @@
 #include <ostream>
 
 #include "report/columns.hpp"
+#include "report/load_dimension.hpp"
 #include "report/recording_fields.hpp"
 #include "report/words/number_words.hpp"
 #include "tactile_net/numeric/counted.hpp"
@@ -20,10 +21,6 @@ std::optional<std::string> if_any(const std::string& text) {
 const std::optional<Units>& units_of(const AnyScene& scene) {
   return std::visit([](const auto& one) -> const std::optional<Units>& { return one.units; },
                     scene);
-}
-
-Dimension load_of(const AnyScene& scene) {
-  return std::holds_alternative<SkinScene>(scene) ? Dimension::point_force : Dimension::force;
 }
 
 std::string seconds_in_words(const std::optional<double>& seconds) {
@@ -123,7 +120,7 @@ std::vector<std::vector<std::string>> recording_cells(RecordingRows rows, const 
     cells.push_back({row.name, std::string(lab::name(row.verdict)),
                      std::to_string(row.faultless) + " of " + std::to_string(row.frames),
                      std::to_string(row.findings.size()),
-                     row.force ? in_unit(units, load_of(scene), *row.force) : "-", at,
+                     row.force ? in_unit(units, load_dimension(scene), *row.force) : "-", at,
                      row.slip_margin ? percent(*row.slip_margin) : "-",
                      seconds_in_words(row.duration), worst_in_words(row, scene)});
   }
