@@ -16,9 +16,10 @@ namespace tactile_net::report {
 /// One point a row.
 [[nodiscard]] std::string study_csv(const study::Study& study);
 
-/// The jobs that a study's JSON holds, as they were written; of a failure, its words alone.
+/// The jobs that the text of a study's JSON holds, as they were written; of a failure, its words
+/// alone.
 /// @throw std::runtime_error  it is no study, or one of another scene, version or processor
-[[nodiscard]] std::vector<study::StudySection> finished_jobs(const std::string& json,
+[[nodiscard]] std::vector<study::StudySection> finished_jobs(const std::string& text,
                                                              std::string_view scene_text,
                                                              const std::string& processor);
 
