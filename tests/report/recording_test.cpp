@@ -271,9 +271,7 @@ TEST_CASE("pictures over time have a gap where frames have no answer, and there 
     return nlohmann::json::parse(frames_json(overview))["frames"]["gaps"].get<Gaps>();
   };
   const auto gaps_of = [&](const lab::Recording& recording) {
-    lab::RecordingOverview overview = recording.overview();
-    overview.grid = {.rows = 4, .columns = 4, .spacing_y = 1.0, .spacing_z = 1.0};
-    return gaps_in(overview);
+    return gaps_in(recording.overview());
   };
   const lab::SkinSceneProblem problem(skin_of_sixteen());
   lab::Recording recording(problem);
