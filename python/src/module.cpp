@@ -1,13 +1,16 @@
 // What Python calls: types and errors as the library has them, arrays, no rule of its own.
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
 
 #include "rooms.hpp"
 #include "tactile_net/numeric/version.hpp"
+#include "tactile_net/report/json/schema.hpp"
 
 NB_MODULE(_core, module) {
   using namespace tactile_net::python;
   module.doc() = "The library behind tactile_net. Private: its names may change.";
   module.attr("version") = tactile_net::version();
+  module.def("schema", &tactile_net::report::schema, nanobind::arg("kind"));
   bind_errors();
   bind_option_words();
   bind_files(module);

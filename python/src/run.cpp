@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "arrays.hpp"
-#include "contact_rows.hpp"
 #include "page_folder.hpp"
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/lab/simulator_choice.hpp"
 #include "tactile_net/pages/run_page.hpp"
+#include "tactile_net/report/json/contacts_json.hpp"
 #include "tactile_net/report/json/run_json.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
@@ -36,6 +36,11 @@ std::optional<Array> stacked(const lab::Experiment& self, const std::vector<doub
   if (!self.of_skin()) return owned(values, {values.size() / self.places(), self.places()});
   const SurfaceGrid& grid = other_grid ? *other_grid : self.grid;
   return owned(values, {values.size() / grid.count(), grid.rows, grid.columns});
+}
+
+/// A value and its deviation; None: not known.
+nb::object pair_of(const std::optional<Uncertain>& number) {
+  return number ? nb::cast(nb::make_tuple(number->value, number->deviation)) : nb::none();
 }
 
 /// By the names of Python's MethodResult.
@@ -64,8 +69,8 @@ void add_line(MethodAnswer& found, const lab::MethodResult& result) {
   found["normal_force"] = resultant ? pair_of(resultant->normal) : nb::none();
   found["tangential_force"] = resultant ? pair_of(resultant->tangential) : nb::none();
   found["centre"] = resultant ? pair_of(resultant->centre) : nb::none();
-  found["patches"] =
-      resultant ? contact_rows(result.answer.bands->patches) : std::vector<ContactRow>();
+  found["patches"] = report::contacts_json(
+      resultant ? result.answer.bands->patches : std::vector<ContactPatch>(), false);
 }
 
 /// What is a skin's own, by the names of SkinMethodResult.
@@ -90,7 +95,7 @@ void add_skin(MethodAnswer& found, const lab::Experiment& experiment,
   found["centre_z"] = known(wrench.centre_z);
   found["torsion"] = known(wrench.torsion);
   found["friction"] = known(told.friction ? std::optional(told.friction->ratio) : std::nullopt);
-  found["patches"] = contact_rows(told.patches);
+  found["patches"] = report::contacts_json(told.patches, true);
   std::vector<double> relative(3, unknown);
   for (std::size_t c = 0; c < result.errors.size(); ++c) relative[c] = result.errors[c].relative;
   found["relative_errors"] = nb::tuple(nb::cast(relative));

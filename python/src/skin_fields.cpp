@@ -3,6 +3,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,9 +52,22 @@ Array touching_of(Answers answers, const SurfaceGrid& grid) {
   return owned(std::move(all), {answers.size(), grid.count()});
 }
 
-/// The columns of `report::resultant_columns`.
-Array wrenches_of(Answers answers) {
-  return rows_of(answers, report::resultant_columns().size(), &report::resultant_values);
+/// Of each name the value and its deviation.
+Array wrenches_of(Answers answers, const std::vector<std::string>& names) {
+  const std::vector<std::string> columns = report::resultant_columns();
+  std::vector<std::size_t> places;
+  for (const std::string& name : names)
+    places.push_back(static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                              columns.begin()));
+  return rows_of(answers, 2 * names.size(), [&](const lab::FrameAnswer& one) {
+    const std::vector<double> all = report::resultant_values(one);
+    std::vector<double> values;
+    for (const std::size_t place : places) {
+      values.push_back(all.at(place));
+      values.push_back(all.at(place + 1));
+    }
+    return values;
+  });
 }
 
 Array covariances_of(Answers answers) {
@@ -75,7 +89,8 @@ Array ellipses_of(Answers answers) {
 }  // namespace
 
 nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinScene& scene,
-                                                const SurfaceGrid& grid, std::size_t width) {
+                                                const SurfaceGrid& grid, std::size_t width,
+                                                const std::vector<std::string>& wrench) {
   nb::typed<nb::dict, nb::str, nb::any> found;
   std::vector<std::string> verdicts;
   std::vector<std::string> data;
@@ -92,7 +107,7 @@ nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinScene
   found["tractions"] = tractions_of(answers, width);
   found["deviation"] = deviations_of(answers, width);
   found["touching"] = touching_of(answers, grid);
-  found["wrench"] = wrenches_of(answers);
+  found["wrench"] = wrenches_of(answers, wrench);
   found["covariance"] = covariances_of(answers);
   found["ellipse"] = ellipses_of(answers);
   found["verdict"] = verdicts;

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "tactile_net/lab/answer.hpp"
 
@@ -18,10 +20,10 @@ namespace nb = nanobind;
 using Answers = std::span<const std::optional<lab::FrameAnswer>>;
 
 /// Fields by name, a row a frame. @param width  components x cells
-[[nodiscard]] nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers,
-                                                              const SkinScene& scene,
-                                                              const SurfaceGrid& grid,
-                                                              std::size_t width);
+/// @param wrench  names among `report::resultant_columns`, in the order of its field's columns
+[[nodiscard]] nb::typed<nb::dict, nb::str, nb::any> fields_of(
+    Answers answers, const SkinScene& scene, const SurfaceGrid& grid, std::size_t width,
+    const std::vector<std::string>& wrench);
 
 /// The names of `report::uncertainty_columns` but the verdict, and their values, a row a frame.
 [[nodiscard]] nb::typed<nb::tuple, nb::typed<nb::list, nb::any>, nb::any> uncertainty_of(

@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "bad_frame.hpp"
-#include "contact_rows.hpp"
 #include "missing_named.hpp"
 #include "rooms.hpp"
 #include "skin_fields.hpp"
 #include "solved_skin.hpp"
+#include "tactile_net/report/json/contacts_json.hpp"
 
 namespace tactile_net::python {
 namespace {
@@ -112,21 +112,20 @@ void bind_solver(nb::module_& module) {
 void bind_skin_solving(nb::module_& module) {
   bind_solver(module);
   nb::class_<SolvedSkin>(module, "SolvedSkin")
-      .def("fields",
-           [](const SolvedSkin& self) {
-             return fields_of(self.answers(), self.scene(), self.grid(), self.width());
-           })
+      .def(
+          "fields",
+          [](const SolvedSkin& self, const std::vector<std::string>& wrench) {
+            return fields_of(self.answers(), self.scene(), self.grid(), self.width(), wrench);
+          },
+          nb::arg("wrench"))
       .def("uncertainty",
            [](const SolvedSkin& self) { return uncertainty_of(self.answers(), self.scene()); })
       .def("patches",
            [](const SolvedSkin& self) {
-             std::vector<std::vector<ContactPatch>> frames;
-             std::vector<bool> answered;
-             for (const auto& answer : self.answers()) {
-               frames.push_back(answer ? answer->patches : std::vector<ContactPatch>());
-               answered.push_back(answer.has_value());
-             }
-             return followed_rows(frames, answered);
+             std::vector<std::optional<std::vector<ContactPatch>>> frames;
+             for (const auto& answer : self.answers())
+               frames.push_back(answer ? std::optional(answer->patches) : std::nullopt);
+             return report::contacts_json(frames, true);
            })
       .def("notes", &SolvedSkin::notes)
       .def("json", &SolvedSkin::json, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())

@@ -134,7 +134,7 @@ Bands SolvedRecording::bands(Watcher& watcher) {
     add(bands.normal_force, one.resultant.normal);
     add(bands.tangential_force, one.resultant.tangential);
     add(bands.centre, one.resultant.centre);
-    bands.patches.push_back(std::move(one.patches));
+    bands.patches.push_back(results_[i] ? std::optional(std::move(one.patches)) : std::nullopt);
   }
   return bands;
 }

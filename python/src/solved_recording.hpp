@@ -24,7 +24,8 @@ struct Bands {
   std::vector<double> normal_force{};
   std::vector<double> tangential_force{};
   std::vector<double> centre{};
-  std::vector<std::vector<ContactPatch>> patches{};  ///< of every frame
+  /// Of every frame; absent: it has no answer.
+  std::vector<std::optional<std::vector<ContactPatch>>> patches{};
 };
 
 class SolvedRecording {

@@ -9,11 +9,11 @@
 #include <stdexcept>
 
 #include "bad_frame.hpp"
-#include "contact_rows.hpp"
 #include "missing_named.hpp"
 #include "rooms.hpp"
 #include "solved_recording.hpp"
 #include "solver.hpp"
+#include "tactile_net/report/json/contacts_json.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 
 namespace tactile_net::python {
@@ -93,10 +93,8 @@ std::vector<std::string> data(const SolvedRecording& self) {
   });
 }
 
-using Followed = std::vector<std::vector<ContactRow>>;
-
-/// Deviation, normal force, tangential force, centre, contacts; None: the method has none.
-std::optional<std::tuple<Array, Array, Array, Array, Followed>> bands_of(SolvedRecording& self) {
+/// Deviation, normal force, tangential force, centre, contacts as JSON; None: the method has none.
+std::optional<std::tuple<Array, Array, Array, Array, std::string>> bands_of(SolvedRecording& self) {
   Watcher watcher;
   std::optional<Bands> bands;
   {
@@ -105,13 +103,11 @@ std::optional<std::tuple<Array, Array, Array, Array, Followed>> bands_of(SolvedR
   }
   if (!bands) return std::nullopt;
   const std::size_t frames = self.frames();
-  std::vector<bool> answered;
-  for (const auto& result : self.results()) answered.push_back(result.has_value());
   return std::tuple(owned(std::move(bands->deviation), {frames, self.width()}),
                     owned(std::move(bands->normal_force), {frames, 2}),
                     owned(std::move(bands->tangential_force), {frames, 2}),
                     owned(std::move(bands->centre), {frames, 2}),
-                    followed_rows(bands->patches, answered));
+                    report::contacts_json(bands->patches, false));
 }
 
 std::string json_of(SolvedRecording& self, const std::string& name) {

@@ -11,7 +11,6 @@ from . import datasets, errors, logs, mujoco, plot
 from ._calibration import Calibration, FittedValue, NextPress, calibrate
 from ._check import Finding, ReadingsCheck
 from ._circuit import Certification, Relaxation, Survey
-from ._contacts import ContactPatch
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
@@ -42,6 +41,7 @@ from ._tables import (
     TractionPatch,
     Wedge,
 )
+from ._told import ContactPatch, Key, Told, Uncertain, keys
 from .errors import CutOffWarning, Diagnostic, FrameError, InputError, SimulatorError, UnsolvableError
 
 __all__ = [
@@ -61,6 +61,7 @@ __all__ = [
     "FittedValue",
     "FrameError",
     "InputError",
+    "Key",
     "Layer",
     "Material",
     "MethodResult",
@@ -90,13 +91,16 @@ __all__ = [
     "Survey",
     "SweepTable",
     "Timing",
+    "Told",
     "TractionPatch",
+    "Uncertain",
     "UnsolvableError",
     "Wedge",
     "__version__",
     "calibrate",
     "datasets",
     "errors",
+    "keys",
     "load",
     "logs",
     "merge",

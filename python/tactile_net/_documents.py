@@ -5,6 +5,8 @@ from __future__ import annotations
 from os import PathLike, fspath
 from typing import Any
 
+from ._told import Told, parsed
+
 
 class Document:
     """A result that has the JSON of its command."""
@@ -16,10 +18,13 @@ class Document:
         return self._json
 
     def to_dict(self) -> dict[str, Any]:
-        import json  # here, since it takes as long to import as this package does
-
-        document: dict[str, Any] = json.loads(self._json)
+        document: dict[str, Any] = parsed(self.to_json())
         return document
+
+    @property
+    def told(self) -> Told:
+        """Every number of that JSON as an attribute: `result.told.scene`. `tactile_net.keys` says what each is."""
+        return Told(self.to_dict())
 
 
 class PagedDocument(Document):

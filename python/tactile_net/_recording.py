@@ -11,7 +11,8 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
-from ._contacts import ContactPatch, patches
+from ._documents import Document
+from ._told import ContactPatch, followed_patches
 from ._optional import optional
 from ._progress import Progress, listening
 
@@ -118,7 +119,7 @@ class Recording:
         return pandas.DataFrame(rows, index=index, columns=list(self.scene.reading_names))
 
 
-class Solution:
+class Solution(Document):
     """Tractions of every frame, and how far to trust them. Made by `Scene.solve`."""
 
     recording: Recording
@@ -213,7 +214,7 @@ class Solution:
         return self.recording.t
 
     @cached_property
-    def _known(self) -> tuple[Floats, Floats, Floats, Floats, list[list[dict[str, Any]]]] | None:
+    def _known(self) -> tuple[Floats, Floats, Floats, Floats, str] | None:
         return self._solved().bands()
 
     @property
@@ -279,7 +280,7 @@ class Solution:
         `has_bands`."""
         if self._known is None:
             raise ValueError(f"{self.method} knows no deviation of its answers: tikhonov and closed_form do")
-        return tuple(map(patches, self._known[4]))
+        return followed_patches(self._known[4])
 
     @property
     def peak(self) -> int:

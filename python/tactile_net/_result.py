@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
-from ._contacts import ContactPatch, patches
+from ._told import ContactPatch, patches
 from ._documents import PagedDocument
 from ._optional import optional
 from ._progress import Progress, listening

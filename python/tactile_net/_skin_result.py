@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
-from ._contacts import patches
+from ._told import patches
 from ._optional import optional
 from ._progress import Progress, listening
 from ._result import MethodResult, Result

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
-from ._contacts import ContactPatch, patches
+from ._told import ContactPatch, followed_patches
 from ._optional import optional
 from ._progress import Progress, listening
 from ._recording import Recording, Solution
@@ -47,7 +47,7 @@ class SkinSolution(Solution):
         self._share_alpha = share_alpha
         core = self._solved_skin(progress)
         self._skin_core: _core.SolvedSkin | None = core
-        self._take(core.fields())
+        self._take(core.fields(list(_WRENCH)))
         self.notes = tuple(core.notes())
 
     def _take(self, found: Any) -> None:
@@ -56,7 +56,7 @@ class SkinSolution(Solution):
         self.tractions = found["tractions"].reshape(frames, components, *places)
         self._deviation = found["deviation"].reshape(frames, components, *places)
         self.touching = found["touching"].reshape(frames, *places) != 0.0
-        self._wrench = found["wrench"]  # seven values with their deviations, and more
+        self._wrench = found["wrench"]  # seven values, each with its deviation behind it
         self.wrench_covariance = found["covariance"].reshape(frames, 6, 6)
         """(T, 6, 6): of the first six numbers of `wrench`; 0 where one is not known."""
         self._ellipse = found["ellipse"]
@@ -189,7 +189,7 @@ class SkinSolution(Solution):
     @cached_property
     def patches(self) -> tuple[tuple[ContactPatch, ...], ...]:
         """Of every frame each contact by itself, the strongest first, numbered over the frames."""
-        return tuple(map(patches, self._drawable().patches()))
+        return followed_patches(self._drawable().patches())
 
     @property
     def ellipse(self) -> Floats:

@@ -85,7 +85,7 @@ def test_a_solution_knows_how_sure_it_is(two: tn.Scene) -> None:
     for frame, contacts in enumerate(solution.patches):
         (contact,) = contacts  # the only one is the whole, and keeps its number
         whole = solution.normal_force[frame], solution.normal_force_deviation[frame]
-        assert contact.id == 1 and contact.normal_force == pytest.approx(whole, rel=1e-9)
+        assert contact.id == 1 and contact.normal == pytest.approx(whole, rel=1e-9)
     tractions, full = two.solver()(recording.readings, full=True)
     assert np.array_equal(tractions, solution.tractions) and full.verdict.tolist() == solution.verdict.tolist()
     single, _ = two.solver()(recording.readings[0], full=True)

@@ -3,6 +3,7 @@
 /// CSV and of tables. A value with its deviation is two columns.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -19,14 +20,26 @@
 
 namespace tactile_net::report {
 
+/// A place on a skin, y and z.
+using UncertainPlace = std::optional<std::array<Uncertain, 2>>;
+
+/// @param name  of a column: (key, measure) -> text
 template <Described T>
-[[nodiscard]] std::vector<std::string> columns_of(bool skin) {
+[[nodiscard]] std::vector<std::string> columns_of(
+    bool skin, const std::function<std::string(std::string_view, Measure)>& name =
+                   [](std::string_view key, Measure) { return std::string(key); }) {
   std::vector<std::string> names;
   for_each_field<T>([&]<class Access>(const Field<Access>& one) {
     if (!is_of(one.of, skin)) return;
-    names.emplace_back(one.key);
-    if constexpr (std::is_convertible_v<FieldValue<T, Access>, std::optional<Uncertain>>)
-      names.push_back(std::string(one.key) + "_deviation");
+    using Value = FieldValue<T, Access>;
+    const std::string column = name(one.key, one.measure);
+    if constexpr (std::is_convertible_v<Value, std::optional<Uncertain>>)
+      names.insert(names.end(), {column, column + "_deviation"});
+    else if constexpr (std::is_same_v<Value, UncertainPlace>)
+      names.insert(names.end(), {column + "_y", column + "_y_deviation", column + "_z",
+                                 column + "_z_deviation"});
+    else
+      names.push_back(column);
   });
   return names;
 }
@@ -36,13 +49,19 @@ template <Described T>
 [[nodiscard]] std::vector<double> values_of(const T& row, bool skin) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> values;
+  const auto add = [&](const std::optional<Uncertain>& known) {
+    values.push_back(known ? known->value : none);
+    values.push_back(known ? known->deviation : none);
+  };
   for_each_field<T>([&]<class Access>(const Field<Access>& one) {
     if (!is_of(one.of, skin)) return;
     const auto& value = std::invoke(one.access, row);
-    if constexpr (std::is_convertible_v<FieldValue<T, Access>, std::optional<Uncertain>>) {
-      const std::optional<Uncertain> known = value;
-      values.push_back(known ? known->value : none);
-      values.push_back(known ? known->deviation : none);
+    using Value = FieldValue<T, Access>;
+    if constexpr (std::is_convertible_v<Value, std::optional<Uncertain>>) {
+      add(value);
+    } else if constexpr (std::is_same_v<Value, UncertainPlace>) {
+      for (const std::size_t axis : {0U, 1U})
+        add(value ? std::optional((*value)[axis]) : std::nullopt);
     } else {
       values.push_back(static_cast<double>(value));
     }

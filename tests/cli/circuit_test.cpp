@@ -264,7 +264,7 @@ TEST_CASE("a skin that makes no circuit has its answer, and says why there is no
   const std::string path = folder.write("s.toml", text);
   const ProcessResult run = run_tool({"run", path, "--realization", "crossbar"});
   CHECK(run.code == 1);
-  CHECK_THAT(run.output, ContainsSubstring("force into the skin") &&
+  CHECK_THAT(run.output, ContainsSubstring("normal force") &&
                              ContainsSubstring("network: FAILED: a circuit of resistors"));
   CHECK_THAT(run.errors, ContainsSubstring("the circuit has no answer that holds"));
 }

@@ -56,7 +56,7 @@ TEST_CASE("run of a skin says force, drag and place, and draws maps", "[cli][ski
   const ProcessResult result = run_tool({"run", path, "--out", folder / "out"});
   CAPTURE(result.errors, result.output);
   REQUIRE(result.code == 0);
-  CHECK_THAT(result.output, ContainsSubstring("force into the skin"));
+  CHECK_THAT(result.output, ContainsSubstring("normal force"));
   CHECK_THAT(result.output, ContainsSubstring("5 x 4 taxels"));
   const std::string html = read_text(folder / "out/report.html");
   for (const char* part :

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""The tables of a page's keys are those of the schemas: fields_test.py COMMAND PAGE [--write]
+"""The tables of a page's keys, or the attributes of a Python class, are those of the schemas: fields_test.py COMMAND PAGE [--write]
 
 A table stands between one of these lines and `<!-- end -->`:
     <!-- keys of KIND.KEY without KEY, KEY -->  of a document, or of the object KEY in it; KIND[1] is its second form
     <!-- values of KIND.KEY -->                 of words
     <!-- kinds of KIND.KEY -->                  of objects that are told apart by their `kind`
+In a class the attributes stand between `# keys of KIND.KEY` and `# end`.
 `--write` puts into the page what `tactile-net schema KIND` says now.
 """
 
@@ -13,6 +14,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import textwrap
 
 tool, page = sys.argv[1], pathlib.Path(sys.argv[2])
 text = page.read_text(encoding="utf-8")
@@ -105,6 +107,47 @@ def rows_of_kinds(match):
         yield f"| `{one['properties']['kind']['const']}` | {one['description']} | {' '.join(numbers)} |\n"
 
 
+TYPES = {"integer": "int", "number": "float", "boolean": "bool", "string": "str"}
+
+
+def python_type(value):
+    """Of an attribute, as the package's Told has it."""
+    kinds = value["type"] if isinstance(value.get("type"), list) else [value.get("type")]
+    unknown = " | None" if "null" in kinds or {"type": "null"} in value.get("anyOf", []) else ""
+    if "anyOf" in value:
+        return python_type(value["anyOf"][0]) + unknown
+    if "array" in kinds:
+        size = value.get("minItems")
+        inside = python_type(value["items"])
+        return f"tuple[{', '.join([inside] * size) if size else inside + ', ...'}]" + unknown
+    if "object" in kinds:
+        return ("Uncertain" if set(value["properties"]) == {"value", "deviation"} else "Told") + unknown
+    return TYPES[kinds[0]] + unknown
+
+
+def attributes(match):
+    """Annotations and docstrings, of those that one sensor alone has too."""
+    parts = [part["properties"] for part in parts_of(match)]
+    for name in merged(parts[0], parts[-1]):
+        told = []
+        for part, of in ((parts[0], "Of lines. "), (parts[-1], "Of skins. ")):
+            if name in part:
+                unit = part[name].get("unit", "")
+                sentence = part[name]["description"].replace("null:", "None:")
+                clause = re.match("[^;.]*", sentence).end()
+                told.append((of, f"{sentence[:clause]} [{unit}]{sentence[clause:]}" if unit else sentence))
+        types = dict.fromkeys(python_type(part[name]) for part in (parts[0], parts[-1]) if name in part)
+        same = len(told) == 2 and told[0][1] == told[1][1]
+        words = told[0][1] if same else " ".join(of + sentence for of, sentence in told)
+        yield f"    {name}: {' | '.join(dict.fromkeys(' | '.join(types).split(' | ')))}\n"
+        lines = textwrap.wrap(f'"""{words}', 116)
+        yield from (f"    {line}\n" for line in [*lines[:-1], lines[-1] + '"""'])
+
+
+def python_class(match):
+    return match["begin"] + "".join(attributes(match)) + match["end"]
+
+
 def table(match):
     rows = {"keys": rows_of_keys, "values": rows_of_values, "kinds": rows_of_kinds}[match["what"]]
     return match["begin"] + "".join(rows(match)) + match["end"]
@@ -112,6 +155,7 @@ def table(match):
 
 made = re.sub(r"(?P<begin><!-- (?P<what>keys|values|kinds) of (?P<kind>\w+)(?:\[(?P<form>\d)\])?(?:\.(?P<key>[\w.]+))?"
               r"(?: without (?P<without>[\w, ]+))? -->\n\n).*?(?P<end>\n<!-- end -->)", table, text, flags=re.DOTALL)
+made = re.sub(r"(?P<begin> *# keys of (?P<kind>\w+)(?P<form>)\.(?P<key>[\w.]+)\n).*?(?P<end> *# end\n)", python_class, made, flags=re.DOTALL)
 if "--write" in sys.argv:
     page.write_text(made, encoding="utf-8")
 elif made == text:

@@ -242,6 +242,7 @@ TEST_CASE("a page has a row for each contact of each frame, with the number that
     ContactPatch patch{.cells = {cell}};
     patch.wrench.normal = {force, 0.25};
     patch.wrench.centre_y = Uncertain{0.5, 0.125};
+    patch.wrench.centre_z = Uncertain{0.75, 0.125};
     return patch;
   };
   const auto json_of = [&] {
@@ -260,7 +261,7 @@ TEST_CASE("a page has a row for each contact of each frame, with the number that
   REQUIRE(json["rows"][2].size() == 1);
   CHECK(json["rows"][2][0][0] == json["rows"][1][1][0]);  // the same contact
   CHECK(json["rows"][2][0][1] == nlohmann::json{4.0, 0.25});
-  CHECK(json["columns"].size() == 2);  // nothing is known of drags
+  REQUIRE(json["columns"].size() == 3);  // nothing is known of drags
   CHECK(json["columns"][1]["label"] == "centre, y");
 }
 

@@ -8,16 +8,12 @@
 
 #include "tactile_net/inverse/contact_patch.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
-#include "tactile_net/numeric/fields.hpp"
+#include "tactile_net/lab/answer_fields.hpp"
 
 namespace tactile_net::report {
 
 /// What a frame's tractions amount to. Of a line the drag and the centre along y are the only ones.
-struct ResultantRow {
-  Uncertain normal{};
-  std::optional<Uncertain> tangential_y{}, tangential_z{};
-  std::optional<Uncertain> centre_y{}, centre_z{};
-  std::optional<Uncertain> torsion{};
+struct ResultantRow : UncertainWrench {
   std::optional<Uncertain> friction{};
   std::optional<Uncertain> angle{};
   std::optional<Uncertain> slip_margin{};
@@ -25,31 +21,18 @@ struct ResultantRow {
   double model = 0.0;
 
   using R = ResultantRow;
-  static constexpr auto described = std::tuple{
-      field("normal_force", &R::normal, Measure::load, "The normal force.", Of::lines),
-      field("normal", &R::normal, Measure::load, "The normal force.", Of::skins),
-      field("tangential_force", &R::tangential_y, Measure::load, "The tangential force.",
-            Of::lines),
-      field("tangential_y", &R::tangential_y, Measure::load, "The tangential force along y.",
-            Of::skins),
-      field("tangential_z", &R::tangential_z, Measure::load, "The tangential force along z.",
-            Of::skins),
-      field("centre", &R::centre_y, Measure::length, "The centre of pressure.", Of::lines),
-      field("centre_y", &R::centre_y, Measure::length, "The centre of pressure along y.",
-            Of::skins),
-      field("centre_z", &R::centre_z, Measure::length, "The centre of pressure along z.",
-            Of::skins),
-      field("torsion", &R::torsion, Measure::moment,
-            "The moment about x through the centre of pressure, from y towards z.", Of::skins),
-      field("friction", &R::friction, "Drag over force.", Of::skins),
-      field("angle", &R::angle, Measure::angle, "The angle between the force and the normal."),
-      field("slip_margin", &R::slip_margin,
-            "The share of the friction limit that drag and torsion leave; below 0 it slips.",
-            Of::skins),
-      field("residual_rms", &R::residual, Measure::reading,
-            "The noise of the weighted readings as the residual shows it.", Of::lines),
-      field("model_rms", &R::model, Measure::reading,
-            "The part of the residual beyond the noise stated.", Of::lines)};
+  static constexpr auto described = std::tuple_cat(
+      Fields<UncertainWrench>::all,
+      std::tuple{
+          field("friction", &R::friction, "Drag over force.", Of::skins),
+          field("angle", &R::angle, Measure::angle, "The angle between the force and the normal."),
+          field("slip_margin", &R::slip_margin,
+                "The share of the friction limit that drag and torsion leave; below 0 it slips.",
+                Of::skins),
+          field("residual_rms", &R::residual, Measure::reading,
+                "The noise of the weighted readings as the residual shows it.", Of::lines),
+          field("model_rms", &R::model, Measure::reading,
+                "The part of the residual beyond the noise stated.", Of::lines)});
 };
 
 /// How far a frame's answer is to be trusted, in numbers.

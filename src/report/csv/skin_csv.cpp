@@ -21,13 +21,7 @@ std::vector<std::string> traction_columns(const SurfaceGrid& grid, std::size_t c
 std::vector<std::string> resultant_columns() { return columns_of<ResultantRow>(true); }
 
 std::vector<double> resultant_values(const lab::FrameAnswer& answer) {
-  const UncertainWrench& wrench = answer.wrench;
-  ResultantRow row{.normal = wrench.normal,
-                   .tangential_y = wrench.tangential_y,
-                   .tangential_z = wrench.tangential_z,
-                   .centre_y = wrench.centre_y,
-                   .centre_z = wrench.centre_z,
-                   .torsion = wrench.torsion};
+  ResultantRow row{answer.wrench};
   if (const auto& friction = answer.friction) {
     const double ratio = friction->ratio.value;
     row.friction = friction->ratio;

@@ -12,7 +12,11 @@ namespace tactile_net::report {
 namespace {
 
 std::vector<std::string> line_columns(const lab::SceneProblem& problem) {
-  std::vector<std::string> columns = columns_of<ResultantRow>(false);
+  // The bare names of the tractions are these; the forces have names of their own.
+  std::vector<std::string> columns =
+      columns_of<ResultantRow>(false, [](std::string_view key, Measure measure) {
+        return std::string(key) + (measure == Measure::load ? "_force" : "");
+      });
   for (std::string& traction :
        frames::traction_columns(problem.surface().count, problem.options().unknowns > 1))
     columns.push_back(traction.insert(traction.find('_'), "_deviation"));
@@ -26,14 +30,11 @@ std::vector<std::string> line_columns(const lab::SceneProblem& problem) {
 
 std::vector<double> line_values(const lab::FrameAnswer& answer) {
   const lab::FrameUncertainty& uncertainty = *answer.bands;
-  const UncertainResultant& resultant = uncertainty.resultant;
-  std::vector<double> values = values_of(ResultantRow{.normal = resultant.normal,
-                                                      .tangential_y = resultant.tangential,
-                                                      .centre_y = resultant.centre,
-                                                      .angle = resultant.angle,
-                                                      .residual = uncertainty.noise.residual_rms,
-                                                      .model = uncertainty.noise.model_rms},
-                                         false);
+  ResultantRow row{lab::resultant_told(answer)};
+  row.angle = uncertainty.resultant.angle;
+  row.residual = uncertainty.noise.residual_rms;
+  row.model = uncertainty.noise.model_rms;
+  std::vector<double> values = values_of(row, false);
   values.insert(values.end(), uncertainty.deviation.begin(), uncertainty.deviation.end());
   values.insert(values.end(), uncertainty.offsets.begin(), uncertainty.offsets.end());
   for (const double value : values_of(trust_row(answer.data, answer.alpha.value), false))

@@ -7,10 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "report/contact_columns.hpp"
 #include "report/json/packed_values.hpp"
 #include "report/json/rounded.hpp"
 #include "report/json/values.hpp"
+#include "report/told_numbers.hpp"
+#include "tactile_net/lab/answer_fields.hpp"
 #include "tactile_net/lab/interior.hpp"
 #include "tactile_net/report/words/frame_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
@@ -267,37 +268,35 @@ Json frame_list_json(const ShownFrames& all) {
 /// where no frame has a contact. Columns that none of them fills are left out. There are more
 /// digits than are shown, so that what the script rounds is what the frame's sentence says.
 Json contacts_json(const ShownFrames& all) {
-  const auto each = [&](const auto& call) {
-    for (const ShownFrame& frame : all.frames)
-      for (const lab::FollowedContact& one : frame.contacts) call(one.patch);
-  };
-  std::vector<ContactColumn> columns;
-  Json heads = Json::array();
-  for (const ContactColumn& column : contact_columns(!all.is_line)) {
-    double most = 0.0;
-    bool any = false;
-    each([&](const ContactPatch& patch) {
-      if (const auto number = column.of(patch)) {
-        any = true;
-        most = std::max(most, std::abs(number->value));
-      }
-    });
-    if (!any) continue;
-    columns.push_back(column);
-    heads.push_back({{"label", column.label}, {"unit", unit_json(column.unit(all.units, most))}});
-  }
+  std::vector<ToldNumber> columns;  // with the largest number that stands in each
+  for (const ShownFrame& frame : all.frames)
+    for (const lab::FollowedContact& one : frame.contacts) {
+      std::vector<ToldNumber> told = told_numbers(one.patch, contact_fields, !all.is_line);
+      if (columns.empty()) columns = told;
+      for (std::size_t k = 0; k < told.size(); ++k)
+        if (const auto& number = told[k].number)
+          columns[k].number = {
+              std::max(columns[k].number.value_or(Uncertain{}).value, std::abs(number->value)),
+              0.0};
+    }
   if (columns.empty()) return nullptr;
+  const Dimension load = load_dimension(!all.is_line);
+  Json heads = Json::array();
+  for (const auto& [label, measure, most] : columns)
+    if (most)
+      heads.push_back(
+          {{"label", label}, {"unit", unit_json(unit_of(measure, load, all.units, most->value))}});
   Json frames = Json::array();
   for (const ShownFrame& frame : all.frames) {
     Json rows = Json::array();
     for (const lab::FollowedContact& one : frame.contacts) {
       Json row = Json::array({one.id});
-      for (const ContactColumn& column : columns) {
-        const auto number = column.of(one.patch);
-        row.push_back(
-            number ? Json{rounded_or_null(number->value, 7), rounded_or_null(number->deviation, 4)}
-                   : Json(nullptr));
-      }
+      const std::vector<ToldNumber> told = told_numbers(one.patch, contact_fields, !all.is_line);
+      for (std::size_t k = 0; k < told.size(); ++k)
+        if (columns[k].number)
+          row.push_back(told[k].number ? Json{rounded_or_null(told[k].number->value, 7),
+                                              rounded_or_null(told[k].number->deviation, 4)}
+                                       : Json(nullptr));
       rows.push_back(std::move(row));
     }
     frames.push_back(std::move(rows));

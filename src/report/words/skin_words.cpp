@@ -7,8 +7,10 @@
 #include <utility>
 #include <variant>
 
+#include "report/told_numbers.hpp"
 #include "report/words/number_words.hpp"
 #include "report/words/skin_remark_words.hpp"
+#include "tactile_net/lab/answer_fields.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/data_words.hpp"
@@ -285,31 +287,35 @@ std::vector<std::vector<std::string>> found_cells(const lab::Experiment& experim
   std::vector<std::vector<std::string>> rows = {
       {answer.patches.size() > 1 ? "of all contacts" : "of the contact", "found"}};
   if (compared) rows.front().emplace_back("true");
-  // A truth that is nothing beside `scale` is rounding.
-  const auto add = [&](const char* what, Dimension dimension, const std::optional<Uncertain>& found,
-                       std::optional<double> true_value, double scale) {
-    if (true_value && std::abs(*true_value) < 1e-9 * std::abs(scale)) true_value = 0.0;
-    if (!found) return;
-    rows.push_back({what, in_unit(scene.units, dimension, *found)});
+  const auto add = [&](const std::string& what, Dimension dimension,
+                       const std::optional<Uncertain>& number, std::optional<double> true_value) {
+    if (!number) return;
+    rows.push_back({what, in_unit(scene.units, dimension, *number)});
     if (compared)
       rows.back().push_back(true_value ? in_unit(scene.units, dimension, *true_value) : "-");
   };
-  const auto centre = exact.centre();
+  // A truth that is nothing beside this is rounding.
   const double spacing = experiment.grid.spacing_y;
-  add("force into the skin", Dimension::point_force, wrench.normal, exact.force[0], exact.force[0]);
-  add("drag along y", Dimension::point_force, wrench.tangential_y, exact.force[1], exact.force[0]);
-  add("drag along z", Dimension::point_force, wrench.tangential_z, exact.force[2], exact.force[0]);
-  add("centre of pressure, y", Dimension::length, wrench.centre_y,
-      centre ? std::optional(centre->y) : std::nullopt, spacing);
-  add("centre of pressure, z", Dimension::length, wrench.centre_z,
-      centre ? std::optional(centre->z) : std::nullopt, spacing);
-  add("torsion about it", Dimension::moment, wrench.torsion, exact.torsion(),
-      spacing * exact.force[0]);
+  const double force = std::abs(exact.force[0]);
+  const auto scale = [&](Measure measure) {
+    return measure == Measure::load     ? force
+           : measure == Measure::length ? spacing
+                                        : spacing * force;
+  };
+  const std::vector<ToldNumber> truths = told_numbers(exact, Fields<SkinWrench>::all, true);
+  for (const auto& [label, measure, number] :
+       told_numbers(wrench, Fields<UncertainWrench>::all, true)) {
+    std::optional<double> true_value;
+    for (const ToldNumber& truth : truths)
+      if (truth.label == label && truth.number) true_value = truth.number->value;
+    if (true_value && std::abs(*true_value) < 1e-9 * scale(measure)) true_value = 0.0;
+    add(label, dimension_of(measure, Dimension::point_force), number, true_value);
+  }
   if (answer.ellipse && answer.patches.size() == 1 && may_be_hertz(scene)) {
     const auto [longer, shorter] = hertz_radii(scene);
     add(longer ? "radius (Hertz)" : "radius, if Hertz's", Dimension::length, answer.ellipse->radius,
-        longer, spacing);
-    add("second radius", Dimension::length, answer.ellipse->second_radius, shorter, spacing);
+        longer);
+    add("second radius", Dimension::length, answer.ellipse->second_radius, shorter);
   }
   return rows;
 }

@@ -12,8 +12,8 @@
 
 namespace tactile_net::report {
 
-/// A row a contact, the strongest first: force, drag, centre, torsion, friction, margin and size,
-/// as far as they are known. Where there are fewer than two the sum says it all: no row, not even a
+/// A row a contact, the strongest first, with the numbers of `contact_fields` that are known
+/// (lab/answer_fields.hpp). Where there are fewer than two the sum says it all: no row, not even a
 /// header.
 ///
 /// @param force  what forces are; absent: of a line per metre, of a skin a point's
