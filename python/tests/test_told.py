@@ -41,7 +41,7 @@ def test_every_number_is_an_attribute_and_is_described(of_either: tn.Scene) -> N
         assert {name for name in document} <= set(dir(result.told))
         # Words of a document's own stand for objects' keys there: names of channels, of effects.
         described = {key.name for key in tn.keys(kind)}
-        free = ("readings.", "taxels.", "findings.", "scene.")
+        free = ("readings.", "taxels.", "findings.", "scene.", "verdicts.")
         assert {name for name in names(document) if not name.startswith(free)} <= described
     assert {key.unit for key in tn.keys("solve") if key.name == "shown.patches.ellipse.radius"} == {"m"}
 
