@@ -21,12 +21,12 @@ std::string number_in_words(const std::optional<Units>& units, Measure measure, 
 
 std::vector<std::vector<std::string>> patch_cells(const std::optional<Units>& units,
                                                   std::span<const ContactPatch> patches,
-                                                  std::optional<Dimension> stated) {
+                                                  std::optional<Dimension> force) {
   if (patches.size() < 2) return {};
   const bool of_skin = std::any_of(patches.begin(), patches.end(), [](const auto& one) {
     return one.ellipse || one.wrench.centre_z;
   });
-  const Dimension load = stated.value_or(load_dimension(of_skin));
+  const Dimension load = force.value_or(load_dimension(of_skin));
   std::vector<std::vector<ToldNumber>> all;
   for (const ContactPatch& patch : patches)
     all.push_back(told_numbers(patch, contact_fields, of_skin));

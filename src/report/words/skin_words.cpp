@@ -68,6 +68,7 @@ std::string taxel_depths_in_words(const SkinScene& scene) {
                                  length_in_words(scene.units, *most);
   }
   std::vector<std::string> all;
+  all.reserve(depths.size());
   for (const double depth : depths) all.push_back(length_in_words(scene.units, depth));
   return join(all, " and ");
 }
@@ -176,13 +177,14 @@ const SkinContact* only_body(const SkinScene& scene) {
 bool may_be_hertz(const SkinScene& scene) {
   if (scene.contacts.empty()) return true;
   const SkinContact* body = only_body(scene);
-  return body && (body->shape == SkinShape::sphere || body->shape == SkinShape::ellipsoid);
+  return body != nullptr &&
+         (body->shape == SkinShape::sphere || body->shape == SkinShape::ellipsoid);
 }
 
 /// The scene's, the longer one first; absent: nobody knows.
 std::pair<std::optional<double>, std::optional<double>> hertz_radii(const SkinScene& scene) {
   const SkinContact* body = only_body(scene);
-  if (!body) return {};
+  if (body == nullptr) return {};
   const double other = body->second_radius > 0.0 ? body->second_radius : body->radius;
   return {std::max(body->radius, other), std::min(body->radius, other)};
 }
