@@ -76,10 +76,6 @@ struct Rule {
 const Names library{"include/", "src/"};
 
 const std::vector<Rule> rules{
-    {"the parser of the command line (CLI11)",
-     {"CLI/"},
-     {},
-     {"tools/tactile-net/command_line/parser.cpp"}},
     {"the writer of JSON (nlohmann)", {"nlohmann/"}, {}, {"src/report/json/"}},
     {"the program that plots", {}, {"\"gnuplot\""}, {"tools/thesis/gnuplot.cpp"}},
     {"the reader of TOML", {"toml++/"}, {}, {"src/scene/"}},
@@ -324,7 +320,6 @@ TEST_CASE("an include upwards is found, by the public path and by the private on
 }
 
 TEST_CASE("what one place alone may know is found elsewhere", "[rooms]") {
-  CHECK_FALSE(allows("tools/tactile-net/commands/run.cpp", "#include <CLI/CLI.hpp>"));
   CHECK_FALSE(allows("src/lab/run.cpp", "#include <nlohmann/json.hpp>"));
   CHECK_FALSE(allows("src/lab/run.cpp", "#include <toml++/toml.h>"));
   CHECK_FALSE(allows("src/drawing/html.cpp", "run_process({\"gnuplot\"});"));

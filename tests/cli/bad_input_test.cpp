@@ -17,7 +17,7 @@ void check(const std::vector<std::string>& arguments, int code, const std::strin
 }  // namespace
 
 TEST_CASE("wrong usage is told with what was meant", "[cli]") {
-  check({}, 2, "subcommand is required");
+  check({}, 2, "a command is required");
   check({"rnu"}, 2, "did you mean 'run'?");
   check({"run"}, 2, "SCENE is required");
   check({"run", scene("nic.toml"), "--no-such-option"}, 2, "--no-such-option");

@@ -72,6 +72,59 @@ TEST_CASE("a value that there is not is told with those that there are", "[cli]"
   usage_refused({"help", "solve", "--man"}, "--man: is one page of all commands");
 }
 
+TEST_CASE("a value stands behind its option or is glued to it", "[cli]") {
+  using Words = std::vector<std::string>;
+  for (const Words& output :
+       {Words{"-o", "d.cir"}, Words{"-od.cir"}, Words{"-o=d.cir"}, Words{"--output", "d.cir"},
+        Words{"--output=d.cir"}, Words{"-qo", "d.cir"}, Words{"-qqod.cir"}}) {
+    for (const bool before : {true, false}) {
+      Words words = {"gen"};
+      if (!before) words.emplace_back("S");
+      words.insert(words.end(), output.begin(), output.end());
+      if (before) words.emplace_back("S");
+      CAPTURE(words);
+      const tool::Invocation parsed = tool::parse(words);
+      const auto& options = std::get<tool::GenOptions>(parsed.command);
+      CHECK(options.scene == "S");
+      CHECK(options.output == "d.cir");
+      CHECK(parsed.quiet == output.front().starts_with("-q"));
+    }
+  }
+  const auto gen = [](const Words& words) {
+    return std::get<tool::GenOptions>(tool::parse(words).command);
+  };
+  CHECK(gen({"gen", "--", "-q"}).scene == "-q");
+  CHECK(gen({"gen", "S", "--output=--json"}).output == "--json");
+  CHECK(gen({"gen", "S", "--output=a=b"}).output == "a=b");
+  CHECK(gen({"gen", "S", "--output="}).output.empty());
+  CHECK(gen({"gen", "-", "-o", "-"}).output == "-");
+  CHECK(gen({"gen", "-5"}).scene == "-5");
+  CHECK(tool::parse(Words{"-q", "gen", "S"}).quiet);
+  CHECK(tool::parse(Words{"-q", "gen", "S", "--quiet", "-q"}).quiet);
+  CHECK_FALSE(tool::parse(Words{"gen", "S"}).quiet);
+  CHECK(std::get<tool::MergeOptions>(tool::parse(Words{"merge", "a", "--force", "b", "c"}).command)
+            .folders == Words{"a", "b", "c"});
+}
+
+TEST_CASE("what is missing, given twice or too much is named", "[cli]") {
+  usage_refused({"gen", "S", "-o"}, "--output: FILE is missing");
+  usage_refused({"plan", "S", "--json", "--precision", "float32"},
+                "--json: FILE is missing before '--precision'; where that is meant, write "
+                "--json=--precision");
+  usage_refused({"gen", "S", "-o", "-q"}, "--output: FILE is missing before '-q'");
+  usage_refused({"gen", "S", "-o", "a", "--output", "b"}, "--output: is given twice");
+  usage_refused({"run", "S", "--force=no"}, "--force: takes no value, and 'no' is given");
+  usage_refused({"gen", "S", "-output", "x"}, "no option '-output'; did you mean '--output'?");
+  usage_refused({"gen", "S", "-qx"}, "gen has no option '-x'");
+  usage_refused({"run", "S", "T"},
+                "argument not expected: T (usage: tactile-net run [OPTIONS] SCENE)");
+  usage_refused({"solve", "S"}, "--readings is required");
+  usage_refused({"merge"}, "FOLDER is required");
+  usage_refused({"--", "run", "S"}, "tactile-net has no option '--'");
+  usage_refused({"--json", "run", "S"}, "tactile-net has no option '--json'");
+  usage_refused({""}, "there is no command ''");
+}
+
 TEST_CASE("help keeps to the width, and to whole words", "[cli]") {
   std::vector<const tool::CommandTable*> commands{nullptr};
   for (const tool::CommandTable& command : line().commands) commands.push_back(&command);

@@ -17,11 +17,14 @@ struct Parsed {
 };
 
 /// Sets the values of the arguments, then calls `chosen` of the command, unless help or the
-/// release is asked for.
+/// release is asked for: the words behind that are not read. A value stands behind its option, or
+/// glued to it: `-o FILE`, `-oFILE`, `--output FILE`, `--output=FILE`. Behind `--` there are no
+/// options. A flag may be repeated.
 ///
 /// @param arguments  without the program's name
 /// @throw WrongUsage  a command or an option that there is not, with the one that was meant; too
-///                    many arguments, or not enough; a value that is none; as `require_apart`
+///                    many arguments, or not enough; a value that is none, is missing, or is given
+///                    twice; as `require_apart`
 [[nodiscard]] Parsed parse(const CommandLine& line, std::span<const std::string> arguments);
 
 }  // namespace tactile_net::tool
