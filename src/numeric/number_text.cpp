@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "numeric/strtod.hpp"
+#if __has_include(<fast_float/fast_float.h>)
+#include "numeric/by_fast_float.hpp"
+#endif
 
 namespace tactile_net {
 namespace {
@@ -14,13 +16,15 @@ concept ReadByStandard = requires(const char* text, Number& number) {
   std::from_chars(text, text, number);
 };
 
-/// A template, so that the branch that is not taken need not compile.
+/// A template, so that the branch that is not taken need not compile. Where
+/// `from_chars_by_fast_float` is not declared, and is needed: install fast_float (Debian:
+/// libfast-float-dev).
 template <class Number>
 std::from_chars_result read(const char* first, const char* last, Number& number) noexcept {
   if constexpr (ReadByStandard<Number>)
     return std::from_chars(first, last, number);
   else
-    return from_chars_by_strtod(first, last, number);
+    return from_chars_by_fast_float(first, last, number);
 }
 
 }  // namespace
