@@ -1,38 +1,67 @@
 /// @file
 /// Transforms, real and complex, with their buffers, by the FFT that the build chose
-/// (TACTILE_NET_FFT): a source file each, `real_fft_fftw.cpp` and `real_fft_eigen.cpp`. Private.
+/// (TACTILE_NET_FFT): a source file each, `real_fft_fftw.cpp` and `real_fft_eigen.cpp`, which say
+/// what `Fft::Transform` and `Fft::error` are. Private.
 #pragma once
 
 #include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <new>
 #include <span>
+#include <type_traits>
 
 #include "tactile_net/numeric/fft.hpp"
 
 namespace tactile_net {
 
-/// A pair of real transforms of one size. Equal sizes get equal bits, but for FftEffort::measure.
-/// Copies have buffers of their own, zeroed; they may be made and used in another thread. For the
-/// sizes of `fast_size` a transform allocates nothing.
-class RealFft {
+/// `count` zeros, where a vector register can be loaded from.
+template <class Number>
+class FftBuffer {
  public:
-  explicit RealFft(std::size_t size, FftEffort effort = FftEffort::estimate);
-  RealFft(const RealFft& other);
-  RealFft(RealFft&&) noexcept;
-  RealFft& operator=(RealFft&&) noexcept;
-  RealFft& operator=(const RealFft&) = delete;
-  ~RealFft();
+  explicit FftBuffer(std::size_t count)
+      : count_(count),
+        memory_(static_cast<Number*>(::operator new(count * sizeof(Number), alignment))) {
+    std::uninitialized_value_construct_n(memory_.get(), count);
+  }
+  [[nodiscard]] std::span<Number> values() const noexcept { return {memory_.get(), count_}; }
 
-  [[nodiscard]] std::size_t size() const noexcept { return samples_.size(); }
-  [[nodiscard]] std::span<double> samples() noexcept { return samples_; }
-  /// size() / 2 + 1 of them.
-  [[nodiscard]] std::span<std::complex<double>> bins() noexcept { return bins_; }
+ private:
+  static constexpr std::align_val_t alignment{64};
+  struct Free {
+    void operator()(Number* memory) const noexcept { ::operator delete(memory, alignment); }
+  };
+  std::size_t count_;
+  std::unique_ptr<Number[], Free> memory_;
+};
+
+/// A pair of transforms of one size between samples, which are real or complex, and their bins:
+///
+///     bin_k = sum_j sample_j exp(-2 pi i j k / size)
+///
+/// size() bins, or size() / 2 + 1 of real samples. Equal sizes get equal bits, but for
+/// FftEffort::measure. Copies have buffers of their own, zeroed; they may be made and used in
+/// another thread. For the sizes of `fast_size` a transform allocates nothing.
+template <class Sample>
+class Fft {
+ public:
+  /// @param size  from 1
+  /// @throw std::bad_alloc
+  explicit Fft(std::size_t size, FftEffort effort = FftEffort::estimate);
+  Fft(const Fft& other);
+  Fft(Fft&&) noexcept;
+  Fft& operator=(Fft&&) noexcept;
+  Fft& operator=(const Fft&) = delete;
+  ~Fft();
+
+  [[nodiscard]] std::size_t size() const noexcept { return samples_.values().size(); }
+  [[nodiscard]] std::span<Sample> samples() noexcept { return samples_.values(); }
+  [[nodiscard]] std::span<std::complex<double>> bins() noexcept { return bins_.values(); }
 
   /// samples -> bins; the samples are kept.
   void forward() noexcept;
-  /// bins -> size() times samples; the bins are destroyed.
+  /// bins -> size() times samples; the bins of real samples are destroyed, others kept.
   void backward() noexcept;
 
   /// The least even size >= `size` without a prime factor above 7: such transforms are fast.
@@ -49,39 +78,21 @@ class RealFft {
   [[nodiscard]] static double error(std::size_t size) noexcept;
 
  private:
-  struct Transform;  // the FFT's own, and the memory of the spans
-  explicit RealFft(std::unique_ptr<Transform> transform);
+  struct Transform;  // the FFT's own
 
+  static constexpr bool is_real = std::is_same_v<Sample, double>;
+
+  FftBuffer<Sample> samples_;
+  FftBuffer<std::complex<double>> bins_;
   std::unique_ptr<Transform> transform_;
-  std::span<double> samples_;
-  std::span<std::complex<double>> bins_;
 };
 
-/// A pair of complex transforms of one size. Copies as those of `RealFft`.
-class ComplexFft {
- public:
-  explicit ComplexFft(std::size_t size);
-  ComplexFft(const ComplexFft& other);
-  ComplexFft(ComplexFft&&) noexcept;
-  ComplexFft& operator=(ComplexFft&&) noexcept;
-  ComplexFft& operator=(const ComplexFft&) = delete;
-  ~ComplexFft();
+using RealFft = Fft<double>;
+using ComplexFft = Fft<std::complex<double>>;
 
-  [[nodiscard]] std::span<std::complex<double>> samples() noexcept { return samples_; }
-  [[nodiscard]] std::span<std::complex<double>> bins() noexcept { return bins_; }
-
-  /// samples -> bins; the samples are kept.
-  void forward() noexcept;
-  /// bins -> size times samples; the bins are kept.
-  void backward() noexcept;
-
- private:
-  struct Transform;
-  explicit ComplexFft(std::unique_ptr<Transform> transform);
-
-  std::unique_ptr<Transform> transform_;
-  std::span<std::complex<double>> samples_, bins_;
-};
+// Where an FFT's own library is known.
+extern template class Fft<double>;
+extern template class Fft<std::complex<double>>;
 
 /// a b, written out: operator* of std::complex tests for NaN, and this is the inner loop.
 [[nodiscard]] inline std::complex<double> product(std::complex<double> a,

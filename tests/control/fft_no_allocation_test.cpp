@@ -1,47 +1,16 @@
-// An FFT may allocate in some of its executions: not for the sizes that plans may have.
-#include <atomic>
-#include <cerrno>
-#include <cstdlib>
-
+// What stands on an FFT allocates nothing in a frame.
 #include "src/control/circulant.hpp"
 #include "src/numeric/real_fft.hpp"
 #include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tests/catch.hpp"
+#include "tests/counted_malloc.hpp"
 #include "tests/inverse/problems.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* memalign(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) { return memalign(alignment, size); }
-int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
-  *memory = memalign(alignment, size);
-  return *memory == nullptr ? ENOMEM : 0;
-}
-}
 
 using namespace tactile_net;
 
 namespace {
-
-long allocations_of(const auto& work) {
-  const long before = allocations;
-  work();
-  return allocations - before;
-}
 
 ProductPlan convolution_of(std::size_t size) {
   const std::size_t n = size / 2;
@@ -59,14 +28,7 @@ ProductPlan convolution_of(std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("the counter sees what FFTW allocates, for sizes with a large prime factor",
-          "[fft][no_allocation]") {
-  RealFft fft(2 * 97);
-  const long allocated = allocations_of([&] { fft.forward(); });
-  CHECK((allocated > 0) == (fft_library() == FftLibrary::fftw));
-}
-
-TEST_CASE("the FFT allocates nothing for any size without a prime factor above 7",
+TEST_CASE("a convolution by FFT allocates nothing for any size without a prime factor above 7",
           "[fft][no_allocation]") {
   int tested = 0;
   for (std::size_t size = 4; size <= 32768; size = RealFft::fast_size(size + 1)) {
