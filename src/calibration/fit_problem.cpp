@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "numeric/eigen.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -280,7 +282,6 @@ Eigen::MatrixXd FitProblem::common_priors(const FitState& state) const {
   const auto width = static_cast<Eigen::Index>(columns_ + 1);
   Eigen::MatrixXd rows =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(pad_parameter_count + gains_ + n), width);
-  const auto at = [](std::size_t column) { return static_cast<Eigen::Index>(column); };
   const Eigen::MatrixXd pad = pad_priors(state);
   Eigen::Index row = pad.rows();
   rows.topLeftCorner(row, pad.cols() - 1) = pad.leftCols(pad.cols() - 1);
@@ -295,14 +296,14 @@ Eigen::MatrixXd FitProblem::common_priors(const FitState& state) const {
     for (const std::size_t gain : block) mean += state.log_gain[gain] / size;
     for (const std::size_t gain : block) {
       for (const std::size_t other : block)
-        rows(row, at(first_gain_ + other)) = -kappa / size / std::sqrt(a);
-      rows(row, at(first_gain_ + gain)) += 1.0 / std::sqrt(a);
+        rows(row, eigen_index(first_gain_ + other)) = -kappa / size / std::sqrt(a);
+      rows(row, eigen_index(first_gain_ + gain)) += 1.0 / std::sqrt(a);
       rows(row++, width - 1) = (state.log_gain[gain] - kappa * mean) / std::sqrt(a);
     }
   }
   const double root = std::sqrt(static_cast<double>(log_.unloaded.frames));
   for (std::size_t j = 0; j < n; ++j) {
-    rows(row, at(first_offset_ + j)) = root;
+    rows(row, eigen_index(first_offset_ + j)) = root;
     rows(row++, width - 1) = root * state.offset[j];
   }
   return rows.topRows(row);

@@ -2,7 +2,7 @@
 
 #include <cctype>
 
-#include "decks/lower_case.hpp"
+#include "numeric/lower_case.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
 
 namespace tactile_net::decks {

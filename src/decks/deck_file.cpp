@@ -8,7 +8,7 @@
 
 #include "decks/deck_cards.hpp"
 #include "decks/deck_rules.hpp"
-#include "decks/lower_case.hpp"
+#include "numeric/lower_case.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/bounded_text.hpp"

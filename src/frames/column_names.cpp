@@ -4,6 +4,7 @@
 #include <array>
 
 #include "numeric/csv_fields.hpp"
+#include "numeric/lower_case.hpp"
 #include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/frames/frame_clock.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -44,7 +45,7 @@ std::string stem_of(std::string_view text) {
   for (const char c : text) {
     const bool joint = c == ' ' || c == '.' || c == '-' || c == '_' || c == '\t';
     if (joint && (stem.empty() || stem.back() == '_')) continue;
-    stem += joint ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    stem += joint ? '_' : lower_case(c);
   }
   while (!stem.empty() && stem.back() == '_') stem.pop_back();
   return stem;

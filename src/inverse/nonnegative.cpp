@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "numeric/decompositions.hpp"
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
@@ -88,17 +89,15 @@ class ActiveSet {
   }
 
  private:
-  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
   [[nodiscard]] NonnegativeSolution solution() const {
     NonnegativeSolution solution{.z = z_, .free = free_, .iterations = iterations_};
     const Eigen::VectorXd g = gradient(z_);
     double worst = 0.0;
     bool held_well = true;
     for (std::size_t i = 0; i < free_.size(); ++i) {
-      const bool held = bounded_[i] && z_(index(i)) == 0.0;
-      worst = std::max(worst, held ? -g(index(i)) : std::abs(g(index(i))));
-      held_well = held_well && (!held || g(index(i)) >= -tolerance * size_);
+      const bool held = bounded_[i] && z_(eigen_index(i)) == 0.0;
+      worst = std::max(worst, held ? -g(eigen_index(i)) : std::abs(g(eigen_index(i))));
+      held_well = held_well && (!held || g(eigen_index(i)) >= -tolerance * size_);
     }
     solution.kkt_residual = size_ > 0.0 ? worst / size_ : 0.0;
     solution.converged = size_ == 0.0 || (held_well && !stopped_);
@@ -114,7 +113,7 @@ class ActiveSet {
     ++iterations_;
     std::vector<Eigen::Index> columns;
     for (std::size_t i = 0; i < free_.size(); ++i)
-      if (free_[i]) columns.push_back(index(i));
+      if (free_[i]) columns.push_back(eigen_index(i));
     Eigen::VectorXd z = Eigen::VectorXd::Zero(a_.cols());
     if (columns.empty()) return z;
     const Eigen::MatrixXd part = a_(Eigen::indexing::all, columns);
@@ -133,7 +132,8 @@ class ActiveSet {
       const double least = -tolerance * z.cwiseAbs().maxCoeff();
       std::vector<std::size_t> wrong;
       for (std::size_t i = 0; i < free_.size(); ++i)
-        if (bounded_[i] && (free_[i] ? z(index(i)) < least : g(index(i)) < -tolerance * size_))
+        if (bounded_[i] &&
+            (free_[i] ? z(eigen_index(i)) < least : g(eigen_index(i)) < -tolerance * size_))
           wrong.push_back(i);
       if (wrong.empty()) {
         accept(z);
@@ -167,13 +167,13 @@ class ActiveSet {
       const Eigen::VectorXd g = a_.transpose() * residual;
       std::size_t best = free_.size();
       for (std::size_t i = 0; i < free_.size(); ++i)
-        if (!free_[i] && !refused[i] && g(index(i)) < -enough.gradient * size_ &&
-            (best == free_.size() || g(index(i)) < g(index(best))))
+        if (!free_[i] && !refused[i] && g(eigen_index(i)) < -enough.gradient * size_ &&
+            (best == free_.size() || g(eigen_index(i)) < g(eigen_index(best))))
           best = i;
       if (best == free_.size()) return;
       free_[best] = true;
       Eigen::VectorXd next = solution();
-      if (!(next(index(best)) > 0.0)) {  // its gradient was rounding
+      if (!(next(eigen_index(best)) > 0.0)) {  // its gradient was rounding
         free_[best] = false;
         refused[best] = true;
         continue;
@@ -190,7 +190,7 @@ class ActiveSet {
 
   [[nodiscard]] bool obeys(const Eigen::VectorXd& z) const {
     for (std::size_t i = 0; i < free_.size(); ++i)
-      if (bounded_[i] && free_[i] && !(z(index(i)) > 0.0)) return false;
+      if (bounded_[i] && free_[i] && !(z(eigen_index(i)) > 0.0)) return false;
     return true;
   }
 
@@ -198,14 +198,14 @@ class ActiveSet {
   void step_towards(const Eigen::VectorXd& next) {
     double step = 1.0;
     for (std::size_t i = 0; i < free_.size(); ++i)
-      if (bounded_[i] && free_[i] && !(next(index(i)) > 0.0))
-        step = std::min(step, z_(index(i)) / (z_(index(i)) - next(index(i))));
+      if (bounded_[i] && free_[i] && !(next(eigen_index(i)) > 0.0))
+        step = std::min(step, z_(eigen_index(i)) / (z_(eigen_index(i)) - next(eigen_index(i))));
     if (!(step > 0.0)) step = 0.0;
     z_ += step * (next - z_);
     for (std::size_t i = 0; i < free_.size(); ++i)
-      if (bounded_[i] && free_[i] && !(next(index(i)) > 0.0) &&
-          !(z_(index(i)) > tolerance * z_.cwiseAbs().maxCoeff())) {
-        z_(index(i)) = 0.0;
+      if (bounded_[i] && free_[i] && !(next(eigen_index(i)) > 0.0) &&
+          !(z_(eigen_index(i)) > tolerance * z_.cwiseAbs().maxCoeff())) {
+        z_(eigen_index(i)) = 0.0;
         free_[i] = false;
       }
   }
@@ -213,7 +213,7 @@ class ActiveSet {
   void accept(const Eigen::VectorXd& z) {
     z_ = z;
     for (std::size_t i = 0; i < free_.size(); ++i)
-      if (bounded_[i]) z_(index(i)) = std::max(z_(index(i)), 0.0);
+      if (bounded_[i]) z_(eigen_index(i)) = std::max(z_(eigen_index(i)), 0.0);
   }
 
   const Eigen::MatrixXd& a_;

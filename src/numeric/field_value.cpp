@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "numeric/lower_case.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -15,10 +17,7 @@ constexpr std::size_t longest_word = 7;
 
 bool is_word_for_missing(std::string_view field) {
   if (field.size() > longest_word) return false;
-  std::string small(field);
-  for (char& c : small)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return std::find(words.begin(), words.end(), small) != words.end();
+  return std::find(words.begin(), words.end(), lower_case(field)) != words.end();
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <cmath>
-#include <numbers>
 
 #include "report/words/grasp_parts.hpp"
+#include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/answers.hpp"
 #include "tactile_net/report/words/grasp_words.hpp"
@@ -46,7 +46,7 @@ std::vector<Answer> answers_of(const GraspAnswerParts& parts) {
       }
   }
   if (nearest != nullptr) {
-    const double angle = nearest->margins->friction->angle * 180.0 / std::numbers::pi;
+    const double angle = in_degrees(nearest->margins->friction->angle);
     all.push_back(
         {brief(std::abs(angle), 2) + "° " + (angle < 0.0 ? "beyond slipping" : "to slipping"),
          "the nearest: " + nearest->of, angle < 0.0});

@@ -1,7 +1,6 @@
 #include "report/words/grasp_parts.hpp"
 
-#include <numbers>
-
+#include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/numeric/unit_text.hpp"
@@ -47,10 +46,6 @@ std::string Numbers::operator()(const Uncertain& value) const {
   if (!(value.deviation > 0.0)) return (*this)(value.value);
   return unit_.empty() ? brief(value.value) + " +- " + brief(value.deviation)
                        : with_unit(value.value, value.deviation, unit_);
-}
-
-std::string degrees_in_words(double radians) {
-  return brief(radians * 180.0 / std::numbers::pi) + " deg";
 }
 
 std::string source_in_words(lab::Fingertip::Source source, const std::string& file,

@@ -39,8 +39,6 @@ class Numbers {
   std::string_view unit_;
 };
 
-[[nodiscard]] std::string degrees_in_words(double radians);
-
 /// What sentences ask of a grasp.
 struct GraspNames {
   bool si = false;

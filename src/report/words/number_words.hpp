@@ -2,6 +2,7 @@
 /// Numbers as several texts write them. Private.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,14 @@ namespace tactile_net::report {
 
 [[nodiscard]] inline std::string brief_or_dash(const std::optional<double>& number) {
   return number ? brief(*number) : "-";
+}
+
+[[nodiscard]] inline double in_degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
+
+[[nodiscard]] inline std::string degrees_in_words(double radians) {
+  return brief(in_degrees(radians)) + " deg";
 }
 
 [[nodiscard]] inline std::string length_in_words(const std::optional<Units>& units, double length) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -26,8 +25,6 @@ std::string force_in_words(const SkinScene& scene, double value) {
   return in_unit(scene.units, Dimension::point_force, value);
 }
 
-std::string degrees(double radians) { return brief(radians * 180.0 / std::numbers::pi) + " deg"; }
-
 std::string point_in_words(const SkinScene& scene, double y, double z) {
   return "(" + length_in_words(scene.units, y) + ", " + length_in_words(scene.units, z) + ")";
 }
@@ -43,11 +40,12 @@ std::string contact_in_words(const SkinContact& contact, const SkinScene& scene)
   text += " at " + point_in_words(scene, contact.y, contact.z);
   text += contact.second_radius > 0.0
               ? ", radii " + sides(scene, contact.radius, contact.second_radius) + ", turned by " +
-                    degrees(contact.angle)
+                    degrees_in_words(contact.angle)
               : ", radius " + length_in_words(scene.units, contact.radius);
   text += ", force " + force_in_words(scene, contact.force);
   if (contact.friction != 0.0)
-    text += ", friction " + brief(contact.friction) + " towards " + degrees(contact.direction);
+    text +=
+        ", friction " + brief(contact.friction) + " towards " + degrees_in_words(contact.direction);
   if (contact.stick > 0.0) text += ", sticking within " + brief(contact.stick) + " of its size";
   if (contact.torsion != 0.0)
     text += ", torsion " + in_unit(scene.units, Dimension::moment, contact.torsion);
@@ -112,11 +110,11 @@ std::optional<Answer> dragged(const lab::Experiment& experiment) {
   Answer answer{in_unit(scene.units, Dimension::point_force, found),
                 "drag" + of_all(experiment.results.front().answer), is_off(found, size, exact[0])};
   if (found.value > 3.0 * found.deviation)
-    answer.meaning +=
-        " towards " + degrees(direction(wrench.tangential_y->value, wrench.tangential_z->value));
+    answer.meaning += " towards " + degrees_in_words(direction(wrench.tangential_y->value,
+                                                               wrench.tangential_z->value));
   answer.meaning += size > 1e-9 * std::abs(exact[0])
                         ? "; the contacts drag with " + force_in_words(scene, size) + " towards " +
-                              degrees(direction(exact[1], exact[2]))
+                              degrees_in_words(direction(exact[1], exact[2]))
                         : "; the contacts do not drag";
   return answer;
 }
@@ -260,8 +258,8 @@ std::vector<Answer> skin_answers(const lab::RecordingOverview& recording) {
     const Uncertain drag = drag_of(wrench);
     all.push_back({in_unit(scene.units, Dimension::point_force, drag), "its drag"});
     if (drag.value > 3.0 * drag.deviation)
-      all.back().meaning +=
-          " towards " + degrees(direction(wrench.tangential_y->value, wrench.tangential_z->value));
+      all.back().meaning += " towards " + degrees_in_words(direction(wrench.tangential_y->value,
+                                                                     wrench.tangential_z->value));
   }
   if (wrench.centre_y && wrench.centre_z)
     all.push_back({in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +

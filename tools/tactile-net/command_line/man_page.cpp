@@ -1,10 +1,10 @@
 #include "command_line/man_page.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include "command_line/help.hpp"
+#include "numeric/lower_case.hpp"
 #include "tactile_net/numeric/version.hpp"
 
 namespace tactile_net::tool {
@@ -76,7 +76,7 @@ std::string man_page(const CommandLine& line) {
   page += ".TH " + escaped(upper(line.program)) + " 1 \"\" \"" +
           escaped(line.program + " " + std::string(version())) + "\" \"User Commands\"\n";
   std::string summary = line.text;
-  summary.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(summary.front())));
+  summary.front() = lower_case(summary.front());
   page += ".SH NAME\n" + escaped(line.program) + " \\- " + escaped(summary) + "\n";
   page += ".SH SYNOPSIS\n" + bold(line.program) + " " + italic("COMMAND") + " [" +
           italic("OPTIONS") + "] ...\n";

@@ -19,6 +19,7 @@
 #include "commands/recording.hpp"
 #include "failure.hpp"
 #include "lab/in_order.hpp"
+#include "numeric/lower_case.hpp"
 #include "numeric/threads.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/broken_taxels.hpp"
@@ -47,9 +48,7 @@ constexpr std::string_view pages_folder = "recordings";
 // Which files there are.
 
 bool is_recording(const fs::path& path) {
-  std::string ending = path.extension().string();
-  for (char& letter : ending)
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  const std::string ending = lower_case(path.extension().string());
   return ending == ".csv" || ending == ".npy";
 }
 
@@ -130,13 +129,8 @@ std::vector<std::string> folder_names(std::span<const std::string> files) {
       if (!plain) letter = '_';
     }
     if (name.empty()) name = "_";
-    const auto small = [](std::string text) {
-      for (char& letter : text)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-      return text;
-    };
     std::string own = name;
-    for (std::size_t i = 2; !taken.insert(small(own)).second; ++i)
+    for (std::size_t i = 2; !taken.insert(lower_case(own)).second; ++i)
       own = name + '-' + std::to_string(i);
     names.push_back(std::move(own));
   }
