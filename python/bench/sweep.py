@@ -27,10 +27,10 @@ smallest = tn.Scene(
 study = tn.Study(smallest, {"contact.0.force": {"from": 0.5, "to": 1.5, "count": POINTS}})
 with tempfile.TemporaryDirectory() as folder:
     before = processor_seconds()
-    table = tn.sweep(study, f"{folder}/sweep")
+    table = tn.sweep(study, f"{folder}/rows.csv")
     cost = (processor_seconds() - before) / POINTS
     before = processor_seconds()
-    again = tn.sweep(study, f"{folder}/sweep")
+    again = tn.sweep(study, f"{folder}/rows.csv")
     resumed = processor_seconds() - before
     assert table is not None and again is not None and table.sha256 == again.sha256
     print(f"a sweep of three taxels: {1e3 * cost:.2f} ms of processor time a point, the solving included; floor 2")
@@ -52,6 +52,5 @@ with tempfile.TemporaryDirectory() as folder:
     for name, scene in (("41 taxels", line), ("a skin of 8 x 8 x 3", skin)):
         draws = tn.Study(scene, {"contact.0.force": {"from": 0.1, "to": 1.0}}, draw={"kind": "random", "count": 1000})
         begin = time.perf_counter()
-        data = tn.datasets.generate(draws, f"{folder}/{name.replace(' ', '-')}", jobs=1)
-        assert data is not None
+        data = tn.datasets.generate(draws, f"{folder}/{name.replace(' ', '-')}.parquet", jobs=1)
         print(f"a data set of {name}: {len(data) / (time.perf_counter() - begin):.0f} points of one frame a second, one thread")

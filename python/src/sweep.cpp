@@ -1,4 +1,4 @@
-// A scene at many values, on the processors of this machine, and shards put together.
+// A scene at many values, on the processors of this machine or point by point, and files of rows.
 #include "tactile_net/sweep/sweep.hpp"
 
 #include <nanobind/stl/optional.h>
@@ -7,6 +7,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <stdexcept>
@@ -18,11 +19,12 @@
 #include "readable.hpp"
 #include "rooms.hpp"
 #include "simulated_frames.hpp"
+#include "tactile_net/lab/simulator_choice.hpp"
 #include "tactile_net/pages/sweep_page.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/report/json/sweep_json.hpp"
 #include "tactile_net/report/words/sweep_words.hpp"
-#include "tactile_net/sweep/slurm.hpp"
+#include "tactile_net/scene/scene_template.hpp"
 #include "watcher.hpp"
 
 namespace tactile_net::python {
@@ -48,27 +50,55 @@ class SweepWatcher final : public sweep::Observer {
   const nb::object& progress_;  // not counted: the GIL is not held where this ends
 };
 
-sweep::Progress run_sweep(const std::string& study, const std::string& folder,
-                          std::optional<std::size_t> jobs, const std::string& shard,
-                          bool allow_outside, const nb::object& progress) {
+/// @param end  absent: up to the last point
+sweep::PointRange range_of(std::size_t first, std::optional<std::size_t> end) {
+  return {first, end.value_or(most_points)};
+}
+
+sweep::Progress run_sweep(const std::string& study, const std::string& file,
+                          std::optional<std::size_t> jobs, std::size_t first,
+                          std::optional<std::size_t> end, bool allow_outside,
+                          const nb::object& progress) {
   SweepWatcher watcher(progress);
   const nb::gil_scoped_release released;
-  const sweep::Options options{.jobs = jobs.value_or(0), .shard = sweep::shard_in(shard)};
-  return sweep::sweep(sweep::Study(read_study(study, {allow_outside})), folder, options, watcher);
+  return sweep::sweep(sweep::Study(read_study(study, {allow_outside})), file,
+                      {.jobs = jobs.value_or(0), .points = range_of(first, end)}, watcher);
 }
 
-sweep::Table merge(const std::vector<std::string>& folders) {
+sweep::Table merge(const std::vector<std::string>& files, std::size_t first,
+                   std::optional<std::size_t> end) {
   const nb::gil_scoped_release released;
-  return sweep::merge(std::vector<std::filesystem::path>(folders.begin(), folders.end()));
+  return sweep::merge(std::vector<std::filesystem::path>(files.begin(), files.end()),
+                      range_of(first, end));
 }
 
-/// A study gone through point by point: what each point's sensor reads.
+/// A study gone through point by point: what each point's sensor reads, or its rows.
 class StudyPoints {
  public:
   StudyPoints(const std::string& path, bool allow_outside)
       : study_(read_study(path, {allow_outside})) {}
 
   [[nodiscard]] const sweep::Study& study() const noexcept { return study_; }
+
+  /// The files beside the scene's own that the points depend on.
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names = study_.base().files();
+    for (const sweep::Axis& axis : study_.axes())
+      if (std::find(file_keys.begin(), file_keys.end(), axis.key) != file_keys.end())
+        for (const AxisValue& value : axis.values) names.push_back(value.plain);
+    for (std::string& name : names) name = (study_.base().file().parent_path() / name).string();
+    return names;
+  }
+
+  /// The lines of these points in a file of rows.
+  [[nodiscard]] std::string rows(const std::vector<std::size_t>& indices) const {
+    const nb::gil_scoped_release released;
+    const auto simulator = lab::make_simulator();
+    std::string text;
+    for (const std::size_t index : indices)
+      text += sweep::lines(sweep::solve(study_, index, *simulator), study_.keep());
+    return text;
+  }
 
   /// @return  values of the axes, seed, readings, truth, and why there are none: a row for each
   /// frame
@@ -105,6 +135,16 @@ class StudyPoints {
   sweep::Study study_;
 };
 
+/// The points that a file of rows lacks.
+std::vector<std::size_t> missing(const sweep::RowsFile& file, std::size_t first,
+                                 std::optional<std::size_t> end) {
+  std::vector<std::size_t> indices;
+  const sweep::Rows& rows = file.rows();
+  for (std::size_t i = first; i < range_of(first, end).end_in(rows.head().points); ++i)
+    if (!rows.has(i)) indices.push_back(i);
+  return indices;
+}
+
 void write_sweep_report(const sweep::Table& table, const std::string& json,
                         const std::string& folder, bool force) {
   const nb::gil_scoped_release released;
@@ -119,8 +159,7 @@ void bind_sweep(nb::module_& module) {
   nb::class_<sweep::Progress>(module, "SweepProgress")
       .def_ro("points", &sweep::Progress::points)
       .def_ro("done", &sweep::Progress::done)
-      .def_ro("earlier", &sweep::Progress::earlier)
-      .def_ro("deaths", &sweep::Progress::deaths);
+      .def_ro("earlier", &sweep::Progress::earlier);
   nb::class_<sweep::Table>(module, "SweepTable")
       .def_ro("title", &sweep::Table::title)
       .def_ro("axes", &sweep::Table::axes)
@@ -145,19 +184,34 @@ void bind_sweep(nb::module_& module) {
       .def_prop_ro("scene_text", [](const StudyPoints& self) { return self.study().base().text(); })
       .def_prop_ro("scene_file",
                    [](const StudyPoints& self) { return self.study().base().file().string(); })
+      .def_prop_ro("values",
+                   [](const StudyPoints& self) {
+                     std::vector<std::vector<nb::str>> all;
+                     for (const sweep::Axis& axis : self.study().axes()) {
+                       all.emplace_back();
+                       for (const AxisValue& value : axis.values)
+                         all.back().push_back(readable(value.plain));
+                     }
+                     return all;
+                   })
+      .def_prop_ro("files", &StudyPoints::files)
+      .def("rows", &StudyPoints::rows, nb::arg("indices"))
       .def("simulate", &StudyPoints::simulate, nb::arg("index"));
+  nb::class_<sweep::RowsFile>(module, "RowsFile")
+      .def(
+          "__init__",
+          [](sweep::RowsFile* self, const StudyPoints& study, const std::string& path) {
+            new (self) sweep::RowsFile(study.study(), path);
+          },
+          nb::arg("study"), nb::arg("path"))
+      .def("missing", &missing, nb::arg("first"), nb::arg("end").none())
+      .def("append", &sweep::RowsFile::append, nb::arg("lines"));
   module.attr("instructions") = name(widest_instruction_set());
-  module.def("sweep", &run_sweep, nb::arg("study"), nb::arg("folder"), nb::arg("jobs").none(),
-             nb::arg("shard"), nb::arg("allow_outside"), nb::arg("progress").none());
-  module.def("merge", &merge, nb::arg("folders"));
-  module.def(
-      "slurm_script",
-      [](const std::string& study, const std::string& folder, std::size_t tasks,
-         const std::string& time) {
-        return sweep::slurm_script(
-            {.study = study, .folder = folder, .tasks = tasks, .time = time});
-      },
-      nb::arg("study"), nb::arg("folder"), nb::arg("tasks"), nb::arg("time"));
+  module.def("sweep", &run_sweep, nb::arg("study"), nb::arg("file"), nb::arg("jobs").none(),
+             nb::arg("first"), nb::arg("end").none(), nb::arg("allow_outside"),
+             nb::arg("progress").none());
+  module.def("merge", &merge, nb::arg("files"), nb::arg("first") = 0,
+             nb::arg("end").none() = nb::none());
 }
 
 }  // namespace tactile_net::python

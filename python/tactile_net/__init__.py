@@ -22,7 +22,7 @@ from ._skin import Skin
 from ._skin_result import SkinMethodResult, SkinResult
 from ._skin_solution import SkinSolution
 from ._solver import Solver
-from ._sweep import Study, SweepTable, merge, slurm_script, sweep
+from ._sweep import Study, SweepTable, merge, sweep
 from ._tables import (
     CircularPunch,
     Cone,
@@ -108,6 +108,5 @@ __all__ = [
     "plot",
     "report",
     "run",
-    "slurm_script",
     "sweep",
 ]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
-import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,13 +18,15 @@ from numpy.typing import NDArray
 from . import _core, _html
 from ._documents import Document
 from ._optional import optional
+from ._points import StudyCopy, computed
 from ._progress import Progress, listening
+from ._refusal import counted, refused
 from ._toml import text_of
 
 if TYPE_CHECKING:
     from ._scene import Scene
 
-__all__ = ["Study", "SweepTable", "merge", "slurm_script", "sweep"]
+__all__ = ["Study", "SweepTable", "merge", "sweep"]
 
 _WHOLE = ("index", "seed")
 _WORDS = ("method", "verdict", "failure", "version", "instructions")
@@ -165,33 +168,74 @@ def sweep(
     out: str | PathLike[str],
     *,
     jobs: int | None = None,
-    shard: tuple[int, int] = (1, 1),
+    points: tuple[int, int] | None = None,
     allow_outside: bool = False,
     progress: Progress = False,
+    client: Any = None,
 ) -> SweepTable | None:
-    """Computes what of a study is not done yet, on `jobs` processors (None: all), with a journal in the folder `out`.
+    """Computes what of a study is not done yet, and appends it to the file of rows `out`, which the command reads and writes too.
 
-    A sweep that is interrupted, or killed, goes on where it was. Returns the rows; None for a part: `shard=(3, 8)` is the
-    third of eight, and `merge` puts them together. A study that is no file is written into `out`.
+    jobs: how many points at once on this machine; None: one for each processor. client: a dask.distributed.Client, whose
+    workers compute in place of this machine; they need tactile-net, and no file of it. A sweep that is interrupted, or killed,
+    goes on where it was. Returns the rows; None for a part: `points=(0, 100)` are the first hundred, and `merge` puts parts
+    together.
 
-    Raises InputError for a study that is none, or another one than the folder's; OSError where another sweep is at work in
-    the folder, or nothing can be written there.
+    Raises InputError for a study that is none, or another one than the file's; OSError where another sweep writes into the file,
+    or nothing can be written there; RuntimeError, naming the points that are missing, where workers died of them.
     """
     if jobs is not None and jobs < 1:
         raise ValueError(f"jobs must be at least 1 (got {jobs})")
-    path = study.save(out) if isinstance(study, Study) else fspath(study)
-    with listening(progress) as heard:
-        done = _core.sweep(path, fspath(out), jobs, f"{shard[0]}/{shard[1]}", allow_outside, heard)
-    return SweepTable(_core.merge([fspath(out)]), done.earlier) if tuple(shard) == (1, 1) else None
+    if jobs is not None and client is not None:
+        raise ValueError("jobs is for this machine, and client has workers of its own: give one of them")
+    first, end = (0, None) if points is None else points
+    if first < 0 or (end is not None and end <= first):
+        raise ValueError(f"points must be (A, B) with 0 <= A < B (got {points})")
+    with saved(study) as path, listening(progress) as heard:
+        if client is None:
+            earlier = _core.sweep(path, fspath(out), jobs, first, end, allow_outside, heard).earlier
+        else:
+            earlier = _by_dask(path, fspath(out), first, end, allow_outside, heard, client)
+    return SweepTable(_core.merge([fspath(out)]), earlier) if points is None else None
 
 
-def merge(*folders: str | PathLike[str]) -> SweepTable:
-    """The rows of a sweep, from the folders of all its shards. Raises RuntimeError where points are missing."""
-    return SweepTable(_core.merge([fspath(folder) for folder in folders]))
+def _by_dask(
+    path: str, out: str, first: int, end: int | None, allow_outside: bool, heard: Any, client: Any
+) -> int:
+    """Returns how many points were there before."""
+    study = _core.StudyPoints(path, allow_outside)
+    if first >= study.points:
+        raise refused(path, f"has {study.points} points, and none from {first} on", "points are counted from 0")
+    file = _core.RowsFile(study, out)
+    missing = file.missing(first, end)
+    copy = StudyCopy.of(path, study, allow_outside)
+    done = 0
+    for part, lines in computed(_rows, copy, missing, client, None):
+        file.append(lines)
+        done += len(part)
+        if heard is not None:
+            heard(f"{done} of {counted(len(missing), 'point')}")
+    if done < len(missing):
+        try:
+            _core.merge([out], first, end)
+        except RuntimeError as which:
+            raise RuntimeError(f"workers died of points that they were given; {which}") from None
+    return (study.points if end is None else min(end, study.points)) - first - len(missing)
 
 
-def slurm_script(
-    study: str | PathLike[str], out: str | PathLike[str], tasks: int, time: str = "1:00:00"
-) -> str:
-    """A job file for Slurm: an array of so many tasks, each a shard of the study; `time` is that of one task."""
-    return _core.slurm_script(os.path.abspath(study), os.path.abspath(out), tasks, time)
+def _rows(study: StudyCopy, indices: list[int]) -> str:
+    return study.points().rows(indices)
+
+
+@contextmanager
+def saved(study: Study | str | PathLike[str]) -> Iterator[str]:
+    """The path of a study, which is written into a temporary folder where it is no file."""
+    if not isinstance(study, Study):
+        yield fspath(study)
+        return
+    with TemporaryDirectory(prefix="tactile-net-study-") as folder:
+        yield study.save(folder)
+
+
+def merge(*files: str | PathLike[str]) -> SweepTable:
+    """The rows of a sweep, from all files of it. Raises RuntimeError where points are missing, and says which."""
+    return SweepTable(_core.merge([fspath(file) for file in files]))

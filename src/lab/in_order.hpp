@@ -7,34 +7,45 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
 #include <exception>
 #include <mutex>
 #include <system_error>
+#include <type_traits>
+#include <utility>
 
 #include "numeric/threads.hpp"
 
 namespace tactile_net::lab {
 
+/// Does nothing while a job is waited for.
+struct Idle {
+  void operator()() const noexcept {}
+};
+
 /// What `next`, `work` and `use` throw is thrown here after all jobs before it have been used, as
 /// in the loop above. A few jobs a thread are read ahead.
 ///
-/// @param threads  at most so many work at a time; 1: this one, one job after the other. Where the
-///                 system gives none, this one too
+/// @param threads  at most so many work at a time; 1 without `waiting`: this one, one job after the
+///                 other. Where the system gives none, this one too
 /// @param next     bool(Job&): false where there is no more; called by this thread
 /// @param work     void(Job&): by any
 /// @param use      void(Job&): by this thread, in the order of `next`
-template <typename Job>
-void in_order(std::size_t threads, const auto& next, const auto& work, const auto& use) {
+/// @param waiting  void(): by this thread, five times a second while it waits for a job; may throw
+template <typename Job, typename Waiting = Idle>
+void in_order(std::size_t threads, const auto& next, const auto& work, const auto& use,
+              const Waiting& waiting = {}) {
   const auto one_by_one = [&] {
     for (Job job; next(job); job = Job()) {
       work(job);
       use(job);
     }
   };
-  if (threads <= 1) return one_by_one();
+  constexpr bool is_told = !std::is_same_v<Waiting, Idle>;
+  if (threads <= 1 && !is_told) return one_by_one();
 
   struct Slot {
     Job job{};
@@ -106,7 +117,16 @@ void in_order(std::size_t threads, const auto& next, const auto& work, const aut
     if (slots.empty()) break;
     {
       std::unique_lock lock(mutex);
-      done.wait(lock, [&] { return slots.front().done; });
+      const auto is_done = [&] { return slots.front().done; };
+      if constexpr (is_told) {
+        while (!done.wait_for(lock, std::chrono::milliseconds(200), is_done)) {
+          lock.unlock();
+          waiting();
+          lock.lock();
+        }
+      } else {
+        done.wait(lock, is_done);
+      }
     }
     if (slots.front().error) std::rethrow_exception(slots.front().error);
     use(slots.front().job);

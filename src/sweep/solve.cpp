@@ -117,23 +117,24 @@ std::string messages(const InputError& error) {
   return join(all, "; ");
 }
 
-}  // namespace
-
 Row failed_row(const Point& point, std::string_view why) {
   Row row = row_at(point);
   row.failure = one_line(why);
   return row;
 }
 
-std::vector<Row> solve(const Study& study, std::size_t index, Simulator& simulator) {
+}  // namespace
+
+std::vector<Row> solve(const Study& study, std::size_t index, Simulator& simulator,
+                       lab::Observer& observer) {
   const Point point = study.point(index);
   try {
     const AnyScene scene = study.scene(point);
     if (const auto* skin = std::get_if<SkinScene>(&scene))
-      return {row_of_skin(point, lab::run(*skin))};
+      return {row_of_skin(point, lab::run(*skin, {}, observer))};
     std::vector<Row> rows;
     Tidy tidy(simulator);
-    const lab::Experiment experiment = lab::run(std::get<Scene>(scene), tidy);
+    const lab::Experiment experiment = lab::run(std::get<Scene>(scene), tidy, {}, observer);
     for (const lab::MethodResult& result : experiment.results)
       rows.push_back(row_of_line(point, experiment, result));
     return rows;

@@ -247,8 +247,8 @@ TEST_CASE("every source keeps the order of the rooms", "[rooms]") {
 TEST_CASE("no message of the library names an option of the command", "[rooms]") {
   // What is advised is said by option(Option::columns), and the command or Python spells it.
   const std::regex named("\"[^\"]*--[a-z]");
-  // A script for Slurm, and a command that a report offers for copying.
-  const Names commands{"src/sweep/slurm.cpp", "src/report/words/study_answers.cpp"};
+  // A command that a report offers for copying.
+  const Names commands{"src/report/words/study_answers.cpp"};
   const Names styles{"src/drawing/", "src/pages/"};  // CSS has --names
   for (const auto& [path, text] : sources()) {
     if (!is_under(path, library) || is_under(path, commands) || is_under(path, styles)) continue;

@@ -212,10 +212,10 @@ def check_all(place):
     study.write_text('scene = "small.toml"\nrepeats = 2\nkeep = ["error", "tractions"]\n'
                      '[[axis]]\nkey = "sensor.depth"\nvalues = [1, 2]\n'
                      '[[axis]]\nkey = "material.poisson_ratio"\nvalues = [0.3, 0.7]\n')
-    check("sweep", written("sweep", study, "-q", "-o", place / "swept"), "half of a study fails")
+    check("sweep", written("sweep", study, "-q", "-o", place / "swept.csv"), "half of a study fails")
     small.write_text("[units]\n" + small.read_text())
-    check("sweep", written("sweep", study, "-q", "-o", place / "units"), "in SI")
-    check("sweep", written("merge", place / "units", "-q"), "merged")
+    check("sweep", written("sweep", study, "-q", "-o", place / "units.csv"), "in SI")
+    check("sweep", written("merge", place / "units.csv", "-q"), "merged")
 
 
 with tempfile.TemporaryDirectory() as place:

@@ -32,47 +32,49 @@ const std::string depth_study =
 
 struct Sweep {
   Folder folder;
-  std::string file = folder.write("study.toml", depth_study);
+  std::string study = folder.write("study.toml", depth_study);
+  std::string file = folder / "rows.csv";
   std::string out = folder / "out";
 
   Sweep() { (void)folder.write("pad.toml", swept_pad); }
-  [[nodiscard]] std::vector<std::string> command(const std::string& into = "out") const {
-    return {"sweep", file, "-o", folder / into, "--jobs", "2"};
+  [[nodiscard]] std::vector<std::string> command(const std::string& into = "rows.csv") const {
+    return {"sweep", study, "-o", folder / into, "--jobs", "2"};
   }
   [[nodiscard]] ProcessResult run(std::vector<std::string> more = {},
-                                  const std::string& into = "out") const {
+                                  const std::string& into = "rows.csv") const {
     std::vector<std::string> arguments = command(into);
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_tool(arguments);
   }
-  [[nodiscard]] std::string csv(const std::string& from = "out") const {
-    return read_text(fs::path(folder / from) / "results.csv");
+  /// results.csv of these files of rows.
+  [[nodiscard]] std::string merged(const std::vector<std::string>& files = {"rows.csv"},
+                                   const std::string& into = "out") const {
+    std::vector<std::string> words = {"merge", "--out", folder / into};
+    for (const std::string& name : files) words.push_back(folder / name);
+    const ProcessResult result = run_tool(words);
+    CAPTURE(result.errors);
+    CHECK(result.code == 0);
+    return read_text(fs::path(folder / into) / "results.csv");
   }
 };
 
-std::size_t journal_lines(const fs::path& folder) {
-  std::size_t lines = 0;
-  std::error_code ignored;
-  for (fs::recursive_directory_iterator entry(folder, ignored), end; entry != end;
-       entry.increment(ignored))
-    if (entry->path().extension() == ".journal") {
-      const std::string text = read_text(entry->path());
-      lines += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    }
-  return lines;
-}
-
 }  // namespace
 
-TEST_CASE("sweep writes rows, their hash and a page", "[cli][sweep]") {
+TEST_CASE("sweep writes rows, merge their page, and both the hash", "[cli][sweep]") {
   const Sweep sweep;
   const ProcessResult result = sweep.run();
   CAPTURE(result.errors);
   REQUIRE(result.code == 0);
-  const std::string csv = sweep.csv();
-  CHECK(std::count(csv.begin(), csv.end(), '\n') == 41);
-  CHECK(csv.starts_with("index,sensor.depth,repeat,seed,method,alpha,verdict,error,"));
-  CHECK_THAT(result.output, ContainsSubstring("SHA-256 of results.csv: " + sha256_text(csv)));
+  const std::vector<std::string> rows = lines_of(read_text(sweep.file));
+  REQUIRE(rows.size() == 42);
+  CHECK(rows[0].starts_with("tactile-net sweep 3,"));
+  CHECK(rows[1].starts_with("row,index,sensor.depth,repeat,seed,method,alpha,verdict,error,"));
+  const std::string csv = sweep.merged();
+  std::string bare;  // the same without the first line and column
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    bare += rows[i].substr(rows[i].find(',') + 1) + '\n';
+  CHECK(csv == bare);
+  CHECK_THAT(result.output, ContainsSubstring("SHA-256 of all rows: " + sha256_text(csv)));
   CHECK_THAT(result.output, ContainsSubstring("closed_form  20"));
   const std::string page = read_text(sweep.out + "/report.html");
   CHECK_THAT(page, ContainsSubstring("Depths") && ContainsSubstring("sensor.depth") &&
@@ -81,9 +83,11 @@ TEST_CASE("sweep writes rows, their hash and a page", "[cli][sweep]") {
   CHECK(fs::exists(sweep.out + "/error-1.csv"));
   CHECK_FALSE(fs::exists(sweep.out + "/alpha-1.csv"));  // the scene gives it
 
+  const std::string before = read_text(sweep.file);
   const ProcessResult again = sweep.run();
   CHECK(again.code == 0);
   CHECK(again.output == result.output);
+  CHECK(read_text(sweep.file) == before);
 }
 
 TEST_CASE("a sweep's JSON is what its rows come to, in the folder and where it is asked for",
@@ -93,14 +97,13 @@ TEST_CASE("a sweep's JSON is what its rows come to, in the folder and where it i
   CAPTURE(first.errors);
   REQUIRE(first.code == 0);
   const Json json = Json::parse(first.output);
-  CHECK(first.output == read_text(sweep.out + "/result.json"));
   CHECK(json["kind"] == "sweep");
   CHECK(json["title"] == "Depths");
   CHECK(json["points"] == 20);
   CHECK(json["points_failed"] == 0);
   CHECK(json["points_resumed"] == 0);
   CHECK(json["results"]["rows"] == 40);
-  CHECK(json["results"]["sha256"] == sha256_text(sweep.csv()));
+  CHECK(json["results"]["sha256"] == sha256_text(sweep.merged()));
   CHECK(json["axes"].size() == 2);
   CHECK(json["axes"][0]["key"] == "sensor.depth");
   CHECK(json["axes"][0]["unit"].is_null());  // the scene states none
@@ -124,13 +127,14 @@ TEST_CASE("a sweep's JSON is what its rows come to, in the folder and where it i
   CHECK_THAT(again.output, ContainsSubstring("SHA-256"));
   CHECK(Json::parse(read_text(sweep.folder / "again.json"))["points_resumed"] == 20);
   const ProcessResult merged =
-      run_tool({"merge", sweep.out, "--out", sweep.folder / "m", "--json", "-"});
+      run_tool({"merge", sweep.file, "--out", sweep.folder / "m", "--json", "-"});
+  CHECK(merged.output == read_text(sweep.folder / "m/result.json"));
   CHECK(Json::parse(merged.output)["points_resumed"].is_null());
   CHECK(Json::parse(merged.output)["methods"] == json["methods"]);
-  const ProcessResult part = sweep.run({"--shard", "1/2", "--json", "-"}, "part");
+  const ProcessResult part = sweep.run({"--points", "0:10", "--json", "-"}, "part.csv");
   CHECK(part.code == 2);
   CHECK_THAT(part.errors, ContainsSubstring("give it to merge"));
-  CHECK_FALSE(fs::exists(sweep.folder / "part"));
+  CHECK_FALSE(fs::exists(sweep.folder / "part.csv"));
 }
 
 TEST_CASE("the units that a scene states stand on a sweep's axes", "[cli][sweep]") {
@@ -145,17 +149,18 @@ TEST_CASE("the units that a scene states stand on a sweep's axes", "[cli][sweep]
   CHECK(json["axes"][1]["unit"] == "kPa");
   CHECK(json["axes"][2]["unit"].is_null());
   CHECK(json["units"]["force"] == "N/m");
+  const std::string csv = sweep.merged();
   const std::string page = read_text(sweep.out + "/report.html");
   CHECK_THAT(page, ContainsSubstring("sensor.depth [mm]") && ContainsSubstring("noise.rms [kPa]") &&
                        ContainsSubstring("noise.rms = 0.01 kPa"));
-  CHECK(sweep.csv().starts_with("index,sensor.depth,noise.rms,repeat,"));  // keys, bare
+  CHECK(csv.starts_with("index,sensor.depth,noise.rms,repeat,"));  // keys, bare
 }
 
 TEST_CASE("rows have what a study keeps, and its page draws what there is", "[cli][sweep]") {
   const Sweep sweep;
   (void)sweep.folder.write("study.toml", "keep = [\"readings\", \"force\"]\n" + depth_study);
   REQUIRE(sweep.run().code == 0);
-  const std::string csv = sweep.csv();
+  const std::string csv = sweep.merged();
   CHECK(
       csv.starts_with("index,sensor.depth,repeat,seed,method,verdict,force,failure,version,"
                       "instructions,readings\n"));
@@ -177,166 +182,125 @@ TEST_CASE("a sweep without a single answer is written, and has failed", "[cli][s
     CHECK_THAT(result.errors, ContainsSubstring(why));
     CHECK_THAT(result.output, ContainsSubstring("2 rows: sensor.depth must be > 0"));
   }
-  CHECK(sweep.csv().find("sensor.depth must be > 0") != std::string::npos);
-  const ProcessResult merged = run_tool({"merge", sweep.out, "--json", "-"});
+  const ProcessResult merged = run_tool({"merge", sweep.file, "--out", sweep.out, "--json", "-"});
+  CHECK_THAT(read_text(sweep.out + "/results.csv"), ContainsSubstring("sensor.depth must be > 0"));
   CHECK(merged.code == 1);
   CHECK_THAT(merged.errors, ContainsSubstring(why));
   CHECK(Json::parse(merged.output)["points_failed"] == 2);
   (void)sweep.folder.write("study.toml",
                            "scene = \"pad.toml\"\n"
                            "[[axis]]\nkey = \"sensor.depth\"\nvalues = [-1.0, 1.0]\n");
-  CHECK(sweep.run({}, "half").code == 0);
-  // So has a shard that has none; another has, and so has the whole.
-  const ProcessResult shard = sweep.run({"--shard", "1/2"}, "shards");
-  CHECK(shard.code == 1);
-  CHECK_THAT(shard.errors, ContainsSubstring(why));
-  CHECK_THAT(shard.output, ContainsSubstring("shard 1/2: 1 point is done"));
-  CHECK(sweep.run({"--shard", "2/2"}, "shards").code == 0);
-  CHECK(run_tool({"merge", sweep.folder / "shards"}).code == 0);
+  CHECK(sweep.run({}, "half.csv").code == 0);
+  // So has a part that has none; another has, and so has the whole.
+  const ProcessResult part = sweep.run({"--points", "0:1"}, "parts.csv");
+  CHECK(part.code == 1);
+  CHECK_THAT(part.errors, ContainsSubstring(why));
+  CHECK_THAT(part.output, ContainsSubstring("1 point is done"));
+  CHECK(sweep.run({"--points", "1:2"}, "parts.csv").code == 0);
+  CHECK(run_tool({"merge", sweep.folder / "parts.csv"}).code == 0);
 }
 
-TEST_CASE("shards are merged when all are there, from one folder or from several", "[cli][sweep]") {
+TEST_CASE("parts are merged when all are there", "[cli][sweep]") {
   const Sweep sweep;
   REQUIRE(sweep.run().code == 0);
-  const ProcessResult first = sweep.run({"--shard", "1/3"}, "shared");
+  const ProcessResult first = sweep.run({"--points", "0:7"}, "a.csv");
   CHECK(first.code == 0);
-  CHECK_THAT(first.output, ContainsSubstring("shard 1/3: 7 points are done"));
-  CHECK(sweep.run({"--shard", "2/3"}, "shared").code == 0);
-  CHECK(sweep.run({"--shard", "3/3"}, "alone").code == 0);
-  const ProcessResult part = run_tool({"merge", sweep.folder / "shared"});
+  CHECK_THAT(
+      first.output,
+      ContainsSubstring("7 points are done; when all 20 of the study are: tactile-net merge"));
+  CHECK(sweep.run({"--points", "14:999"}, "b.csv").code == 0);
+  const ProcessResult part =
+      run_tool({"merge", sweep.folder / "a.csv", sweep.folder / "b.csv", "--out", sweep.out});
   CHECK(part.code == 1);
-  CHECK_THAT(part.errors, ContainsSubstring("6 of 20 points are missing, 2 first"));
-  CHECK_FALSE(fs::exists(sweep.folder / "shared/results.csv"));
-  const ProcessResult all = run_tool(
-      {"merge", sweep.folder / "shared", sweep.folder / "alone", "--out", sweep.folder / "merged"});
-  CAPTURE(all.errors);
-  CHECK(all.code == 0);
-  CHECK(sweep.csv("merged") == sweep.csv());
+  CHECK_THAT(part.errors, ContainsSubstring("7 of 20 points are missing, 7:14"));
+  CHECK_FALSE(fs::exists(sweep.out));
+  CHECK(sweep.run({"--points", "7:14"}, "b.csv").code == 0);
+  CHECK(sweep.merged({"a.csv", "b.csv"}) == sweep.merged({"rows.csv"}, "whole"));
 }
 
-TEST_CASE("a sweep whose driver is killed outright goes on, and ends the same", "[cli][sweep]") {
+TEST_CASE("a sweep that is killed outright goes on, and ends the same", "[cli][sweep]") {
   const Sweep sweep;
-  REQUIRE(sweep.run({}, "whole").code == 0);
+  REQUIRE(sweep.run({}, "whole.csv").code == 0);
   std::vector<std::string> arguments = sweep.command();
   arguments.insert(arguments.begin(), TOOL);
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  const pid_t driver = ::fork();
-  REQUIRE(driver >= 0);
-  if (driver == 0) {
+  const pid_t process = ::fork();
+  REQUIRE(process >= 0);
+  if (process == 0) {
     ::execv(TOOL, argv.data());
     ::_exit(127);
   }
-  for (int i = 0; i < 10'000 && journal_lines(sweep.out) < 6; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  ::kill(driver, SIGKILL);
-  ::waitpid(driver, nullptr, 0);
-  REQUIRE(journal_lines(sweep.out) >= 6);
-  CHECK(sweep.run().code == 0);
-  CHECK(sweep.csv() == sweep.csv("whole"));
-}
-
-TEST_CASE("a job file of --slurm is one that a shell reads, and nothing is computed",
-          "[cli][sweep]") {
-  const Sweep sweep;
-  const ProcessResult result = sweep.run({"--slurm", "8", "--time", "90"});
-  CHECK(result.code == 0);
-  CHECK_THAT(result.output, StartsWith("#!/bin/sh\n") &&
-                                ContainsSubstring("#SBATCH --array=1-8\n") &&
-                                ContainsSubstring("#SBATCH --time=90\n") &&
-                                ContainsSubstring("--shard \"$SLURM_ARRAY_TASK_ID/8\""));
-  CHECK_FALSE(fs::exists(sweep.out));
-  CHECK(run_process({"sh", "-n", sweep.folder.write("job.sh", result.output)}).code == 0);
-  CHECK(sweep.run({"--slurm", "0"}).code == 2);
-  CHECK(sweep.run({"--slurm", "8", "--time", "1h; rm -rf /"}).code == 2);
-  CHECK_THAT(sweep.run({"--slurm", "8", "--shard", "1/2"}).errors, ContainsSubstring("--shard: "));
-  CHECK_THAT(sweep.run({"--time", "90"}).errors, ContainsSubstring("give --slurm"));
-}
-
-TEST_CASE("a task of a job file does what the sweep would with the same options", "[cli][sweep]") {
-  const Folder folder;
-  for (const char* name : {"pads", "my studies", "bin"}) fs::create_directory(folder / name);
-  (void)folder.write("pads/pad.toml", swept_pad);
-  const std::string file =
-      folder.write("my studies/a;b.toml",
-                   replaced(depth_study, "scene = \"pad.toml\"", "scene = \"../pads/pad.toml\""));
-  const std::string ngspice = folder / "my ngspice";
-  const auto sweep = [&](const std::string& out, const std::vector<std::string>& more) {
-    std::vector<std::string> words = {"sweep",        file,      "-o",        folder / out,
-                                      "--jobs",       "2",       "--force",   "--allow-outside",
-                                      "--simulator",  "process", "--ngspice", ngspice,
-                                      "--time-limit", "7.5"};
-    words.insert(words.end(), more.begin(), more.end());
-    return run_tool(words);
+  const auto rows = [&] {
+    return fs::exists(sweep.file) ? lines_of(read_text(sweep.file)).size() : 0;
   };
-  const ProcessResult script = sweep("out's", {"--slurm", "2"});
-  REQUIRE(script.code == 0);
-  CHECK_THAT(script.output, ContainsSubstring("#SBATCH --cpus-per-task=2\n"));
-  const std::string job = folder.write("job.sh", script.output);
-  // In the program's place one that says which words it is given.
-  const std::string fake = folder.write("bin/tactile-net", "#!/bin/sh\nprintf '%s\\n' \"$@\"\n");
-  fs::permissions(fake, fs::perms::owner_all);
-  for (const char* task : {"1", "2"}) {
-    const ProcessResult said =
-        run_process({"env", "PATH=" + (folder / "bin") + ":" + std::getenv("PATH"),
-                     std::string("SLURM_ARRAY_TASK_ID=") + task, "sh", job});
-    REQUIRE(said.code == 0);
-    const std::vector<std::string> words = lines_of(said.output);
-    for (const std::string& word :
-         {std::string("--force"), std::string("--allow-outside"), ngspice, std::string("7.5")})
-      CHECK(std::count(words.begin(), words.end(), word) == 1);
-    CHECK(run_tool(words).code == 0);
-  }
-  CHECK(run_tool({"merge", folder / "out's"}).code == 0);
-  CHECK(sweep("whole", {}).code == 0);
-  CHECK(read_text(folder / "out's/results.csv") == read_text(folder / "whole/results.csv"));
+  for (int i = 0; i < 10'000 && rows() < 6; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ::kill(process, SIGKILL);
+  ::waitpid(process, nullptr, 0);
+  REQUIRE(rows() >= 6);
+  CHECK(sweep.run().code == 0);
+  CHECK(read_text(sweep.file) == read_text(sweep.folder / "whole.csv"));
+}
 
-  // The line that a part of a sweep ends with is one that a shell reads, whatever the folder's
-  // name.
-  const ProcessResult part = sweep("a part", {"--shard", "1/2"});
-  const std::string line = part.output.substr(part.output.find("tactile-net merge"));
-  const ProcessResult typed = run_process(
-      {"env", "PATH=" + (folder / "bin") + ":" + std::getenv("PATH"), "sh", "-c", line});
-  CHECK(lines_of(typed.output) == std::vector<std::string>{"merge", folder / "a part"});
+TEST_CASE("a wish to stop ends a sweep with status 1 and whole rows", "[cli][sweep]") {
+  const Sweep sweep;
+  (void)sweep.folder.write("study.toml", replaced(depth_study, "repeats = 4", "repeats = 400"));
+  const ProcessResult stopped = run_process(
+      {"timeout", "-s", "INT", "0.4", TOOL, "sweep", sweep.study, "-o", sweep.file, "--jobs", "2"});
+  CHECK(stopped.code != 0);
+  CHECK_THAT(stopped.errors, ContainsSubstring("stopped at") &&
+                                 ContainsSubstring("the same command continues from here"));
+  CHECK(read_text(sweep.file).ends_with('\n'));
 }
 
 TEST_CASE("what sweep and merge cannot do is said, with status 2", "[cli][sweep]") {
   const Sweep sweep;
-  for (const char* shard : {"0/4", "5/4", "x"})
-    CHECK_THAT(sweep.run({"--shard", shard}).errors, ContainsSubstring(shard));
-  CHECK(sweep.run({"--shard", "5/4"}).code == 2);
+  for (const char* points : {"4:4", "5:4", "x", "20:30"}) {
+    const ProcessResult result = sweep.run({"--points", points});
+    CHECK(result.code == 2);
+    CHECK_THAT(result.errors, ContainsSubstring(std::string(points).substr(0, 2)));
+  }
   CHECK(sweep.run({"--jobs", "0"}).code == 2);
-  CHECK(run_tool({"sweep", sweep.file}).code == 2);  // no folder
+  CHECK(run_tool({"sweep", sweep.study}).code == 2);  // no file
+  CHECK_THAT(run_tool({"sweep", sweep.study, "-o", "-"}).errors,
+             ContainsSubstring("must be a file"));
   CHECK(run_tool({"merge"}).code == 2);
   CHECK(run_tool({"merge", sweep.folder / "none"}).code == 2);
   CHECK(run_tool({"merge", sweep.folder.path().string()}).code == 2);
-  CHECK_FALSE(fs::exists(sweep.out));
+  CHECK(run_tool({"merge", sweep.study}).code == 2);
+  CHECK_FALSE(fs::exists(sweep.file));
 
+  const std::string study = read_text(sweep.study);
+  const ProcessResult over = run_tool({"sweep", sweep.study, "-o", sweep.study});
+  CHECK(over.code == 2);
+  CHECK(read_text(sweep.study) == study);
   REQUIRE(sweep.run().code == 0);
   (void)sweep.folder.write("study.toml",
                            depth_study + "[[axis]]\nkey = \"noise.rms\"\nvalues = [0.1]\n");
   const ProcessResult other = sweep.run();
   CHECK(other.code == 2);
-  CHECK_THAT(other.errors, ContainsSubstring("is the journal of another study"));
+  CHECK_THAT(other.errors, ContainsSubstring("holds the rows of another study"));
 }
 
 TEST_CASE("a report that is somebody's own stays", "[cli][sweep]") {
   const Sweep sweep;
+  REQUIRE(sweep.run().code == 0);
   fs::create_directory(sweep.out);
   (void)sweep.folder.write("out/report.html", "mine");
-  CHECK(sweep.run().code == 2);
+  CHECK(run_tool({"merge", sweep.file, "--out", sweep.out}).code == 2);
   CHECK(read_text(sweep.out + "/report.html") == "mine");
-  CHECK(sweep.run({"--force"}).code == 0);
+  CHECK(run_tool({"merge", sweep.file, "--out", sweep.out, "--force"}).code == 0);
   CHECK(read_text(sweep.out + "/report.html") != "mine");
 }
 
 TEST_CASE("the shipped study is one", "[cli][sweep]") {
   const Folder folder;
   const ProcessResult result =
-      run_tool({"sweep", scene("sweeps/depth.toml"), "-o", folder / "out", "--shard", "7/50"});
+      run_tool({"sweep", scene("sweeps/depth.toml"), "-o", folder / "rows.csv", "--points", "7:9"});
   CAPTURE(result.errors);
   CHECK(result.code == 0);
-  CHECK_THAT(result.output, ContainsSubstring("shard 7/50: 2 points are done"));
+  CHECK_THAT(result.output, ContainsSubstring("2 points are done"));
   CHECK(run_tool({"run", scene("sweeps/pad.toml")}).code == 0);
 }

@@ -18,7 +18,7 @@ name = sys.argv[3]
 sys.path.append(str(project / "tests/docs"))
 from markdown_page import Document  # noqa: E402
 
-PROGRAMS = {"parallel": ["parallel", "--version"], "dask": [sys.executable, "-c", "import dask.distributed"]}
+PROGRAMS = {"parallel": ["parallel", "--version"], "dask": [sys.executable, "-c", "import dask.distributed, tactile_net"]}
 
 
 def installed(words):
@@ -45,7 +45,8 @@ def main():
             if answer.returncode != 0:
                 raise SystemExit(f"FAILED: {words}: {answer.stdout}{answer.stderr}")
 
-        run("tactile-net", "sweep", "study.toml", "-o", "serial", "--jobs", "1")
+        run("tactile-net", "sweep", "study.toml", "-o", "serial.csv", "--jobs", "1")
+        run("tactile-net", "merge", "serial.csv", "--out", "serial")
         recipe_file = place / "recipe"
         recipe_file.write_text(recipe.text, encoding="utf-8")
         run({"sh": "bash", "python": sys.executable}[recipe.language], str(recipe_file))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A sweep as a job array on a Slurm of one node, started for this test alone: slurm_test.py COMMAND
+"""The job array of docs/sweeps.md on a Slurm of one node, started for this test alone: slurm_test.py COMMAND PROJECT
 
 Needs the packages slurmctld, slurmd, slurm-client and munge, and root, for Slurm's daemons switch users. Eight tasks; one is
 killed outright; merge says what is missing; that task is submitted again; the rows have the hash of a sweep in one process.
@@ -16,8 +16,11 @@ import tempfile
 import time
 
 command = pathlib.Path(sys.argv[1]).resolve()
-TASKS = 8
+project = pathlib.Path(sys.argv[2])
 KILLED = 3
+
+sys.path.append(str(project / "tests/docs"))
+from markdown_page import Document  # noqa: E402
 
 CONFIGURATION = """\
 ClusterName=test
@@ -101,18 +104,16 @@ def run(*arguments, **options):
     return subprocess.run([str(one) for one in arguments], capture_output=True, text=True, timeout=300, **options)
 
 
-def sweep_of_shard(place, shard):
-    """The driver of a shard, which no other process has the folder of."""
+def sweep_of_task(task):
+    """The process of a task: its file is its own."""
     for process in pathlib.Path("/proc").iterdir():
         if not process.name.isdigit():
             continue
         try:
             words = (process / "cmdline").read_bytes().decode().split("\0")
-            parent = (process / "stat").read_text().rpartition(")")[2].split()[1]
-            of_parent = pathlib.Path("/proc", parent, "cmdline").read_bytes().decode().split("\0")
         except OSError:
             continue
-        if f"{place}/out" in words and f"{shard}/{TASKS}" in words and f"{shard}/{TASKS}" not in of_parent:
+        if words[0].endswith("tactile-net") and f"part-{task}.csv" in words:
             return int(process.name)
     return None
 
@@ -165,29 +166,32 @@ def test(cluster, place):
     (place / "pad.toml").write_text(PAD)
     study = place / "study.toml"
     study.write_text(STUDY)
-    serial = run(command, "sweep", study, "--out", place / "serial", "--jobs", "1")
+    serial = run(command, "sweep", study, "-o", place / "serial.csv", "--jobs", "1")
     check(serial.returncode == 0, f"the sweep in one process: {serial.stderr}")
-    script = run(command, "sweep", study, "--out", place / "out", "--slurm", TASKS, "--time", "10")
-    check(script.returncode == 0, f"the job file: {script.stderr}")
-    (place / "job.sh").write_text(script.stdout)
+    check(run(command, "merge", place / "serial.csv", "--out", place / "serial").returncode == 0, "its merge")
+    recipe = next(block for block in Document(project / "docs/sweeps.md").blocks if block.option("recipe") == "slurm")
+    (place / "job.sh").write_text(recipe.text)
+
+    def merge():
+        return run(command, "merge", *sorted(place.glob("part-*.csv")), "--out", place / "out")
 
     comes_true(cluster.is_idle, 60, "an idle node")
     began = time.monotonic()
     submitted = cluster.call("sbatch", "job.sh")
     check(submitted.returncode == 0, f"sbatch: {submitted.stderr}")
-    os.kill(comes_true(lambda: sweep_of_shard(place, KILLED), 120, "the task to be killed"), signal.SIGKILL)
+    os.kill(comes_true(lambda: sweep_of_task(KILLED), 120, "the task to be killed"), signal.SIGKILL)
     comes_true(cluster.has_no_job, 240, "the end of the array")
-    merged = run(command, "merge", place / "out")
+    merged = merge()
     logs = "\n".join(log.read_text() for log in place.glob("slurm-*.out"))
-    check(merged.returncode == 1 and "200 points are missing" in merged.stderr, f"merge without a task: {merged.stderr}\n{logs}")
+    check(merged.returncode == 1 and "missing" in merged.stderr, f"merge without a task: {merged.stderr}\n{logs}")
     print(f"after the kill: {merged.stderr.strip()}")
 
     cluster.call("sbatch", f"--array={KILLED}", "job.sh")
     comes_true(cluster.has_no_job, 240, "the end of the task")
-    merged = run(command, "merge", place / "out")
+    merged = merge()
     check(merged.returncode == 0, f"merge with all tasks: {merged.stderr}")
     check((place / "out/results.csv").read_bytes() == (place / "serial/results.csv").read_bytes(), "the rows are the same")
-    print(f"submitted again: the same {len(STUDY) and 200} rows, {time.monotonic() - began:.0f} s in all")
+    print(f"submitted again: the same 200 rows, {time.monotonic() - began:.0f} s in all")
 
 
 def main():

@@ -1,7 +1,6 @@
-// Workers that are killed, drivers that are killed, shards: the table is the same.
+// Sweeps that are stopped, killed or cut into parts: the table is the same.
 #include "tactile_net/sweep/sweep.hpp"
 
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,15 +8,12 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "tactile_net/frames/cannot_create.hpp"
 #include "tactile_net/lab/simulator_choice.hpp"
-#include "tactile_net/sweep/merge.hpp"
 #include "tests/catch.hpp"
 #include "tests/sweep/small_study.hpp"
 
@@ -28,37 +24,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of this process, or of another.
-std::vector<pid_t> children(pid_t parent = ::getpid()) {
-  const std::string number = std::to_string(parent);
-  std::ifstream file("/proc/" + number + "/task/" + number + "/children");
-  std::vector<pid_t> all;
-  for (pid_t child = 0; file >> child;) all.push_back(child);
-  return all;
-}
-
-bool is_running(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string state;
-  file >> state >> state >> state;
-  return file && state != "Z" && state != "X";
-}
-
-bool comes_true(const std::function<bool()>& condition) {
-  for (int i = 0; i < 10'000 && !condition(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  return condition();
-}
-
-std::size_t journal_lines(const fs::path& folder) {
-  std::size_t lines = 0;
-  std::error_code ignored;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".journal") {
-      const std::string text = test::content(entry.path());
-      lines += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-    }
-  return lines;
+std::size_t line_count(const fs::path& file) {
+  const std::string text = test::content(file);
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
 /// Does something between two reports, as often as it is asked.
@@ -74,126 +42,113 @@ struct Watcher : sweep::Observer {
   void progress(const sweep::Progress& progress) override { last = progress; }
 };
 
-sweep::Progress swept(const sweep::Study& study, const fs::path& folder,
+sweep::Progress swept(const sweep::Study& study, const fs::path& file,
                       const sweep::Options& options = {.jobs = 2}) {
   sweep::Observer observer;
-  return sweep::sweep(study, folder, options, observer);
+  return sweep::sweep(study, file, options, observer);
 }
 
-sweep::Table merged(const fs::path& folder) { return sweep::merge(std::vector<fs::path>{folder}); }
+sweep::Table merged(const fs::path& file) { return sweep::merge(std::vector<fs::path>{file}); }
 
-/// One point after the other in this process, without journals.
+/// One point after the other, without a file.
 std::string by_hand(const sweep::Study& study) {
   const auto simulator = lab::make_simulator();
-  std::vector<std::string> axes;
-  for (const sweep::Axis& axis : study.axes()) axes.push_back(axis.key);
-  std::string csv = sweep::header(axes, study.keep()) + '\n';
+  std::string csv;
   for (std::size_t i = 0; i < study.points(); ++i)
     for (const sweep::Row& row : sweep::solve(study, i, *simulator))
       csv += sweep::csv(row, study.keep()) + '\n';
   return csv;
 }
 
+std::string without_header(const sweep::Table& table) {
+  return table.csv.substr(table.csv.find('\n') + 1);
+}
+
 }  // namespace
 
-TEST_CASE("workers find what one process finds", "[sweep]") {
+TEST_CASE("threads find what one finds, in the study's order", "[sweep]") {
   const StudyFolder folder;
   const sweep::Study study = folder.study(grid_study);
   Watcher watcher;
-  const sweep::Progress progress = sweep::sweep(study, folder / "out", {.jobs = 3}, watcher);
+  const sweep::Progress progress = sweep::sweep(study, folder / "rows.csv", {.jobs = 3}, watcher);
   CHECK(progress.complete());
   CHECK(progress.points == 24);
-  CHECK(progress.deaths == 0);
   CHECK(watcher.last.done == 24);
-  const sweep::Table table = merged(folder / "out");
-  CHECK(table.csv == by_hand(study));
+  const sweep::Table table = merged(folder / "rows.csv");
+  CHECK(without_header(table) == by_hand(study));
   CHECK(table.rows.size() == 48);
   CHECK(table.axes == std::vector<std::string>{"sensor.depth", "contact.0.half_width", "repeat"});
-  CHECK(children().empty());
+  CHECK(swept(study, folder / "alone.csv", {.jobs = 1}).complete());
+  CHECK(test::content(folder / "alone.csv") == test::content(folder / "rows.csv"));
 }
 
-TEST_CASE("one shard, two and seven have equal hashes", "[sweep]") {
+TEST_CASE("a sweep that is cut into parts has the same hash", "[sweep]") {
   const StudyFolder folder;
   const sweep::Study study = folder.study(grid_study);
-  std::vector<std::string> hashes;
-  for (const std::size_t count : {1U, 2U, 7U}) {
-    const fs::path out = folder / ("out-" + std::to_string(count));
-    for (std::size_t number = count; number >= 1; --number) {
-      if (number < count) CHECK_THROWS_AS(merged(out), sweep::MissingPoints);
-      CHECK(swept(study, out, {.jobs = 1, .shard = {number, count}}).complete());
+  CHECK(swept(study, folder / "whole.csv").complete());
+  const std::string hash = merged(folder / "whole.csv").sha256;
+  for (const std::size_t count : {2U, 7U}) {
+    std::vector<fs::path> files;
+    for (std::size_t first = 0; first < 24; first += 24 / count) {
+      if (first > 0) CHECK_THROWS_AS(sweep::merge(files), sweep::MissingPoints);
+      files.push_back(folder / ("part-" + std::to_string(count) + std::to_string(first)));
+      const sweep::Progress part =
+          swept(study, files.back(), {.jobs = 2, .points = {first, first + 24 / count}});
+      CHECK(part.points == std::min<std::size_t>(24 / count, 24 - first));
     }
-    hashes.push_back(merged(out).sha256);
+    std::reverse(files.begin(), files.end());
+    CHECK(sweep::merge(files).sha256 == hash);
   }
-  CHECK(hashes[0] == hashes[1]);
-  CHECK(hashes[0] == hashes[2]);
+  CHECK_THROWS_WITH(swept(study, folder / "none.csv", {.points = {24, 30}}),
+                    ContainsSubstring("has 24 points, and none from 24 on"));
+  CHECK_FALSE(fs::exists(folder / "none.csv"));
 }
 
-TEST_CASE("what is done is not done again, in other shards either", "[sweep]") {
+TEST_CASE("what is done is not done again, nor what another range did", "[sweep]") {
   const StudyFolder folder;
   const sweep::Study study = folder.study(grid_study);
-  CHECK(swept(study, folder / "out", {.jobs = 1, .shard = {2, 3}}).done == 8);
-  const std::size_t lines = journal_lines(folder / "out");
-  const sweep::Progress rest = swept(study, folder / "out");
+  const fs::path file = folder / "rows.csv";
+  CHECK(swept(study, file, {.jobs = 1, .points = {8, 16}}).done == 8);
+  CHECK(line_count(file) == 2 + 2 * 8);
+  CHECK(sweep::merge(std::vector<fs::path>{file}, {8, 16}).points == 8);
+  const sweep::Progress rest = swept(study, file);
   CHECK(rest.earlier == 8);
   CHECK(rest.complete());
-  CHECK(swept(study, folder / "out").earlier == 24);
-  // Two heads of two workers more at most, and two rows for each point once.
-  CHECK(journal_lines(folder / "out") <= lines + 2 * 2 + 2 * 16);
+  CHECK(line_count(file) == 2 + 2 * 24);
+  CHECK(swept(study, file).earlier == 24);
+  CHECK(line_count(file) == 2 + 2 * 24);
+  CHECK(without_header(merged(file)) == by_hand(study));
 }
 
-TEST_CASE("workers that are killed cost nothing but time", "[sweep]") {
+TEST_CASE("a sweep that is killed goes on, wherever that was", "[sweep]") {
   const StudyFolder folder;
   const sweep::Study study = folder.study(grid_study);
-  Watcher watcher;
-  std::size_t killed = 0;
-  watcher.each = [&] {
-    if (watcher.asked % 4 == 3 && killed < 2) {  // a point that three die of is given up
-      const std::vector<pid_t> workers = children();
-      REQUIRE_FALSE(workers.empty());
-      ::kill(workers[killed++ % workers.size()], SIGKILL);
+  const fs::path file = folder / "rows.csv";
+  for (const std::size_t kill_at : {1U, 9U, 22U}) {
+    const pid_t process = ::fork();
+    REQUIRE(process >= 0);
+    if (process == 0) {
+      Watcher slow;
+      slow.each = [] {
+        ::usleep(20'000);
+        return false;
+      };
+      try {
+        (void)sweep::sweep(study, file, {.jobs = 2}, slow);
+      } catch (...) {
+      }
+      ::_exit(0);
     }
-    return false;
-  };
-  const sweep::Progress progress = sweep::sweep(study, folder / "out", {.jobs = 2}, watcher);
-  CHECK(progress.complete());
-  CHECK(killed == 2);
-  CHECK(progress.deaths >= 1);  // the last may come when all is done
-  CHECK(merged(folder / "out").csv == by_hand(study));
-}
-
-TEST_CASE("a driver that is killed leaves no worker, and its sweep goes on", "[sweep]") {
-  const StudyFolder folder;
-  const sweep::Study study = folder.study(grid_study);
-  const fs::path out = folder / "out";
-  const pid_t driver = ::fork();
-  REQUIRE(driver >= 0);
-  if (driver == 0) {
-    Watcher slow;
-    slow.each = [] {
-      ::usleep(20'000);
-      return false;
-    };
-    try {
-      (void)sweep::sweep(study, out, {.jobs = 2}, slow);
-    } catch (...) {
-    }
-    ::_exit(0);
+    for (int i = 0; i < 10'000 && (!fs::exists(file) || line_count(file) < kill_at); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ::kill(process, SIGKILL);
+    ::waitpid(process, nullptr, 0);
+    CHECK(line_count(file) >= kill_at);
   }
-  REQUIRE(comes_true([&] { return journal_lines(out) >= 8; }));
-  const std::vector<pid_t> workers = children(driver);
-  CHECK(workers.size() == 2);
-  ::kill(driver, SIGKILL);
-  ::waitpid(driver, nullptr, 0);
-  for (const pid_t worker : workers) CHECK(comes_true([&] { return !is_running(worker); }));
-  // And a line that it was about to write.
-  for (const auto& entry : fs::recursive_directory_iterator(out))
-    if (entry.path().extension() == ".journal")
-      std::ofstream(entry.path(), std::ios::app) << "1/2,3,1.0,0";
-
-  const sweep::Progress progress = swept(study, out);
-  CHECK(progress.earlier >= 2);
+  const sweep::Progress progress = swept(study, file);
+  CHECK(progress.earlier >= 8);
   CHECK(progress.complete());
-  CHECK(merged(out).csv == by_hand(study));
+  CHECK(without_header(merged(file)) == by_hand(study));
 }
 
 TEST_CASE("a sweep that is stopped is gone on with", "[sweep]") {
@@ -201,41 +156,35 @@ TEST_CASE("a sweep that is stopped is gone on with", "[sweep]") {
   const sweep::Study study = folder.study(grid_study);
   Watcher watcher;
   watcher.each = [&] { return watcher.asked > 8; };
-  const sweep::Progress progress = sweep::sweep(study, folder / "out", {.jobs = 1}, watcher);
+  const sweep::Progress progress = sweep::sweep(study, folder / "rows.csv", {.jobs = 1}, watcher);
   CHECK_FALSE(progress.complete());
-  CHECK(children().empty());
-  CHECK(swept(study, folder / "out").complete());
-  CHECK(merged(folder / "out").csv == by_hand(study));
+  CHECK(line_count(folder / "rows.csv") == 2 + 2 * progress.done);
+  watcher.each = []() -> bool { throw std::runtime_error("a handler's"); };
+  CHECK_THROWS_WITH(sweep::sweep(study, folder / "rows.csv", {.jobs = 2}, watcher), "a handler's");
+  CHECK(swept(study, folder / "rows.csv").complete());
+  CHECK(without_header(merged(folder / "rows.csv")) == by_hand(study));
 }
 
-TEST_CASE("a point that its workers die of is a row that says so, and the others have answers",
-          "[sweep]") {
+TEST_CASE("a wish to stop is heard while a point takes long", "[sweep]") {
   const StudyFolder folder;
   const fs::path endless = folder.write("endless", "#!/bin/sh\nexec sleep 60\n");
   fs::permissions(endless, fs::perms::owner_all);
   const sweep::Study study = folder.study(
       "scene = \"pad.toml\"\n"
-      "[[axis]]\nkey = \"sensor.depth\"\nvalues = [1, 2]\n"
-      "[[axis]]\nkey = \"reconstruct.methods\"\n"
-      "values = [[\"tikhonov\"], [\"network\"], [\"dft\"]]\n");
-  sweep::Options options{.jobs = 2};
+      "[[axis]]\nkey = \"reconstruct.methods\"\nvalues = [[\"tikhonov\"], [\"network\"]]\n");
+  static volatile std::sig_atomic_t wished = 0;
+  sweep::Options options{.jobs = 1};
   options.simulator.ngspice.program = endless.string();
-  Watcher killer;  // of every worker that is at a network
-  killer.each = [] {
-    for (const pid_t worker : children())
-      if (!children(worker).empty()) ::kill(worker, SIGKILL);
-    return false;
+  options.simulator.ngspice.cancelled = [] { return wished != 0; };
+  Watcher watcher;
+  watcher.each = [&] {
+    if (watcher.asked > 3) wished = 1;
+    return wished != 0;
   };
-  const sweep::Progress progress = sweep::sweep(study, folder / "out", options, killer);
-  CHECK(progress.complete());
-  CHECK(progress.deaths == 2 * sweep::most_deaths);
-  const sweep::Table table = merged(folder / "out");
-  REQUIRE(table.rows.size() == 6);
-  for (const sweep::Row& row : table.rows) {
-    CAPTURE(sweep::csv(row, table.keep));
-    CHECK(row.failure == (row.index % 3 == 1 ? "its worker died, 3 times" : ""));
-  }
-  CHECK(swept(study, folder / "out", options).earlier == 6);
+  const sweep::Progress progress = sweep::sweep(study, folder / "rows.csv", options, watcher);
+  wished = 0;
+  CHECK(progress.done == 1);  // of the one that was ended there is no row
+  CHECK(line_count(folder / "rows.csv") == 3);
 }
 
 TEST_CASE("a simulator that fails is the same row every time, and leaves nothing", "[sweep]") {
@@ -262,8 +211,8 @@ TEST_CASE("scenes that fail are rows, not an end", "[sweep]") {
       "scene = \"pad.toml\"\n"
       "[[axis]]\nkey = \"sensor.depth\"\nvalues = [-1, 1.5, nan]\n"
       "[[axis]]\nkey = \"sensor.count\"\nvalues = [9, 1]\n");
-  CHECK(swept(study, folder / "out").complete());
-  const sweep::Table table = merged(folder / "out");
+  CHECK(swept(study, folder / "rows.csv").complete());
+  const sweep::Table table = merged(folder / "rows.csv");
   std::size_t failed = 0;
   for (const sweep::Row& row : table.rows)
     if (row.verdict == "failed") {
@@ -274,75 +223,27 @@ TEST_CASE("scenes that fail are rows, not an end", "[sweep]") {
   CHECK(table.rows.front().failure == "sensor.depth must be > 0");
   CHECK(failed >= 4);
   CHECK(failed < table.rows.size());
-  CHECK(table.csv == by_hand(study));
+  CHECK(without_header(table) == by_hand(study));
 }
 
-TEST_CASE("a second driver in a shard's folder is told who is there", "[sweep]") {
+TEST_CASE("a study that was changed does not touch the rows that are there", "[sweep]") {
   const StudyFolder folder;
-  const sweep::Study study = folder.study(grid_study);
-  std::string told;
-  Watcher watcher;
-  watcher.each = [&] {
-    try {
-      (void)swept(study, folder / "out");
-    } catch (const frames::CannotCreate& error) {
-      told = error.what();
-    }
-    return true;
-  };
-  (void)sweep::sweep(study, folder / "out", {.jobs = 1}, watcher);
-  CHECK_THAT(told, ContainsSubstring("process " + std::to_string(::getpid())));
+  CHECK(swept(folder.study(grid_study), folder / "rows.csv").complete());
+  const std::string before = test::content(folder / "rows.csv");
+  const sweep::Study other =
+      folder.study(grid_study + "[[axis]]\nkey = \"contact.0.force\"\nvalues = [2]\n");
+  CHECK_THROWS_WITH(swept(other, folder / "rows.csv"), ContainsSubstring("another study"));
+  CHECK(test::content(folder / "rows.csv") == before);
+  // What it is called is not what it computes.
+  CHECK(swept(folder.study("title = \"other\"\n" + grid_study), folder / "rows.csv").earlier == 24);
 }
 
-TEST_CASE("another study's folder is refused, before anything is written", "[sweep]") {
-  const StudyFolder folder;
-  CHECK(swept(folder.study(grid_study), folder / "out").complete());
-  const std::size_t lines = journal_lines(folder / "out");
-  const sweep::Study other = folder.study("title = \"other\"\n" + grid_study +
-                                          "[[axis]]\nkey = \"contact.0.force\"\nvalues = [2]\n");
-  CHECK_THROWS_WITH(swept(other, folder / "out"), ContainsSubstring("another study"));
-  CHECK(journal_lines(folder / "out") == lines);
-}
-
-TEST_CASE("a folder that cannot be made or written to is known at once", "[sweep]") {
-  const StudyFolder folder;
-  const sweep::Study study = folder.study(grid_study);
-  CHECK_THROWS_AS(swept(study, folder / "pad.toml"), frames::CannotCreate);
-  CHECK_THROWS_AS(swept(study, folder / "pad.toml/out"), frames::CannotCreate);
-  CHECK_THROWS_AS(swept(study, "/proc/none"), frames::CannotCreate);
-  if (::geteuid() != 0) {
-    fs::create_directory(folder / "shut");
-    fs::permissions(folder / "shut", fs::perms::owner_read | fs::perms::owner_exec);
-    CHECK_THROWS_AS(swept(study, folder / "shut"), frames::CannotCreate);
-  }
-}
-
-TEST_CASE("a full disk ends the sweep, which goes on when there is room", "[sweep]") {
-  const StudyFolder folder;
-  const sweep::Study study = folder.study(grid_study);
-  rlimit before{};
-  ::getrlimit(RLIMIT_FSIZE, &before);
-  rlimit small = before;
-  small.rlim_cur = 1000;  // a head and a few rows
-  ::setrlimit(RLIMIT_FSIZE, &small);
-  std::string message;
-  try {
-    (void)swept(study, folder / "out", {.jobs = 1});
-  } catch (const std::runtime_error& error) {
-    message = error.what();
-  }
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  CHECK_THAT(message, ContainsSubstring("worker-1.journal could not be written"));
-  CHECK(children().empty());
-  const sweep::Progress progress = swept(study, folder / "out");
-  CHECK(progress.complete());
-  CHECK(merged(folder / "out").csv == by_hand(study));
-}
-
-TEST_CASE("shards are counted from 1", "[sweep]") {
-  CHECK(sweep::shard_in("3/8").number == 3);
-  CHECK(sweep::shard_in("8/8").count == 8);
-  for (const char* wrong : {"0/4", "5/4", "4", "/4", "1/", "1/0", "-1/4", "1/4/2", "a/b", "",
-                            "1.5/4", "1/99999999999999999999999"})
-    CHECK_THROWS_AS(sweep::shard_in(wrong), std::invalid_argument);
+TEST_CASE("a range of points is two numbers, the second left out", "[sweep]") {
+  CHECK(sweep::point_range_in("3:8").first == 3);
+  CHECK(sweep::point_range_in("3:8").end == 8);
+  CHECK(sweep::point_range_in("3:8").has(7));
+  CHECK_FALSE(sweep::point_range_in("3:8").has(8));
+  for (const char* wrong : {"4:4", "5:4", "4", ":4", "1:", "-1:4", "1:4:2", "a:b", "", "1.5:4",
+                            "1:99999999999999999999999"})
+    CHECK_THROWS_AS(sweep::point_range_in(wrong), std::invalid_argument);
 }

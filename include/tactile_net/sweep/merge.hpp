@@ -1,19 +1,34 @@
 /// @file
-/// From journals to a table: nothing missing, in the study's order, with a hash that is the same
-/// whoever computed what.
+/// From files of rows to a table: nothing missing, in the study's order, with a hash that is the
+/// same whoever computed what.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "tactile_net/sweep/journal.hpp"
-#include "tactile_net/sweep/sweep.hpp"
+#include "tactile_net/sweep/rows_file.hpp"
 
 namespace tactile_net::sweep {
+
+/// Points from one up to, but not including, another.
+struct PointRange {
+  std::size_t first = 0;
+  std::size_t end = most_points;  ///< may lie beyond the study's last
+
+  [[nodiscard]] bool has(std::size_t index) const noexcept { return first <= index && index < end; }
+  [[nodiscard]] std::size_t end_in(std::size_t points) const noexcept {
+    return std::min(end, points);
+  }
+};
+
+/// "10:20": ten points. @throw std::invalid_argument  it is no range, or an empty one
+[[nodiscard]] PointRange point_range_in(std::string_view text);
 
 struct Table {
   std::string title{};  ///< of the study
@@ -27,26 +42,20 @@ struct Table {
   std::string sha256{};     ///< of `csv`
 };
 
-/// Points that no journal has.
+/// Points that no file has.
 class MissingPoints : public std::runtime_error {
  public:
-  MissingPoints(std::size_t missing, std::size_t points, std::size_t first);
+  /// @param missing  their indices, rising, at least one
+  MissingPoints(const std::vector<std::size_t>& missing, std::size_t points);
 };
 
-/// @throw MissingPoints  naming how many, and the first
-[[nodiscard]] Table table(const Rows& rows);
+/// @throw MissingPoints  of the range: naming how many, and which
+[[nodiscard]] Table table(const Rows& rows, const PointRange& range = {});
 
-/// The points of one shard alone, which are the table's: others may be missing.
-///
-/// @param folder  of the sweep, with the journals of all its shards
-/// @throw InputError     as `merge`
-/// @throw MissingPoints  as `table`, of the shard's points
-[[nodiscard]] Table shard_table(const Study& study, const std::filesystem::path& folder,
-                                const Shard& shard);
-
-/// All journals of these folders and of the folders in them, of one study.
-/// @throw InputError     there is no journal, or not all are of one study; as `Rows::add`
+/// All files together, of one study.
+/// @throw InputError     there is no file, or not all are of one study; as `Rows::add`
 /// @throw MissingPoints  as `table`
-[[nodiscard]] Table merge(std::span<const std::filesystem::path> folders);
+[[nodiscard]] Table merge(std::span<const std::filesystem::path> files,
+                          const PointRange& range = {});
 
 }  // namespace tactile_net::sweep

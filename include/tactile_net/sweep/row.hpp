@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/lab/observer.hpp"
 #include "tactile_net/simulator/simulator.hpp"
 #include "tactile_net/sweep/study.hpp"
 
@@ -55,10 +56,11 @@ struct Row {
 /// The fields of a line of CSV.
 [[nodiscard]] std::vector<std::string> fields(std::string_view line);
 
-/// What becomes of a point: a row for each method, or one that says why there is none.
-[[nodiscard]] std::vector<Row> solve(const Study& study, std::size_t index, Simulator& simulator);
-
-/// Of a point that there is no answer to. @param why  made printable, on one line
-[[nodiscard]] Row failed_row(const Point& point, std::string_view why);
+/// What becomes of a point: a row for each method, or one that says why there is none. Points may
+/// be solved on several threads at once, each with a simulator of its own.
+///
+/// @param observer  may end it between steps: what is returned then means nothing
+[[nodiscard]] std::vector<Row> solve(const Study& study, std::size_t index, Simulator& simulator,
+                                     lab::Observer& observer = lab::silent);
 
 }  // namespace tactile_net::sweep

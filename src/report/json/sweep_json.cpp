@@ -125,7 +125,8 @@ struct SweepTold {
       field("points_resumed", &SweepTold::points_resumed,
             "Points that an earlier call had done; null: not known, as of merge."),
       field("units", &SweepTold::units, "The answers' units; null: the scene states none."),
-      field("results", &SweepTold::results, "The file of the rows, in the same folder."),
+      field("results", &SweepTold::results,
+            "The file of all rows, which merge writes into its folder."),
       field("methods", &SweepTold::methods, "What the rows of each method come to."),
       field("failures", &SweepTold::failures,
             "Why points or methods have no answer, the most frequent reason first.")};

@@ -14,20 +14,17 @@ namespace tactile_net::tool {
 
 struct SweepOptions {
   std::string study{};
-  std::string folder{};
-  bool force = false;
+  std::string file{};  ///< of rows
   std::string json{};
   std::optional<std::size_t> jobs{};
-  std::string shard = "1/1";
+  std::string points{};  ///< empty: all
   bool allow_outside = false;
-  std::optional<std::size_t> slurm{};
-  std::string time = "1:00:00";
   lab::SimulatorChoice simulator{};
 };
 
 struct MergeOptions {
-  std::vector<std::string> folders{};
-  std::string folder{};  ///< of the results; empty: the first of `folders`
+  std::vector<std::string> files{};
+  std::string folder{};  ///< of the results; empty: none
   bool force = false;
   std::string json{};
 };

@@ -1,0 +1,173 @@
+"""Points of a study, some at a time, on threads of this process or by Dask."""
+
+from __future__ import annotations
+
+import os
+import random
+import tempfile
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from . import _core
+from ._optional import optional
+
+Compute: TypeAlias = "Callable[[Any, list[int]], Any]"
+
+_arrived: dict[str, tuple[tempfile.TemporaryDirectory[str], _core.StudyPoints]] = {}
+_arriving = threading.Lock()
+
+
+patience = 300.0  # [s] without a worker: more may be on their way
+
+
+class _NobodyLeft(Exception):
+    pass
+
+
+class StudyHere:
+    """A study of this process."""
+
+    def __init__(self, points: _core.StudyPoints) -> None:
+        self._points = points
+
+    def points(self) -> _core.StudyPoints:
+        return self._points
+
+
+@dataclass(frozen=True)
+class StudyCopy:
+    """A study that can be sent to other machines: its files by their absolute paths, and what it must be there."""
+
+    path: str
+    files: dict[str, bytes]
+    allow_outside: bool
+    version: str
+    hash: str
+
+    @staticmethod
+    def of(path: str, points: _core.StudyPoints, allow_outside: bool) -> StudyCopy:
+        study = os.path.abspath(path)
+        names = [study, *map(os.path.abspath, (points.scene_file, *points.files))]
+        files = {name: Path(name).read_bytes() for name in names if os.path.isfile(name)}
+        return StudyCopy(study, files, allow_outside, _core.version, points.hash)
+
+    def points(self) -> _core.StudyPoints:
+        """The same study, read from its copy in a temporary folder of this process. Raises RuntimeError if it is another one."""
+        with _arriving:
+            if self.hash not in _arrived:
+                if self.version != _core.version:
+                    raise RuntimeError(
+                        f"a worker has tactile-net {_core.version}, and the sweep {self.version}: install one version everywhere"
+                    )
+                folder = tempfile.TemporaryDirectory(prefix="tactile-net-study-")
+                for name, content in self.files.items():
+                    copy = Path(folder.name + name)
+                    copy.parent.mkdir(parents=True, exist_ok=True)
+                    copy.write_bytes(content)
+                points = _core.StudyPoints(folder.name + self.path, self.allow_outside)
+                if points.hash != self.hash:
+                    raise RuntimeError(
+                        f"{self.path} is another study on a worker: name its scene and files by paths relative to it"
+                    )
+                if len(_arrived) == 8:  # the oldest
+                    del _arrived[next(iter(_arrived))]
+                _arrived[self.hash] = folder, points
+            return _arrived[self.hash][1]
+
+
+def computed(
+    compute: Compute, study: StudyHere | StudyCopy, missing: Sequence[int], client: Any, threads: int | None
+) -> Iterator[tuple[list[int], Any]]:
+    """Some of the points, and what becomes of them, until all have come, in whatever order.
+
+    study: a copy, where there is a client.
+    client: a dask.distributed.Client; None: `threads` of this process, None: one for each processor. Points whose workers die
+    are tried again, at last one at a time. It ends with points missing where that brought none, and where there has been no worker
+    for five minutes.
+    """
+    left = set(missing)
+    count = threads or len(os.sched_getaffinity(0))
+    if client is not None:
+        optional("dask.distributed", "dask")
+        count = max(1, sum(client.nthreads().values()))
+    size = 4 if client is None else 32  # Dask's own cost is small beside so many points of some milliseconds
+    shuffled = random.Random(0).shuffle
+    while left:
+        rising = sorted(left)
+        size = max(1, min(size, len(rising) // (16 * count)))
+        parts = [rising[i : i + size] for i in range(0, len(rising), size)]
+        if len(rising) < len(missing):
+            shuffled(parts)  # so that points that kill, which lie together, do not hide those behind them
+        come = _on_threads(compute, study, parts, count) if client is None else _by_dask(compute, study, parts, client, count)
+        try:
+            for part, found in come:
+                left.difference_update(part)
+                yield part, found
+        except _NobodyLeft:
+            return
+        if len(left) == len(rising):
+            if size == 1:
+                return
+            size = 1
+
+
+def _on_threads(
+    compute: Compute, study: StudyHere | StudyCopy, parts: list[list[int]], threads: int
+) -> Iterator[tuple[list[int], Any]]:
+    rest = iter(parts)
+    running: dict[Any, list[int]] = {}
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            while True:
+                while len(running) < 4 * threads and (part := next(rest, None)) is not None:
+                    running[pool.submit(compute, study, part)] = part
+                if not running:
+                    return
+                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    yield running.pop(future), future.result()
+        finally:
+            for future in running:
+                future.cancel()
+
+
+def _by_dask(
+    compute: Compute, study: StudyHere | StudyCopy, parts: list[list[int]], client: Any, threads: int
+) -> Iterator[tuple[list[int], Any]]:
+    """Without those whose workers died as often as the scheduler allows; ends after eight such in a row.
+
+    Raises _NobodyLeft.
+    """
+    distributed = optional("dask.distributed", "dask")
+    rest = iter(parts)
+    running: dict[Any, list[int]] = {}
+    deaths, alone = 0, 0.0
+    try:
+        while True:
+            while len(running) < 4 * threads and (part := next(rest, None)) is not None:
+                running[client.submit(compute, study, part, pure=False)] = part
+            if not running:
+                return
+            try:
+                done = distributed.wait(list(running), timeout=1.0, return_when="FIRST_COMPLETED").done
+            except TimeoutError:
+                alone = 0.0 if client.nthreads() else alone + 1.0
+                if alone >= patience:
+                    raise _NobodyLeft from None
+                continue
+            for future in done:
+                part = running.pop(future)
+                try:
+                    found = future.result()
+                except distributed.KilledWorker:
+                    deaths += 1
+                    continue
+                deaths = 0
+                yield part, found
+            if deaths >= 8:
+                return
+    finally:
+        client.cancel(list(running))
