@@ -127,7 +127,8 @@ def _on_threads(
                     running[pool.submit(compute, study, part)] = part
                 if not running:
                     return
-                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                done = wait(running, return_when=FIRST_COMPLETED).done
+                for future in [one for one in running if one in done]:
                     yield running.pop(future), future.result()
         finally:
             for future in running:
@@ -158,7 +159,7 @@ def _by_dask(
                 if alone >= patience:
                     raise _NobodyLeft from None
                 continue
-            for future in done:
+            for future in [one for one in running if one in done]:
                 part = running.pop(future)
                 try:
                     found = future.result()
