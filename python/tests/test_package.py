@@ -24,9 +24,9 @@ def test_the_version_stands_once() -> None:
     assert tn.__version__ == importlib.metadata.version("tactile-net") == written[1]
 
 
-def test_numpy_is_all_that_is_needed() -> None:
+def test_numpy_and_a_writer_of_toml_are_all_that_is_needed() -> None:
     asked = importlib.metadata.requires("tactile-net") or []
-    assert [one for one in asked if "extra ==" not in one] == ["numpy>=1.26"]
+    assert [one for one in asked if "extra ==" not in one] == ["numpy>=1.26", "tomli-w>=1.0"]
     script = "import sys, tactile_net; print(*sorted({m.partition('.')[0] for m in sys.modules} & set(sys.argv[1:])))"
     others = ["matplotlib", "mujoco", "pandas", "xarray", "tqdm", "h5py", "pyarrow", "mcap", "rosbags"]
     done = subprocess.run([sys.executable, "-c", script, *others], capture_output=True, text=True, check=True)
