@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from . import _core, _html
 from ._arrays import Floats
 from ._documents import Document, PagedDocument
+from ._exchange import Exchanged
+from ._optional import optional
 from ._progress import Progress, listening
 
 if TYPE_CHECKING:
@@ -15,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["Certification", "Relaxation", "Survey"]
 
 
-class Survey(PagedDocument):
+class Survey(PagedDocument, Exchanged):
     """What a scene's sensors can tell, beside what others in their place could. Made by `Scene.identify`.
 
     Of skins `normal` and `tangential` are of waves of every direction, along each axis and all between.
@@ -61,6 +65,37 @@ class Survey(PagedDocument):
     def shares(self) -> list[dict[str, str]]:
         """How many times its noise each quantity at each depth reads of one wave, of skins an oblique one, a row each."""
         return _by_column(self._shares)
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset: `deviation` of a ripple over (wave, traction), whose `wavenumber` is over (wave, axis) and
+        `wavelength` over wave (inf: the mean); `share` over (reading, traction), with `quantity` and `depth`; `shortest`
+        over traction, the `wavelengths`. nan: not seen, or not solved for."""
+        xarray = optional("xarray", "tables")
+        told = self.to_dict()
+        waves, readings = told["waves"], told["wave"]["readings"]
+        parts = ["pressure", "drag_along", "drag_across"]
+        deviation = np.array([[one["deviation"][part] for part in parts] for one in waves], dtype=float)
+        share = np.array([[one[part] for part in parts] for one in readings], dtype=float)
+        shortest = [self.wavelengths.get("normal" if part == "pressure" else part) for part in parts]
+        return xarray.Dataset(
+            {
+                "deviation": (("wave", "traction"), deviation.reshape(-1, 3)),
+                "share": (("reading", "traction"), share.reshape(-1, 3)),
+                "shortest": ("traction", np.array(shortest, dtype=float)),
+            },
+            {
+                "traction": parts,
+                "axis": ["y", "z"],
+                "wavenumber": (
+                    ("wave", "axis"),
+                    np.array([one["wavenumber"] for one in waves], dtype=float).reshape(-1, 2),
+                ),
+                "wavelength": ("wave", [np.inf if one["wavelength"] is None else one["wavelength"] for one in waves]),
+                "quantity": ("reading", [one["quantity"] for one in readings]),
+                "depth": ("reading", [one["depth"] for one in readings]),
+            },
+            {"scene": self.scene.text, "verdict": str(self), "noise": told["noise"], "traction": told["traction"]},
+        )
 
     def __str__(self) -> str:
         return "\n".join(self.words)
@@ -109,7 +144,7 @@ class Certification(PagedDocument):
         return _html.preformatted(self._text)
 
 
-class Relaxation(Document):
+class Relaxation(Document, Exchanged):
     """What ngspice made of a scene's circuit, beside the direct solve. Made by `Scene.relax`."""
 
     scene: Scene
@@ -137,6 +172,17 @@ class Relaxation(Document):
         self.tractions = core.tractions().reshape(-1, *filter(None, (len(self.y), len(self.z))))
         self._text = core.text()
         self._json = core.json()
+
+    def to_xarray(self) -> Any:
+        """An xarray.Dataset: `tractions` over (component, y), of skins (component, y, z), and `voltages` over node."""
+        xarray = optional("xarray", "tables")
+        at = {"y": self.y} | ({"z": self.z} if len(self.z) > 0 else {})
+        components = list(self.scene._components[: len(self.tractions)])
+        return xarray.Dataset(
+            {"tractions": (("component", *at), self.tractions), "voltages": ("node", self.voltages)},
+            {"component": components} | at,
+            {"scene": self.scene.text, "realization": self.realization, "difference": self.difference},
+        )
 
     def __str__(self) -> str:
         return self._text

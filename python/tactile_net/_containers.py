@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core
-from ._layout import READINGS, Layout
+from ._layout import Layout
 from ._refusal import counted, cut_off, refused
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def beside(named: dict[str, Any], name: str) -> str | None:
 # .npz
 
 
-def write_npz(path: str, layout: Layout, name: str) -> None:
+def write_npz(path: str, layout: Layout) -> None:
     held: dict[str, Any] = {"attributes": np.array(json.dumps(layout.attributes)), **layout.arrays}
     with open(path, "wb") as file:
         np.savez(file, **held)
@@ -94,7 +94,7 @@ def _words(error: Exception) -> str:
 # .npy: one array, of readings.
 
 
-def write_npy(path: str, layout: Layout, name: str) -> None:
+def write_npy(path: str, layout: Layout) -> None:
     with open(path, "wb") as file:
         np.save(file, layout.arrays["readings"], allow_pickle=False)
 
@@ -130,12 +130,10 @@ def read_npy(path: str, name: str | None) -> Layout:
 
 def write_csv(path: str, layout: Layout, scene: Scene) -> None:
     """Columns are named as the library's reader of files knows them, only if it would take these very numbers."""
-    if layout.attributes["format"] != READINGS:
-        raise ValueError("a CSV holds readings and no solution: .npz, .h5 and .parquet hold both")
     frames = len(layout.arrays["readings"])
     attributes = layout.attributes | {"frames": str(frames)}
     suffix = "" if takes_si(scene) else "_in_si"
-    columns = [(f"{name}{suffix}", values) for name, values in _columns(layout, scene)]
+    columns = [(f"{name}{suffix}", values) for name, values in columns_of(layout, scene)]
     with open(path, "w", encoding="utf-8", newline="\n") as file:
         file.write(f"{CSV_MARK}{json.dumps(attributes)}\n{','.join(name for name, _ in columns)}\n")
         for row in zip(*(values.tolist() for _, values in columns)):
@@ -148,7 +146,8 @@ def takes_si(scene: Scene) -> bool:
     return "calibration" not in scene.to_dict() and bool((scene.raw_numbers(one) == one).all())
 
 
-def _columns(layout: Layout, scene: Scene) -> Iterable[tuple[str, NDArray[Any]]]:
+def columns_of(layout: Layout, scene: Scene) -> Iterable[tuple[str, NDArray[Any]]]:
+    """Of a table with a frame a row: t, every reading, every component of the truth."""
     arrays = layout.arrays
     if "t" in arrays:
         yield "t", arrays["t"]
@@ -177,6 +176,11 @@ def read_own_csv(path: str) -> Layout:
         notes.append(cut_off(path, len(table), f"line {cut[0]}, which is not whole: {cut[1]}"))
     elif len(table) != frames:
         notes.append(cut_off(path, len(table), f"the end of the file; it was of {counted(frames, 'frame')}"))
+    return layout_from(names, table, attributes, notes)
+
+
+def layout_from(names: list[str], table: NDArray[Any], attributes: dict[str, str], notes: list[str]) -> Layout:
+    """Of the columns that `columns_of` made."""
     arrays: dict[str, NDArray[Any]] = {}
     components = [found for start in _TRUTHS if (found := _of(names, start))]
     if components:

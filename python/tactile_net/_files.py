@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from ._recording import Recording, Solution
     from ._scene import Scene
 
-_SUFFIXES = (".npy", ".npz", ".csv", ".h5", ".hdf5", ".parquet", ".mcap")
+_SUFFIXES = (".npy", ".npz", ".csv", ".nc", ".h5", ".hdf5", ".zarr", ".parquet", ".mcap")
 _STRANGERS = {
     b"\x80": "is a Python pickle, which can run anything when it is loaded",
     b"\x1f\x8b": "is compressed by gzip: gunzip it",
@@ -37,7 +37,8 @@ def load(
     name: str | None = None,
     missing: bool = True,
 ) -> Recording:
-    """A recording from .npy, .npz, CSV, HDF5, Parquet, MCAP or a ROS bag: known by content, not by name.
+    """A recording from .npy, .npz, CSV, netCDF-4 or any HDF5, Zarr, Parquet, MCAP or a ROS bag: known by content, not by
+    name.
 
     scene: of a file that says none, or in place of the one inside.
     units: of a file that says none: "kPa", {"stress_x": "kPa", "strain_x": "1"}, or "scene": as the scene says of its
@@ -72,9 +73,11 @@ def load_solution(path: str | PathLike[str], name: str | None) -> Solution:
         return solution_in(layout, judged(layout, where, None, None, True), where)
 
 
-def save(what: Recording | Solution, path: str | PathLike[str], name: str, dtype: DTypeLike, append: bool) -> None:
+def save(
+    what: Recording | Solution, path: str | PathLike[str], name: str | None, dtype: DTypeLike, append: bool
+) -> None:
     from . import _containers as plain
-    from . import _hdf5, _parquet
+    from . import _exchange
     from ._judge import rising
     from ._layout import layout_of
 
@@ -84,37 +87,53 @@ def save(what: Recording | Solution, path: str | PathLike[str], name: str, dtype
         raise ValueError(
             f"{where}: a recording is saved as {', '.join(_SUFFIXES)}, not as {suffix or 'a name without'}"
         )
-    if append and suffix not in (".h5", ".hdf5"):
-        raise ValueError(f"{where}: only HDF5 holds several recordings, so that append=True needs .h5")
-    if not name.isidentifier():
+    grouped = suffix in _exchange.HDF5 + _exchange.ZARR
+    if append and not grouped:
+        raise ValueError(
+            f"{where}: only netCDF-4 and Zarr hold several recordings: append=True needs .nc, .h5 or .zarr"
+        )
+    if name is not None and not name.isidentifier():
         raise ValueError(f"{where}: name must be letters, digits and _ (got {name!r})")
     if suffix == ".mcap":
         from . import logs
 
-        logs.write(where, what, topic=f"/{name}", dtype=dtype)
+        logs.write(where, what, topic=f"/{name or 'pad'}", dtype=dtype)
         return
-    layout = layout_of(what, dtype)
     if what.t is not None:
         rising(where, what.t)
+    if grouped:
+        _exchange.write(where, _exchange.dataset_of(what._layout(dtype), what.scene), name, append)
+        return
+    layout = layout_of(what, dtype)
+    if suffix in (".csv", ".parquet"):
+        refuse_solution(what, where, suffix)
     if suffix == ".npy":
         refuse_as_npy(what, where)
-    writers: dict[str, Callable[[str, Layout, str], None]] = {
-        ".npy": plain.write_npy,
-        ".npz": plain.write_npz,
-        ".csv": lambda to, layout, _: plain.write_csv(to, layout, what.scene),
-        ".parquet": _parquet.write,
+    writers: dict[str, Callable[[str], None]] = {
+        ".npy": lambda to: plain.write_npy(to, layout),
+        ".npz": lambda to: plain.write_npz(to, layout),
+        ".csv": lambda to: plain.write_csv(to, layout, what.scene),
+        ".parquet": lambda to: _exchange.write_parquet(to, layout, what.scene),
     }
-    with whole(where, append) as to:
-        writers.get(suffix, _hdf5.write)(to, layout, name)
+    with whole(where) as to:
+        writers[suffix](to)
+
+
+def refuse_solution(what: Recording | Solution, where: str, suffix: str) -> None:
+    from ._recording import Recording
+
+    if not isinstance(what, Recording):
+        raise ValueError(
+            f"{where}: a {suffix} holds readings and no solution: .npz, .nc and .zarr hold both; "
+            "solution.to_dataframe() is a table of its forces"
+        )
 
 
 def refuse_as_npy(what: Recording | Solution, where: str) -> None:
     """A .npy is an array and nothing else: who reads it takes its numbers as the scene's files of readings."""
     from ._containers import takes_si
-    from ._recording import Recording
 
-    if not isinstance(what, Recording):
-        raise ValueError(f"{where}: a .npy holds readings and no solution: .npz, .h5 and .parquet hold both")
+    refuse_solution(what, where, ".npy")
     if not takes_si(what.scene):
         raise ValueError(
             f"{where}: a .npy says no units, and files of readings of this scene have its own: save .npz, or "
@@ -124,18 +143,24 @@ def refuse_as_npy(what: Recording | Solution, where: str) -> None:
 
 @contextlib.contextmanager
 def whole(path: str, append: bool = False) -> Iterator[str]:
-    """A file beside it to write to, which takes its place when all is written."""
-    beside = f"{path}.{os.getpid()}.part"
+    """A file or folder beside it to write to, which takes its place when all is written."""
+    import shutil
+
+    beside, before = (f"{path}.{os.getpid()}.{suffix}" for suffix in ("part", "before"))
     try:
         if append and os.path.exists(path):
-            import shutil
-
-            shutil.copyfile(path, beside)
+            (shutil.copytree if os.path.isdir(path) else shutil.copyfile)(path, beside)
         yield beside
+        if os.path.isdir(path) and os.path.isdir(beside):  # no folder takes the place of a full one
+            os.rename(path, before)
         os.replace(beside, path)
     finally:
-        with contextlib.suppress(FileNotFoundError):
-            os.unlink(beside)
+        if os.path.exists(before) and not os.path.exists(path):
+            os.rename(before, path)
+        for left in (beside, before):
+            shutil.rmtree(left, ignore_errors=True)
+            with contextlib.suppress(OSError):
+                os.unlink(left)
 
 
 def _start(where: str) -> bytes:
@@ -147,21 +172,25 @@ def _start(where: str) -> bytes:
 
 
 def _is_log(where: str) -> bool:
-    """A folder is one of ROS 2's bags."""
+    """A folder that is no Zarr is one of ROS 2's bags."""
+    from ._exchange import is_zarr
+
     marks = (b"\x89MCAP0\r\n", b"#ROSBAG V", b"SQLite format 3")
-    return os.path.isdir(where) or _start(where).startswith(marks)
+    return not is_zarr(where) if os.path.isdir(where) else _start(where).startswith(marks)
 
 
 def _read(where: str, name: str | None) -> Layout | None:
     """None: a CSV that is not of this package."""
     from . import _containers as plain
-    from . import _hdf5, _parquet
+    from . import _exchange
 
+    if os.path.isdir(where):
+        return _exchange.read(where, name)
     readers: dict[bytes, Callable[[str, str | None], Layout]] = {
         b"\x93NUMPY": plain.read_npy,
         b"PK": plain.read_npz,
-        b"\x89HDF\r\n\x1a\n": _hdf5.read,
-        b"PAR1": _parquet.read,
+        b"\x89HDF\r\n\x1a\n": _exchange.read,
+        b"PAR1": _exchange.read_parquet,
     }
     start = _start(where)
     for mark, read in readers.items():

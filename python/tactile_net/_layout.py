@@ -2,7 +2,7 @@
 
 readings (T, C, N), of skins (T, rows, columns, C), of uneven arrays (T, R); t (T) [s], where times are known; channels (C)
 and y (N), of skins z too, of uneven arrays of each reading; truth (T, U, M), of skins (T, 3, rows, columns); of a solution
-tractions of that shape, alpha, verdict and data (T), of skins also what each frame amounts to.
+tractions of that shape, alpha, verdict and data (T), of skins also deviation and what each frame amounts to.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ import numpy as np
 
 from ._recording import Recording, Solution
 from ._refusal import refused
-from ._skin_solution import SkinSolution
+from ._skin_solution import EARLIER, SkinSolution
 
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike, NDArray
@@ -34,8 +34,16 @@ READINGS, TRACTIONS = "tactile_net.readings", "tactile_net.tractions"
 VERSION = 1
 SIGNS = "compression is positive, and drag along +y; frames, channels, taxels"
 SKIN_SIGNS = "compression is positive, drags along +y and +z; frames, rows, columns, channels"
-OF_SKINS = ("deviation", "wrench", "covariance", "ellipse", "touching", "contacts")
-OF_FRAMES = ("t", "readings", "truth", "tractions", "alpha", "verdict", "data", *OF_SKINS)
+OF_SKINS = (
+    "wrench",
+    "wrench_deviation",
+    "wrench_covariance",
+    "ellipse",
+    "ellipse_deviation",
+    "touching",
+    "contacts",
+)
+OF_FRAMES = ("t", "readings", "truth", "tractions", "deviation", "alpha", "verdict", "data", *OF_SKINS)
 """Arrays with a row for each frame."""
 
 
@@ -100,7 +108,7 @@ def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layo
             "share_alpha": json.dumps(what._share_alpha),
             "solution_notes": json.dumps(what.notes),
         }
-    held = {name: _as(dtype, name, values) for name, values in arrays.items() if values is not None}
+    held = {name: as_dtype(dtype, name, values) for name, values in arrays.items() if values is not None}
     if recording.t is not None:
         held["t"] = recording.t
     held["channels"] = np.array(scene.channels if even else scene.reading_names)
@@ -110,9 +118,11 @@ def layout_of(what: Recording | Solution, dtype: DTypeLike = np.float64) -> Layo
     return Layout(held, attributes)
 
 
-def _as(dtype: DTypeLike, name: str, values: NDArray[Any]) -> NDArray[Any]:
+def as_dtype(dtype: DTypeLike, name: str, values: NDArray[Any]) -> NDArray[Any]:
     if np.dtype(dtype) not in (np.float32, np.float64):
         raise ValueError(f"dtype must be float64 or float32 (got {np.dtype(dtype)})")
+    if values.dtype.kind != "f":
+        return values
     with np.errstate(over="ignore"):
         held = values.astype(dtype)
     if np.isinf(held).sum() != np.isinf(values).sum():
@@ -180,7 +190,11 @@ def solution_in(layout: Layout, recording: Recording, where: str) -> Solution:
         method=attributes["method"],
         _missing=attributes["missing"],
         _share_alpha=json.loads(attributes["share_alpha"]),
-        held={name: np.asarray(arrays[name], dtype=np.float64) for name in OF_FRAMES if name in arrays.keys() - _TEXTS},
+        held={
+            name: np.asarray(arrays[name], dtype=np.float64)
+            for name in (*OF_FRAMES, EARLIER)
+            if name in arrays.keys() - _TEXTS
+        },
         verdict=np.asarray(arrays["verdict"], dtype=np.str_),
         data=np.asarray(arrays["data"], dtype=np.str_),
         notes=tuple(json.loads(attributes["solution_notes"])),

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import DTypeLike, NDArray
 
     from ._check import ReadingsCheck
+    from ._layout import Layout
     from ._scene import Scene
 
 __all__ = ["Recording", "Solution"]
@@ -64,12 +65,14 @@ class Recording:
         return self.scene.check(self, **options)
 
     def save(
-        self, path: str | PathLike[str], *, name: str = "pad", dtype: DTypeLike = np.float64, append: bool = False
+        self, path: str | PathLike[str], *, name: str | None = None, dtype: DTypeLike = np.float64, append: bool = False
     ) -> None:
-        """A file that `tactile_net.load` reads: .npz, .csv, .h5, .parquet, .mcap; .npy of the readings alone.
+        """A file that `tactile_net.load` reads: .npz, .csv, .nc or .h5 (netCDF-4), .zarr, .parquet, .mcap; .npy of the
+        readings alone.
 
         All but .npy hold the scene, units, times and the truth. The file is whole or not there.
-        name: of the group in HDF5, the column in Parquet, the topic in MCAP. append: to an HDF5 file that holds others.
+        name: of the group in netCDF-4 and Zarr (None: the root), the topic in MCAP (None: "pad"). append: to a file of
+        netCDF-4 or a Zarr that holds others.
         dtype: "float32" takes half the space, of numbers up to 3e38.
         Raises ValueError where the container cannot hold the recording, or its times go back.
         """
@@ -77,39 +80,28 @@ class Recording:
 
         _files.save(self, path, name, dtype, append)
 
+    def _layout(self, dtype: DTypeLike = np.float64) -> Layout:
+        from ._layout import layout_of
+
+        return layout_of(self, dtype)
+
     def to_xarray(self) -> Any:
         """An xarray.Dataset: `readings` over (t, channel, taxel), `truth` over (t, component, y); of skins `readings`
         over (t, row, column, channel), `truth` over (t, component, y, z).
 
-        Without times t counts the frames.
+        Without times t counts the frames. Attributes are text: the scene, units, notes.
         """
-        from ._layout import layout_of
+        from ._exchange import dataset_of
 
-        xarray = optional("xarray", "tables")
-        scene = self.scene
-        t = np.arange(len(self), dtype=float) if self.t is None else self.t
-        dims, coordinates = scene._dims
-        coordinates = {"t": ("t", t, {"units": "frame" if self.t is None else "s"})} | coordinates
-        variables: dict[str, Any] = {"readings": (("t", *dims), self.readings)}
-        if self.truth is not None:
-            places, at = scene._surface
-            variables["truth"] = (("t", "component", *places), self.truth)
-            coordinates |= {"component": list(scene._components[: self.truth.shape[1]])} | at
-        return xarray.Dataset(variables, coordinates, layout_of(self).attributes)
+        return dataset_of(self._layout(), self.scene)
 
     @classmethod
     def from_xarray(cls, dataset: Any, *, scene: Scene | None = None, units: Any = None) -> Recording:
         """The recording of a Dataset as `to_xarray` makes it; scene, units: of another's, as of `tactile_net.load`."""
+        from ._exchange import layout_in
         from ._judge import judged
-        from ._layout import Layout
 
-        attributes = {key: str(value) for key, value in dataset.attrs.items()}
-        order = ("t", "row", "column", "channel", "taxel", "reading", "component", "y", "z")
-        held = dataset.transpose(*order, missing_dims="ignore")
-        arrays = {key: held[key].values for key in ("readings", "truth") if key in dataset}
-        if "t" in dataset.coords and dataset["t"].attrs.get("units") != "frame":
-            arrays["t"] = dataset["t"].values
-        return judged(Layout(arrays, attributes), "dataset", scene, units, True)
+        return judged(layout_in(dataset), "dataset", scene, units, True)
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame, a frame a row, a reading a column, over t."""
@@ -183,9 +175,10 @@ class Solution(Document):
         return solution
 
     def save(
-        self, path: str | PathLike[str], *, name: str = "pad", dtype: DTypeLike = np.float64, append: bool = False
+        self, path: str | PathLike[str], *, name: str | None = None, dtype: DTypeLike = np.float64, append: bool = False
     ) -> None:
-        """As `Recording.save`, with tractions, verdicts and alpha beside the recording: .npz, .h5, .parquet.
+        """As `Recording.save`, with tractions, verdicts and alpha beside the recording: .npz, .nc or .h5, .zarr; the
+        latter hold deviations too.
 
         .mcap is for viewers: tractions and force are topics beside that of the readings.
         """
@@ -301,15 +294,32 @@ class Solution(Document):
         return f"{fspath(folder)}/report.html"
 
     def to_xarray(self) -> Any:
-        """The recording's Dataset with `tractions`, `deviation`, `verdict` and `alpha`."""
-        dataset = self.recording.to_xarray()
-        dims = ("t", "component", "y")
-        components = list(self.scene._components[: self.tractions.shape[1]])
-        dataset = dataset.assign_coords(y=self.y, component=components)
-        dataset["tractions"] = (dims, self.tractions)
-        if self.has_bands:
-            dataset["deviation"] = (dims, self.deviation)
-        return dataset.assign(verdict=("t", self.verdict), alpha=("t", self.alpha))
+        """The recording's Dataset with `tractions` and, where the method knows it, `deviation` over (t, component, y);
+        `verdict`, `data` and `alpha` over t. Where a component was not solved for it is nan."""
+        from ._exchange import dataset_of
+
+        return dataset_of(self._layout(), self.scene)
+
+    @classmethod
+    def from_xarray(cls, dataset: Any) -> Solution:
+        """The solution of a Dataset as `to_xarray` makes it, without solving again. Raises InputError where it is of a
+        recording."""
+        from ._exchange import layout_in
+        from ._judge import as_it_says, judged
+        from ._layout import solution_in
+
+        layout = layout_in(dataset)
+        with as_it_says("dataset"):
+            return solution_in(layout, judged(layout, "dataset", None, None, True), "dataset")
+
+    def _layout(self, dtype: DTypeLike = np.float64) -> Layout:
+        """With the deviation."""
+        from ._layout import as_dtype, layout_of
+
+        layout = layout_of(self, dtype)
+        if self.has_bands and "deviation" not in layout.arrays:
+            layout.arrays["deviation"] = as_dtype(dtype, "deviation", self.deviation)
+        return layout
 
     def to_dataframe(self) -> Any:
         """A frame a row: forces, centre, their deviations, alpha, verdicts; over t."""

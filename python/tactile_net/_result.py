@@ -11,6 +11,7 @@ from . import _core, _html
 from ._arrays import Floats
 from ._told import ContactPatch, patches
 from ._documents import PagedDocument
+from ._exchange import Exchanged
 from ._optional import optional
 from ._progress import Progress, listening
 
@@ -68,7 +69,7 @@ class MethodResult:
         return self.tractions[1] if self.tractions is not None and len(self.tractions) > 1 else None
 
 
-class Result(PagedDocument):
+class Result(PagedDocument, Exchanged):
     """Every method's answer beside the truth. `result["tikhonov"]` is one of them."""
 
     scene: Scene

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 __all__ = ["COMPONENTS", "SkinSolution"]
 
 COMPONENTS = ("normal", "tangential_y", "tangential_z")
-_WRENCH = ("normal", "tangential_y", "tangential_z", "centre_y", "centre_z", "torsion", "friction")
+EARLIER = "covariance"
+"""What the library, and files of earlier versions, call `wrench_covariance`; there values and deviations stand side by side."""
 
 
 class SkinSolution(Solution):
@@ -57,7 +58,7 @@ class SkinSolution(Solution):
         self._deviation = found["deviation"].reshape(frames, components, *places)
         self.touching = found["touching"].reshape(frames, *places) != 0.0
         self._wrench = found["wrench"]  # seven values, each with its deviation behind it
-        self.wrench_covariance = found["covariance"].reshape(frames, 6, 6)
+        self.wrench_covariance = found[EARLIER].reshape(frames, 6, 6)
         """(T, 6, 6): of the first six numbers of `wrench`; 0 where one is not known."""
         self._ellipse = found["ellipse"]
         self.verdict = np.array(found["verdict"], dtype=np.str_)
@@ -68,18 +69,21 @@ class SkinSolution(Solution):
     def _held(self) -> dict[str, Floats]:
         return super()._held() | {
             "deviation": self._deviation,
-            "wrench": self._wrench,
-            "covariance": self.wrench_covariance,
-            "ellipse": self._ellipse,
-            "touching": self.touching.astype(np.float64),
-            "contacts": self.contacts.astype(np.float64),
+            "wrench": self.wrench,
+            "wrench_deviation": self.wrench_deviation,
+            "wrench_covariance": self.wrench_covariance,
+            "ellipse": self.ellipse,
+            "ellipse_deviation": self.ellipse_deviation,
+            "touching": self.touching,
+            "contacts": self.contacts,
         }
 
     @classmethod
     def _restored(cls, held: dict[str, Floats], **state: Any) -> SkinSolution:
         solution = cls.__new__(cls)
         solution.__dict__.update(state, _skin_core=None)
-        solution._take(held | {"verdict": state["verdict"], "data": state["data"]})
+        known = held if EARLIER in held else _side_by_side(held)  # else a file of an earlier version
+        solution._take(known | {"verdict": state["verdict"], "data": state["data"]})
         return solution
 
     def _solved_skin(self, progress: Progress = False) -> _core.SolvedSkin:
@@ -217,21 +221,8 @@ class SkinSolution(Solution):
 
     def to_xarray(self) -> Any:
         """The recording's Dataset with `tractions` and `deviation` over (t, component, y, z), `touching`, `wrench`,
-        `wrench_deviation`, `verdict` and `alpha`."""
-        dataset = self.recording.to_xarray()
-        components = list(COMPONENTS[: self.tractions.shape[1]])
-        dataset = dataset.assign_coords(y=self.y, z=self.z)
-        if "component" in dataset.coords and dataset.sizes["component"] != len(components):
-            dataset = dataset.sel(component=components)  # the truth has three, where p alone was solved for
-        dataset = dataset.assign_coords(component=components, of=list(_WRENCH))
-        fields = {"tractions": self.tractions, "deviation": self.deviation}
-        dataset = dataset.assign({name: (("t", "component", "y", "z"), values) for name, values in fields.items()})
-        dataset = dataset.assign(
-            touching=(("t", "y", "z"), self.touching),
-            wrench=(("t", "of"), self.wrench),
-            wrench_deviation=(("t", "of"), self.wrench_deviation),
-        )
-        return dataset.assign(verdict=("t", self.verdict), alpha=("t", self.alpha))
+        `wrench_deviation`, `wrench_covariance`, `ellipse`, `ellipse_deviation`, `contacts`, `verdict`, `data` and `alpha`."""
+        return super().to_xarray()
 
     def to_dataframe(self) -> Any:
         """A frame a row, as `solve --uncertainty` writes it: forces, centre, torsion, friction, angle and slip margin,
@@ -250,3 +241,12 @@ class SkinSolution(Solution):
         if len(self) == 0:
             return _html.paragraphs([repr(self)[1:-1] + "."])
         return _html.page(self._page)
+
+
+def _side_by_side(held: dict[str, Floats]) -> dict[str, Floats]:
+    """With each value beside its deviation, as the library gives them."""
+    together = {
+        name: np.stack([held[name], held[f"{name}_deviation"]], axis=-1).reshape(len(held[name]), -1)
+        for name in ("wrench", "ellipse")
+    }
+    return held | together | {EARLIER: held["wrench_covariance"]}

@@ -18,6 +18,7 @@ from recordings import DEAD, READINGS, SI, SMALL, UNITLESS, npy, npy_bytes, npz,
 import tactile_net as tn
 
 h5py = pytest.importorskip("h5py")
+pytest.importorskip("h5netcdf")
 pyarrow = pytest.importorskip("pyarrow")
 parquet = pytest.importorskip("pyarrow.parquet")
 
