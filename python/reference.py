@@ -22,7 +22,9 @@ what the words of a scene mean: [scene.md](scene.md), [skins.md](skins.md).
 
 
 def module(name: str) -> ast.Module:
-    return ast.parse((package / f"{name}.py").read_text(encoding="utf-8"))
+    folder = package.parent / name  # of a part that a wheel may lack
+    file = folder / "__init__.py" if name in ("logs", "mujoco") else package / f"{name}.py"
+    return ast.parse(file.read_text(encoding="utf-8"))
 
 
 def exports(tree: ast.Module) -> list[str]:

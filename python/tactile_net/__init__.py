@@ -7,13 +7,17 @@ docs/python.md has it all; docs/scene.md says what a scene is. All numbers are i
 else in those of the scene; arrays are float64.
 """
 
-from . import datasets, errors, logs, mujoco, plot
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any
+
+from . import datasets, errors, plot
 from ._calibration import Calibration, FittedValue, NextPress, calibrate
 from ._check import Finding, ReadingsCheck
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
+from ._optional import part
 from ._recording import Recording, Solution
 from ._report import Report, report
 from ._result import MethodResult, Result, run
@@ -43,6 +47,9 @@ from ._tables import (
 )
 from ._told import ContactPatch, Key, Told, Uncertain, keys
 from .errors import CutOffWarning, Diagnostic, FrameError, InputError, SimulatorError, UnsolvableError
+
+if TYPE_CHECKING:
+    from . import logs, mujoco
 
 __all__ = [
     "Calibration",
@@ -110,3 +117,19 @@ __all__ = [
     "run",
     "sweep",
 ]
+
+_PARTS = ("logs", "mujoco")
+"""Which a wheel may be built without (python/logs, python/mujoco)."""
+for _part in _PARTS:
+    if find_spec(f"{__name__}.{_part}") is None:
+        __all__.remove(_part)
+
+
+def __getattr__(name: str) -> Any:
+    """A part, when it is first asked for."""
+    if name not in _PARTS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    try:
+        return part(name)
+    except ImportError as error:
+        raise AttributeError(str(error)) from error

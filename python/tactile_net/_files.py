@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from os import PathLike, fspath
 from typing import TYPE_CHECKING
 
+from ._optional import part
 from ._refusal import refused
 
 if TYPE_CHECKING:
@@ -51,9 +52,8 @@ def load(
 
     where = fspath(path)
     if _is_log(where):
-        from . import logs
-
-        return logs.read(where, topic=name, scene=scene, units=units, missing=missing)
+        recording: Recording = part("logs").read(where, topic=name, scene=scene, units=units, missing=missing)
+        return recording
     with as_it_says(where):
         layout = _read(where, name)
     if layout is None:
@@ -95,9 +95,7 @@ def save(
     if name is not None and not name.isidentifier():
         raise ValueError(f"{where}: name must be letters, digits and _ (got {name!r})")
     if suffix == ".mcap":
-        from . import logs
-
-        logs.write(where, what, topic=f"/{name or 'pad'}", dtype=dtype)
+        part("logs").write(where, what, topic=f"/{name or 'pad'}", dtype=dtype)
         return
     if what.t is not None:
         rising(where, what.t)

@@ -34,10 +34,20 @@ settings.load_profile("suite")
 LONG = re.compile(r"\b(board|ladder|large|everything)\.toml|skin-pad-uneven")
 
 
+# Of parts that a wheel may lack, with packages of their own.
+PARTS = {
+    "logs": re.compile(r"test_(skin_)?logs\.py|\[logs\.md\]|robot_log|\bmcap\b"),
+    "mujoco": re.compile(r"test_mujoco|\[mujoco\.md\]|_mujoco_"),
+}
+
+
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if LONG.search(item.nodeid):
             item.add_marker(pytest.mark.long)
+        for part, names in PARTS.items():
+            if names.search(item.nodeid):
+                item.add_marker(part)
 
 
 def pytest_configure() -> None:

@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -44,7 +45,9 @@ def test_examples_and_package_are_typed(tmp_path: Path) -> None:
     wrong = tmp_path / "wrong.py"
     wrong.write_text("import tactile_net as tn\ntn.Scene.load(3)\ntn.Plan.lode('x')\n")
     check = [sys.executable, "-m", "mypy", "--strict", "--no-error-summary", f"--cache-dir={tmp_path}/cache"]
-    for what in ([*map(str, EXAMPLES)], ["--package", "tactile_net"]):
+    there = [str(one) for one in EXAMPLES if find_spec("mujoco") or "\nimport mujoco" not in one.read_text()]
+    assert len(there) >= 9
+    for what in (there, ["--package", "tactile_net"]):
         done = subprocess.run([*check, *what], cwd=tmp_path, capture_output=True, text=True, timeout=300)
         assert done.returncode == 0, done.stdout
     done = subprocess.run([*check, str(wrong)], cwd=tmp_path, capture_output=True, text=True, timeout=300)

@@ -274,8 +274,6 @@ STARTS = [
     b"\x89HDF\r\n\x1a\n",
     b"PAR1",
     b"# tactile_net ",
-    b"\x89MCAP0\r\n",
-    b"#ROSBAG V2.0\n",
 ]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import importlib.metadata
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -28,7 +29,7 @@ def test_numpy_and_a_writer_of_toml_are_all_that_is_needed() -> None:
     asked = importlib.metadata.requires("tactile-net") or []
     assert [one for one in asked if "extra ==" not in one] == ["numpy>=1.26", "tomli-w>=1.0"]
     script = "import sys, tactile_net; print(*sorted({m.partition('.')[0] for m in sys.modules} & set(sys.argv[1:])))"
-    others = ["matplotlib", "mujoco", "pandas", "xarray", "tqdm", "h5py", "pyarrow", "mcap", "rosbags"]
+    others = ["matplotlib", "mujoco", "pandas", "xarray", "tqdm", "h5netcdf", "zarr", "pyarrow", "mcap", "rosbags"]
     done = subprocess.run([sys.executable, "-c", script, *others], capture_output=True, text=True, check=True)
     assert done.stdout.split() == []
 
@@ -59,10 +60,32 @@ def test_every_name_is_exported_typed_and_explained() -> None:
     assert "std::" not in stub and "tactile_net::" not in stub
 
 
-@pytest.mark.parametrize("module", sorted(PACKAGE.glob("*.py")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("module", sorted(PACKAGE.rglob("*.py")), ids=lambda path: str(path.relative_to(PACKAGE)))
 def test_examples_in_docstrings(module: Path) -> None:
-    name = f"tactile_net.{module.stem}" if module.stem != "__init__" else "tactile_net"
+    name = ".".join(["tactile_net", *module.relative_to(PACKAGE).with_suffix("").parts]).removesuffix(".__init__")
     assert doctest.testmod(importlib.import_module(name)).failed == 0
+
+
+def test_a_wheel_without_its_parts(tmp_path: Path) -> None:
+    """All else works, and where a part is asked for it is told that it was left out."""
+    without = shutil.copytree(PACKAGE, tmp_path / "tactile_net", ignore=shutil.ignore_patterns("logs", "mujoco"))
+    script = """
+import sys, tactile_net as tn
+from tactile_net import *
+assert tn.__file__.startswith(sys.argv[1]) and not {"logs", "mujoco"} & set(tn.__all__)
+scene = tn.Scene.load(sys.argv[2])
+for ask in (lambda: tn.logs, lambda: tn.mujoco.Pad, lambda: scene.simulate().save("x.mcap")):
+    try:
+        ask()
+    except (AttributeError, ImportError) as error:
+        print(error)
+"""
+    scene = PROJECT / "scenes/fingertip.toml"
+    done = subprocess.run(
+        [sys.executable, "-c", script, without, scene], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    said = [f"this tactile-net was built without tactile_net.{name}: build" for name in ("logs", "mujoco", "logs")]
+    assert all(line.startswith(start) for line, start in zip(done.stdout.splitlines(), said, strict=True))
 
 
 def test_extras_say_how_to_come_by_them(monkeypatch: pytest.MonkeyPatch) -> None:

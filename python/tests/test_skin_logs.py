@@ -85,7 +85,7 @@ def test_taxels_anywhere(tmp_path: Path) -> None:
 
 def test_drivers_of_skins(tmp_path: Path) -> None:
     """Of others: an image of several channels, one of one, a flat list; what does not fit is refused with both shapes."""
-    from tactile_net._log_writer import LogWriter
+    from tactile_net.logs._log_writer import LogWriter
 
     three, one = skin(), skin("stress_x")
     readings = three.simulate().readings

@@ -21,11 +21,11 @@ from typing import Any
 
 import numpy as np
 
-from . import _core
-from ._arrays import Floats
-from ._optional import optional
-from ._scene import Scene
-from ._skin import Skin
+from .. import _core
+from .._arrays import Floats
+from .._optional import optional
+from .._scene import Scene
+from .._skin import Skin
 
 __all__ = ["Pad", "ShortContactWarning"]
 
@@ -87,7 +87,9 @@ class Pad:
                 raise ValueError("breadth is of line arrays, and this scene is of a skin: leave it out")
             self._core = _core.RigidSkinPad(self.scene._core, own, curvature, edge)
         elif breadth is None:
-            raise ValueError("breadth: forces on a line array are spread over the breadth of its pad, which must be given")
+            raise ValueError(
+                "breadth: forces on a line array are spread over the breadth of its pad, which must be given"
+            )
         else:
             self._core = _core.RigidPad(self.scene._core, own, curvature, float(breadth), edge)
         self.breadth = None if breadth is None else float(breadth)
@@ -104,7 +106,9 @@ class Pad:
         body = model.site_bodyid[self._site]
         own = np.flatnonzero(model.geom_bodyid == body).tolist()
         if not own:
-            raise ValueError(f"the body of the site {self.site!r} has no geom that could be touched: name some by geoms")
+            raise ValueError(
+                f"the body of the site {self.site!r} has no geom that could be touched: name some by geoms"
+            )
         return [int(geom) for geom in own]
 
     def read(self, data: Any) -> Floats:

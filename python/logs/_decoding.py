@@ -6,8 +6,8 @@ import json
 from collections.abc import Callable
 from typing import Any
 
-from ._optional import optional
-from ._refusal import refused
+from .._optional import optional
+from .._refusal import refused
 
 _FORMS = ("ros2msg", "ros1msg", "ros2idl")
 

@@ -8,8 +8,8 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any
 
-from ._optional import optional
-from ._refusal import refused
+from .._optional import optional
+from .._refusal import refused
 
 
 class BagLog:
@@ -37,7 +37,7 @@ class BagLog:
                 raise refused(
                     self.where,
                     f"is not a whole bag: {str(error) or type(error).__name__}",
-                    "rosbag reindex and ros2 bag reindex mend some",
+                    f"reindex first: rosbag reindex {self.where}, or of ROS 2 ros2 bag reindex on its folder",
                 ) from None
             yield reader
 

@@ -13,21 +13,20 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 import numpy as np
 
-from ._refusal import cut_off, refused
-from ._stamps import nanoseconds_of, seconds_of
-from .errors import InputError
+from .._refusal import cut_off, refused
+from .._stamps import nanoseconds_of, seconds_of
+from ..errors import InputError
 
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike, NDArray
 
     from ._bags import BagLog
-    from ._judge import Units
+    from .._judge import Units
     from ._mcap import McapLog
-    from ._recording import Recording, Solution
-    from ._scene import Scene
-    from ._torn_bag import TornBag
+    from .._recording import Recording, Solution
+    from .._scene import Scene
 
-    Log: TypeAlias = BagLog | McapLog | TornBag
+    Log: TypeAlias = BagLog | McapLog
 
 __all__ = ["Message", "blocks", "messages", "read", "write"]
 
@@ -120,10 +119,10 @@ def write(
     Scene, units and channels are the metadata record "tactile_net".
     Raises ValueError where times are no stamps: not finite, below 0, or beyond 2^31 s.
     """
-    from ._files import whole
-    from ._layout import layout_of
+    from .._files import whole
+    from .._layout import layout_of
     from ._log_writer import LogWriter
-    from ._recording import Solution
+    from .._recording import Solution
 
     layout = layout_of(what, dtype)
     frames = len(layout.arrays["readings"])
@@ -147,7 +146,7 @@ def write(
 
 
 def _stamps(t: NDArray[np.float64] | None) -> list[int] | None:
-    from ._messages import STAMP_LIMIT
+    from ._numbers import STAMP_LIMIT
 
     if t is None:
         return None
@@ -167,7 +166,7 @@ def _wrenches(solution: Solution) -> NDArray[np.float64]:
 
     Of line arrays [N/m] and [N]. Where drags are not solved for they are 0.
     """
-    from ._skin_solution import SkinSolution
+    from .._skin_solution import SkinSolution
 
     count = len(solution)
     pressed = solution.tractions
@@ -191,7 +190,6 @@ def _open(where: str) -> Log:
     """By content; a folder is a bag of ROS 2, finished or not."""
     from ._bags import BagLog
     from ._mcap import MAGIC, McapLog
-    from ._torn_bag import TornBag
 
     if os.path.isdir(where):
         inside = sorted(os.path.join(where, one) for one in os.listdir(where))
@@ -203,18 +201,12 @@ def _open(where: str) -> Log:
     if start.startswith(MAGIC):
         return McapLog(where, [where])
     if start.startswith((b"#ROSBAG V2.0\n", b"SQLite format 3")):
-        try:
-            return BagLog(where, [where])
-        except InputError:
-            torn = TornBag(where) if start.startswith(b"#ROSBAG") else None
-            if torn is None or not torn.topics:
-                raise
-            return torn
+        return BagLog(where, [where])
     raise refused(where, "is empty" if not start else "is neither MCAP nor a ROS bag")
 
 
 def _topic(log: Log, topic: str | None) -> str:
-    from ._messages import PRESETS, plain_type
+    from ._numbers import PRESETS, plain_type
 
     there = ", ".join(f"{name} ({kind})" for name, kind in sorted(log.topics.items())) or "none"
     if topic is not None:
@@ -232,7 +224,7 @@ def _topic(log: Log, topic: str | None) -> str:
 
 
 def _messages(log: Log, topic: str, field: str | None) -> Iterator[Message]:
-    from ._messages import reader, stamp
+    from ._numbers import reader, stamp
 
     size = None
     try:
@@ -264,8 +256,8 @@ def _recording(
     notes: list[str],
     truth: NDArray[Any] | None,
 ) -> Recording:
-    from ._judge import as_it_says, judged
-    from ._layout import Layout, scene_in
+    from .._judge import as_it_says, judged
+    from .._layout import Layout, scene_in
 
     own = topic == log.metadata.get("topic")
     if topic in (log.metadata.get("tractions_topic"), log.metadata.get("truth_topic")):

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ._optional import optional
+from .._optional import optional
 
 _IMAGE, _WRENCH = "sensor_msgs/msg/Image", "geometry_msgs/msg/WrenchStamped"
 _ENCODINGS = {"f4": "32FC", "f8": "64FC"}

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from ._decoding import decoder
-from ._optional import optional
+from .._optional import optional
 
 MAGIC = b"\x89MCAP0\r\n"
 
