@@ -3,9 +3,9 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "docs/figures/thesis/chapter.hpp"
+#include "docs/figures/thesis/gnuplot.hpp"
 #include "tactile_net/frames/output_file.hpp"
-#include "tools/thesis/chapter.hpp"
-#include "tools/thesis/gnuplot.hpp"
 
 namespace {
 

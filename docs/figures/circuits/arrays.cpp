@@ -2,12 +2,12 @@
 #include <iostream>
 #include <vector>
 
+#include "docs/figures/circuits/numbers.hpp"
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/exact.hpp"
-#include "tools/circuits/numbers.hpp"
 
 namespace tactile_net::circuits {
 namespace {

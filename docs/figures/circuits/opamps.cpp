@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "docs/figures/circuits/numbers.hpp"
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
@@ -14,7 +15,6 @@
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tactile_net/simulator/step_response.hpp"
-#include "tools/circuits/numbers.hpp"
 
 namespace tactile_net::circuits {
 namespace {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the schematics of docs/circuits.md: `python3 tools/schematics/draw.py` writes docs/circuits/*.svg."""
+"""Draws the schematics of docs/circuits.md: `python3 docs/figures/schematics/draw.py` writes docs/circuits/*.svg."""
 
 import math
 import pathlib
@@ -446,7 +446,7 @@ PICTURES = {
 }
 
 if __name__ == "__main__":
-    folder = pathlib.Path(__file__).resolve().parents[2] / "docs" / "circuits"
+    folder = pathlib.Path(__file__).resolve().parents[2] / "circuits"
     folder.mkdir(parents=True, exist_ok=True)
     for name, picture in PICTURES.items():
         title, description = (" ".join(part.split()) for part in picture.__doc__.split("\n\n"))

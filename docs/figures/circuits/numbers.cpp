@@ -1,4 +1,4 @@
-#include "tools/circuits/numbers.hpp"
+#include "docs/figures/circuits/numbers.hpp"
 
 #include <cmath>
 #include <iostream>

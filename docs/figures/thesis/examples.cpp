@@ -4,6 +4,7 @@
 #include <complex>
 #include <cstdio>
 
+#include "docs/figures/thesis/chapter.hpp"
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
@@ -14,7 +15,6 @@
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
-#include "tools/thesis/chapter.hpp"
 
 namespace tactile_net::thesis {
 namespace {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Solves the circuits as drawn: `python3 tools/schematics/check.py` says for each how far it is from P f = b."""
+"""Solves the circuits as drawn: `python3 docs/figures/schematics/check.py` says for each how far it is from P f = b."""
 
 from draw import PICTURES
 from symbols import on

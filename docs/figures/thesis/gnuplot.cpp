@@ -1,4 +1,4 @@
-#include "tools/thesis/gnuplot.hpp"
+#include "docs/figures/thesis/gnuplot.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the pictures of docs/concepts.md, docs/hand.md and docs/skins.md: `python3 tools/schematics/concepts.py` writes docs/concepts/*.svg, for light and dark."""
+"""Draws the pictures of docs/concepts.md, docs/hand.md and docs/skins.md: `python3 docs/figures/schematics/concepts.py` writes docs/concepts/*.svg, for light and dark."""
 
 import math
 import pathlib
@@ -242,7 +242,7 @@ def finger():
 
 
 if __name__ == "__main__":
-    folder = pathlib.Path(__file__).resolve().parents[2] / "docs" / "concepts"
+    folder = pathlib.Path(__file__).resolve().parents[2] / "concepts"
     folder.mkdir(parents=True, exist_ok=True)
     for name, picture in {"pad": pad, "low-pass": low_pass, "grid": surface_grid, "finger": finger,
                           "hidden-drags": hidden_drags, "arriving-waves": arriving_waves}.items():

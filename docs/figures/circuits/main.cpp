@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "docs/figures/circuits/ladder_texts.hpp"
+#include "docs/figures/circuits/numbers.hpp"
+#include "docs/figures/circuits/opamp_texts.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/network/opamp.hpp"
-#include "tools/circuits/ladder_texts.hpp"
-#include "tools/circuits/numbers.hpp"
-#include "tools/circuits/opamp_texts.hpp"
 
 namespace {
 

@@ -2,12 +2,12 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "docs/figures/thesis/chapter.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/thesis/dft.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tactile_net/sensing/traction_field.hpp"
-#include "tools/thesis/chapter.hpp"
 
 namespace tactile_net::thesis {
 namespace {
