@@ -14,9 +14,6 @@
 #include "tactile_net/simulator/child_process.hpp"
 #include "tests/network/networks.hpp"
 #include "tests/network/problems.hpp"
-#ifdef NGSPICE_LIBRARY
-#include "tactile_net/simulator/ngspice_library.hpp"
-#endif
 
 namespace {
 
@@ -194,16 +191,6 @@ void monte_carlo(Floors& floors) {
     floors.at_least(text("5. %zu trials, %s: %.0f ms; as many runs of ngspice %.1f s; ratio",
                          options.trials, label(one), 1e3 * ours.seconds, 1e3 * rival.seconds),
                     1e3 * rival.seconds / ours.seconds, 100);
-#ifdef NGSPICE_LIBRARY
-    NgspiceLibrary library;
-    auto run = runs_of(library);
-    (void)run();  // forks the worker
-    std::vector<bench::Cost> costs(15);
-    std::generate(costs.begin(), costs.end(), run);
-    const double in_library = 1e3 * bench::median(costs).seconds;
-    progress(
-        text("ngspice as a library %.1f s; ratio %.0f", in_library, in_library / ours.seconds));
-#endif
   }
 }
 

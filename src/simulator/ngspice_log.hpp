@@ -1,5 +1,5 @@
 /// @file
-/// What became of a deck: both ways of running ngspice end here, so that they fail alike.
+/// What became of a deck, by how ngspice ended and what it printed.
 #pragma once
 
 #include <array>

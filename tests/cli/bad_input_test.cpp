@@ -28,9 +28,6 @@ TEST_CASE("wrong usage is told with what was meant", "[cli]") {
   check({"solve", scene("nic.toml"), "--readings", "no-such.csv"}, 2, "cannot be opened");
   check({"solve", scene("nic.toml"), "--readings", "/"}, 2, "is a folder");
   check({"relax", scene("nic.toml"), "--time-limit", "0"}, 2, "must be > 0");
-  check({"relax", scene("nic.toml"), "--simulator", "paper"}, 2, "none of process, library");
-  check({"relax", scene("nic.toml"), "--simulator", "library", "--ngspice", "xyce"}, 2,
-        "the simulator library starts no program");
 }
 
 TEST_CASE("help and version are no failures", "[cli]") {

@@ -37,14 +37,6 @@ TEST_CASE("relax compares the circuit with the direct solve", "[cli][spice]") {
              StartsWith("{") && ContainsSubstring("\"difference_to_direct\""));
 }
 
-TEST_CASE("ngspice as a library agrees too, or tells how to get it", "[cli]") {
-  const ProcessResult result = run_tool({"relax", scene("nic.toml"), "--simulator", "library"});
-  if (result.code == 0)
-    CHECK_THAT(result.output, ContainsSubstring("(agrees"));
-  else
-    CHECK_THAT(result.errors, ContainsSubstring("install libngspice0-dev"));
-}
-
 TEST_CASE("the deck on standard output is byte for byte the deck in a file", "[cli]") {
   const Folder folder;
   const std::string deck = folder / "x.cir";

@@ -1,5 +1,5 @@
 /// @file
-/// What can run a deck: one interface, whichever way ngspice is reached.
+/// What can run a deck.
 ///
 ///     Ngspice ngspice;                                       // ngspice.hpp
 ///     std::ostringstream deck;

@@ -39,8 +39,6 @@ void add_relax(AllCommands& all) {
        .pages = {"circuits.md", "strangers.md"},
        .examples = {
            {"relax scenes/nic.toml", "the scene's circuit, compared with the direct solve"},
-           {"relax scenes/circuits/crossbar.toml --simulator library",
-            "by ngspice's library instead of the program"},
            {"relax nic.cir --tolerance 1e-6", "a deck that gen wrote; you may have edited it"}}});
   add_scene(command, options.scene, "Scene file (TOML), or deck (.cir)", {"toml", "cir"});
   add_json(command, options.json, "Write the result as JSON");

@@ -13,12 +13,8 @@ void add_scene(Arguments& command, std::string& scene, const std::string& descri
 }
 
 void add_simulator(Arguments& command, lab::SimulatorChoice& simulator) {
-  command.add_option(
-      "--simulator", simulator.kind, choice({"process", "library"}),
-      "How to run ngspice: process starts the program for each circuit; library loads "
-      "ngspice once, in a process of its own, which is faster for small circuits");
   command.add_option("--ngspice", simulator.ngspice.program, file("PROGRAM"),
-                     "The simulator's program, for --simulator process");
+                     "The simulator's program");
   command.add_option("--time-limit", simulator.time_limit, number(),
                      "Longest run of the simulator [s]");
 }
