@@ -49,11 +49,8 @@ std::vector<std::vector<CurrentSource>> sources_of(const NetworkCircuit& circuit
 std::vector<Load> loads_of(const NetworkCircuit& circuit,
                            const std::vector<std::vector<CurrentSource>>& each_load) {
   std::vector<Load> loads;
-  Circuit other = circuit.circuit();
-  for (const std::vector<CurrentSource>& one : each_load) {
-    other.sources = one;
-    loads.push_back(Reduction(other).equations().right_side);
-  }
+  for (const std::vector<CurrentSource>& one : each_load)
+    loads.push_back(circuit.reduction().right_side(one));
   return loads;
 }
 

@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "network/nodal_equations.hpp"
 #include "network/node_names.hpp"
-#include "network/rest_equations.hpp"
 #include "tactile_net/network/arrays.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -61,7 +61,7 @@ std::string in_ohm(double ohm) {
 /// Of every resistor, as the circuit's sources drive it [W].
 std::vector<double> watts_of(const Circuit& circuit) {
   const FlatCircuit flat(circuit);
-  const Eigen::VectorXd volts = RestEquations(flat).voltages();
+  const Eigen::VectorXd volts = NodalEquations(flat).voltages();
   std::vector<double> watts;
   for (const Resistor& r : circuit.resistors)
     watts.push_back(r.siemens * std::pow(volts(static_cast<Eigen::Index>(r.from)) -

@@ -68,16 +68,19 @@ void expand(Circuit& circuit, const Instance& instance, const Inside& inside) {
 FlatCircuit::FlatCircuit(const Circuit& circuit) : circuit_(circuit) {
   circuit_.instances.clear();
   std::map<const Subcircuit*, Inside> parsed;
+  std::vector<bool> inside;
   for (const Instance& instance : circuit.instances) {
     const Subcircuit* const subcircuit = subcircuit_of(circuit, instance);
     if (subcircuit == nullptr) {
       circuit_.instances.push_back(instance);
+      inside.push_back(false);
       continue;
     }
     had_subcircuits_ = true;
     auto at = parsed.find(subcircuit);
     if (at == parsed.end()) at = parsed.emplace(subcircuit, parse(*subcircuit)).first;
     expand(circuit_, instance, at->second);
+    inside.resize(circuit_.instances.size(), true);
   }
   amplifiers_.reserve(circuit_.instances.size());
   for (const Instance& x : circuit_.instances) {
@@ -89,7 +92,8 @@ FlatCircuit::FlatCircuit(const Circuit& circuit) : circuit_(circuit) {
                            .minus = x.pins[1],
                            .out = x.pins[2],
                            .inverse = x.pins.size() > 3 ? x.pins[3] : 0,
-                           .model = static_cast<std::size_t>(model - circuit_.amplifiers.data())});
+                           .model = static_cast<std::size_t>(model - circuit_.amplifiers.data()),
+                           .inside = inside[amplifiers_.size()]});
   }
 }
 

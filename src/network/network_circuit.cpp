@@ -17,7 +17,7 @@ const FlatCircuit& NetworkCircuit::flat() const {
 }
 
 const Reduction& NetworkCircuit::reduction() const {
-  return reduction_.get([&] { return Reduction(circuit_); });
+  return reduction_.get([&] { return Reduction(flat()); });
 }
 
 const StateSpace& NetworkCircuit::state_space() const {

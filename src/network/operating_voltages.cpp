@@ -1,11 +1,11 @@
 #include "tactile_net/network/operating_voltages.hpp"
 
-#include "network/rest_equations.hpp"
+#include "network/nodal_equations.hpp"
 
 namespace tactile_net {
 
 std::vector<double> operating_voltages(const FlatCircuit& circuit) {
-  const Eigen::VectorXd v = RestEquations(circuit).outputs();
+  const Eigen::VectorXd v = NodalEquations(circuit).outputs();
   return {v.begin(), v.end()};
 }
 

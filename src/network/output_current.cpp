@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "network/rest_equations.hpp"
+#include "network/nodal_equations.hpp"
 
 namespace tactile_net {
 
 OutputCurrent output_current(const FlatCircuit& circuit) {
   const Circuit& flat = circuit.circuit();
-  const Eigen::VectorXd volts = RestEquations(circuit).voltages();
+  const Eigen::VectorXd volts = NodalEquations(circuit).voltages();
   // Current that leaves each node through resistors and devices: an output's own law.
   std::vector<double> ampere(flat.nodes.size());
   const auto conduct = [&](Node from, Node to, double siemens) {

@@ -1,343 +1,360 @@
 #include "tactile_net/network/reduction.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
-#include "network/subcircuit_of.hpp"
+#include "network/nodal_equations.hpp"
 
 namespace tactile_net {
+namespace {
 
-/// Which node an ideal amplifier, inverter or converter holds at its voltage.
-struct Reduction::Roles {
-  struct Amplifier {
-    Node plus, minus, out, inverse;  // inverse 0: there is none
-  };
-  std::vector<Amplifier> amplifiers;
-  std::vector<bool> driven;  // per node; ground and inputs too
-};
+constexpr auto none = NodalTerm::none;
 
-Reduction::Reduction(const Circuit& circuit)
-    : fixed_(circuit.nodes.size()), laws_(circuit.nodes.size()) {
-  if (!circuit.inductors.empty() || !circuit.devices.empty())
-    throw std::invalid_argument("inductors and N-shaped devices have no equations of this form");
-  number_rows(circuit, roles_of(circuit));
-  add_parts(circuit);
-  for (const Instance& x : circuit.instances)
-    if (const Subcircuit* const subcircuit = subcircuit_of(circuit, x))
-      add_subcircuit(x, subcircuit->kind, 1.0 / circuit.divider);
+void clear(Matrix& matrix, std::size_t rows, std::size_t columns) {
+  matrix.rows = rows;
+  matrix.columns = columns;
+  matrix.values.assign(rows * columns, 0.0);
 }
 
-Reduction::Roles Reduction::roles_of(const Circuit& circuit) {
-  Roles roles{.amplifiers = {}, .driven = std::vector<bool>(circuit.nodes.size())};
-  roles.driven[0] = true;
-  std::vector<std::size_t> pins_at(circuit.nodes.size());
-  for (const Instance& x : circuit.instances)
-    for (const Node pin : x.pins) ++pins_at[pin];
-  for (const Instance& x : circuit.instances) {
-    const Subcircuit* const subcircuit = subcircuit_of(circuit, x);
-    if (subcircuit == nullptr) {
-      roles.amplifiers.push_back(
-          {x.pins[0], x.pins[1], x.pins[2], x.pins.size() > 3 ? x.pins[3] : 0});
-      if ((x.pins[0] != 0) != (roles.amplifiers.front().plus != 0))
-        throw std::invalid_argument(
-            "element " + x.name +
-            ": of the amplifiers one '+' input is not grounded and another is");
-      if (x.pins[0] != 0 && (pins_at[x.pins[0]] > 1 || pins_at[x.pins[1]] > 1))
-        throw std::invalid_argument("element " + x.name +
-                                    ": its '+' input is not grounded, and another amplifier is at "
-                                    "one of its inputs");
-      for (const Node pin : x.pins) roles.driven[pin] = true;
-      continue;
+double value_of(const auto& terms, std::span<const double> unknowns) {
+  double sum = 0.0;
+  each_term(terms, [&](std::size_t at, double factor) { sum += factor * unknowns[at]; });
+  return sum;
+}
+
+}  // namespace
+
+/// The map of the nodes has the rows' unknowns; an amplifier's law is that of its inputs.
+struct Reduction::Parts {
+  /// An amplifier inside a sub-circuit: it holds its output at v+ + g[down] / g[up] (v+ - v), v the
+  /// voltage of the node that `down` leads to.
+  struct Inner {
+    Node out = 0, plus = 0, beyond = 0;
+    std::size_t up = none, down = none, count = 0;  // resistors at its '-' input
+  };
+
+  explicit Parts(const FlatCircuit& circuit);
+  void number(const FlatCircuit& circuit);
+  void place_amplifiers(const FlatCircuit& circuit, bool follows);
+  void find_inner(const FlatCircuit& circuit);
+  [[nodiscard]] std::vector<double> right_side(std::span<const CurrentSource> of) const;
+
+  /// The map, with what these conductances make of the voltages inside.
+  [[nodiscard]] NodalMap map_with(std::span<const double> siemens) const {
+    NodalMap map = nodes;
+    for (const Inner& one : inner) {
+      const double ratio = siemens[one.down] / siemens[one.up];
+      NodalMap::Terms& out = map.voltages[one.out];
+      out = {nodes.voltages[one.plus][0], nodes.voltages[one.beyond][0]};
+      out[0].factor *= 1.0 + ratio;
+      out[1].factor *= -ratio;
     }
-    switch (subcircuit->kind) {
-      case Subcircuit::Kind::inverter:
-      case Subcircuit::Kind::grounded_nic:
-        roles.driven[x.pins[1]] = true;
-        break;
-      case Subcircuit::Kind::floating_nic:
-        roles.driven[x.pins[2]] = roles.driven[x.pins[3]] = true;
-        break;
+    return map;
+  }
+
+  /// Calls `at_end(end, sign)` for both ends of a resistor: its voltage is the sum of theirs.
+  void at_ends(std::size_t r, auto&& at_end) const {
+    at_end(resistors[r].from, 1.0);
+    at_end(resistors[r].to, -1.0);
+  }
+
+  /// Calls `add(r, row, change)` for the changes of S z by a relative change of each conductance.
+  void each_change(std::span<const double> unknowns, auto&& add) const {
+    const NodalMap map = map_with(nominal);
+    for (std::size_t r = 0; r < resistors.size(); ++r) {
+      const NodalMap::Branch branch = map.between(resistors[r].from, resistors[r].to);
+      const double volts = value_of(branch.voltage, unknowns);
+      each_term(branch.law,
+                [&](std::size_t row, double factor) { add(r, row, factor * nominal[r] * volts); });
+      at_ends(r, [&](Node end, double sign) {
+        if (inner_at[end] == none) return;
+        const Inner& one = inner[inner_at[end]];  // what it holds moves with its ratio
+        const double moved = sign * nominal[one.down] / nominal[one.up] *
+                             value_of(map.between(one.plus, one.beyond).voltage, unknowns);
+        each_term(branch.law, [&](std::size_t row, double factor) {
+          add(one.down, row, factor * nominal[r] * moved);
+          add(one.up, row, -factor * nominal[r] * moved);
+        });
+      });
     }
   }
-  return roles;
+
+  std::size_t rows = 0, outputs = 0;
+  std::vector<bool> amplifier_rows;
+  NodalMap nodes;
+  std::vector<NodalTerm> input;  // of a node: what a volt between an amplifier's inputs makes of it
+  std::size_t inputs = 0;        // columns of `Equations::input`
+  std::vector<Node> inverses;    // of the amplifiers that have one
+  std::vector<std::size_t> inverse_at, inner_at;  // of a node
+  std::vector<Inner> inner;
+  bool has_subcircuits = false;
+  std::vector<Resistor> resistors;
+  std::vector<std::string> names;
+  std::vector<double> nominal;  // conductances
+  std::vector<double> sources;  // current into each row
+};
+
+Reduction::Parts::Parts(const FlatCircuit& circuit)
+    : outputs(circuit.circuit().outputs.size()),
+      nodes(circuit.circuit().nodes.size()),
+      input(nodes.voltages.size()),
+      inverse_at(input.size(), none),
+      inner_at(input.size(), none),
+      has_subcircuits(circuit.had_subcircuits()),
+      resistors(circuit.circuit().resistors) {
+  const Circuit& flat = circuit.circuit();
+  if (!flat.inductors.empty() || !flat.devices.empty())
+    throw std::invalid_argument("inductors and N-shaped devices have no equations of this form");
+  for (const Resistor& r : resistors) {
+    names.push_back(r.name);
+    nominal.push_back(r.siemens);
+  }
+  number(circuit);
+  find_inner(circuit);
+  sources = right_side(flat.sources);
+}
+
+std::vector<double> Reduction::Parts::right_side(std::span<const CurrentSource> of) const {
+  std::vector<double> currents(rows);
+  for (const CurrentSource& i : of)
+    each_term(nodes.laws[i.into],
+              [&](std::size_t row, double factor) { currents[row] += factor * i.ampere; });
+  return currents;
 }
 
 /// Rows: outputs in their order, then the rest.
-void Reduction::number_rows(const Circuit& circuit, const Roles& roles) {
-  outputs_ = circuit.outputs.size();
-  std::vector<Node> unknowns(circuit.outputs);
-  std::vector<bool> is_output(circuit.nodes.size());
-  for (const Node node : circuit.outputs) is_output[node] = true;
-  for (const Roles::Amplifier& one : roles.amplifiers)
-    if (!is_output[one.out]) unknowns.push_back(one.out);
-  for (Node node = 1; node < circuit.nodes.size(); ++node)
-    if (!roles.driven[node] && !is_output[node]) unknowns.push_back(node);
-  for (const Roles::Amplifier& one : roles.amplifiers)
-    if (one.plus != 0) unknowns.push_back(one.plus);
-  rows_ = unknowns.size();
-
-  amplifier_rows_.assign(rows_, false);
+void Reduction::Parts::number(const FlatCircuit& circuit) {
+  const Circuit& flat = circuit.circuit();
+  std::vector<bool> driven(flat.nodes.size());
+  std::vector<std::size_t> pins_at(flat.nodes.size());
+  driven[0] = true;
+  for (const FlatCircuit::Amplifier& x : circuit.amplifiers()) {
+    for (const Node node : {x.minus, x.out, x.inverse}) driven[node] = true;
+    if (!x.inside) driven[x.plus] = true;
+    for (const Node pin : {x.plus, x.minus, x.out, x.inverse}) ++pins_at[pin];
+  }
+  std::vector<Node> unknowns(flat.outputs);
+  std::vector<bool> is_output(flat.nodes.size());
+  for (const Node node : flat.outputs) is_output[node] = true;
+  std::vector<Node> floating;
+  const FlatCircuit::Amplifier* first = nullptr;
+  for (std::size_t k = 0; k < circuit.amplifiers().size(); ++k) {
+    const FlatCircuit::Amplifier& x = circuit.amplifiers()[k];
+    if (x.inside) continue;
+    const std::string name = "element " + flat.instances[k].name;
+    if (first == nullptr) first = &x;
+    if ((x.plus != 0) != (first->plus != 0))
+      throw std::invalid_argument(
+          name + ": of the amplifiers one '+' input is not grounded and another is");
+    if (x.plus != 0 && (pins_at[x.plus] > 1 || pins_at[x.minus] > 1))
+      throw std::invalid_argument(
+          name + ": its '+' input is not grounded, and another amplifier is at one of its inputs");
+    if (!is_output[x.out]) unknowns.push_back(x.out);
+    if (x.plus != 0) floating.push_back(x.plus);
+  }
   bool follows = false;  // a node that nothing drives feels the amplifiers' inputs
-  for (std::size_t row = 0; row < rows_; ++row) {
-    fixed_[unknowns[row]] = {row, none, 1.0, 0.0};
-    if (roles.driven[unknowns[row]]) continue;
-    laws_[unknowns[row]] = {Law{row, 1.0}};
-    follows = !roles.amplifiers.empty();
+  for (const Node node : flat.outputs) follows = follows || !driven[node];
+  for (Node node = 1; node < flat.nodes.size(); ++node)
+    if (!driven[node] && !is_output[node]) {
+      unknowns.push_back(node);
+      follows = true;
+    }
+  unknowns.insert(unknowns.end(), floating.begin(), floating.end());
+  rows = unknowns.size();
+  amplifier_rows.assign(rows, false);
+  for (std::size_t row = 0; row < rows; ++row) {
+    nodes.voltages[unknowns[row]][0] = {row, 1.0};
+    if (!driven[unknowns[row]]) nodes.laws[unknowns[row]][0] = {row, 1.0};
   }
-  std::vector<std::size_t> column_of(rows_);  // in `Equations::input`
-  for (const Roles::Amplifier& one : roles.amplifiers) amplifier_rows_[fixed_[one.out].i] = true;
-  for (std::size_t row = 1; row < rows_; ++row)
-    column_of[row] = column_of[row - 1] + (amplifier_rows_[row - 1] ? 1U : 0U);
-  if (follows) input_.resize(fixed_.size());
-  for (const Roles::Amplifier& one : roles.amplifiers) {
-    const std::size_t row = fixed_[one.out].i;
+  place_amplifiers(circuit, follows);
+}
+
+void Reduction::Parts::place_amplifiers(const FlatCircuit& circuit, bool follows) {
+  const auto row_of = [&](Node node) { return nodes.voltages[node][0].at; };
+  for (const FlatCircuit::Amplifier& x : circuit.amplifiers())
+    if (!x.inside) amplifier_rows[row_of(x.out)] = true;
+  std::vector<std::size_t> column_of(rows);  // in `Equations::input`
+  std::size_t amplifiers = 0;
+  for (std::size_t row = 0; row < rows; ++row)
+    if (amplifier_rows[row]) column_of[row] = amplifiers++;
+  for (const FlatCircuit::Amplifier& x : circuit.amplifiers()) {
+    if (x.inside) continue;
+    const std::size_t row = row_of(x.out);
     const std::size_t column = column_of[row];
-    if (one.inverse != 0) {
-      fixed_[one.inverse] = {row, none, -1.0, 0.0};
-      inverses_.push_back(one.inverse);
+    if (x.inverse != 0) {
+      nodes.voltages[x.inverse][0] = {row, -1.0};
+      inverse_at[x.inverse] = inverses.size();
+      inverses.push_back(x.inverse);
     }
-    if (one.plus == 0) {
-      laws_[one.minus] = {Law{row, -1.0}};
-      if (follows) input_[one.minus] = {column, none, -1.0, 0.0};
-      continue;
+    if (x.plus == 0) {
+      nodes.laws[x.minus][0] = {row, -1.0};
+      if (follows) input[x.minus] = {column, -1.0};
+    } else {
+      const std::size_t common = row_of(x.plus);
+      nodes.voltages[x.minus] = nodes.voltages[x.plus];
+      nodes.laws[x.minus] = {NodalTerm{row, -0.5}, NodalTerm{common, 1.0}};
+      nodes.laws[x.plus] = {NodalTerm{row, 0.5}, NodalTerm{common, 1.0}};
+      input[x.plus] = {column, 0.5};
+      input[x.minus] = {column, -0.5};
     }
-    const std::size_t common = fixed_[one.plus].i;
-    fixed_[one.minus] = fixed_[one.plus];
-    laws_[one.minus] = {Law{row, -0.5}, Law{common, 1.0}};
-    laws_[one.plus] = {Law{row, 0.5}, Law{common, 1.0}};
-    input_.resize(fixed_.size());
-    input_[one.plus] = {column, none, 0.5, 0.0};
-    input_[one.minus] = {column, none, -0.5, 0.0};
+    if (follows || x.plus != 0) inputs = amplifiers;
   }
 }
 
-/// The circuit's own sources and resistors.
-void Reduction::add_parts(const Circuit& circuit) {
-  sources_.assign(rows_, 0.0);
-  for (const CurrentSource& i : circuit.sources)
-    for (const Law& law : laws_[i.into])
-      if (law.row != none) sources_[law.row] += law.factor * i.ampere;
-  for (const Resistor& r : circuit.resistors) {
-    parts_.push_back({r.from, r.to});
-    part_resistor_.push_back(names_.size());
-    names_.push_back(r.name);
-    siemens_.push_back(r.siemens);
+void Reduction::Parts::find_inner(const FlatCircuit& circuit) {
+  std::vector<std::size_t> at_minus(nodes.voltages.size(), none);
+  std::vector<std::string> inner_names;
+  for (std::size_t k = 0; k < circuit.amplifiers().size(); ++k) {
+    const FlatCircuit::Amplifier& x = circuit.amplifiers()[k];
+    if (!x.inside) continue;
+    inner_at[x.out] = at_minus[x.minus] = inner.size();
+    inner.push_back({.out = x.out, .plus = x.plus});
+    inner_names.push_back(circuit.circuit().instances[k].name);
+    nodes.voltages[x.minus] = nodes.voltages[x.plus];
   }
+  for (std::size_t r = 0; r < resistors.size(); ++r)
+    for (const auto& [here, there] : {std::pair(resistors[r].from, resistors[r].to),
+                                      std::pair(resistors[r].to, resistors[r].from)}) {
+      if (at_minus[here] == none) continue;
+      Inner& one = inner[at_minus[here]];
+      ++one.count;
+      (there == one.out ? one.up : one.down) = r;
+      if (there != one.out) one.beyond = there;
+    }
+  for (std::size_t k = 0; k < inner.size(); ++k)
+    if (inner[k].count != 2 || inner[k].up == none || inner[k].down == none ||
+        inner_at[inner[k].beyond] != none)
+      throw std::invalid_argument("element " + inner_names[k] +
+                                  ": its '-' input takes one resistor from its output, and one "
+                                  "from a node that no other of its kind drives");
 }
 
-/// R1 of each is from the input or output to the '-' input, as in circuits/*.lib.
-void Reduction::add_subcircuit(const Instance& x, Subcircuit::Kind kind, double siemens) {
-  const std::size_t r = names_.size();
-  const std::size_t count = kind == Subcircuit::Kind::floating_nic ? 3 : 2;
-  for (std::size_t k = 1; k <= count; ++k) {
-    names_.push_back('R' + std::to_string(k) + '.' + x.name);
-    siemens_.push_back(siemens);
-  }
-  const auto unknown = [&](std::size_t pin) { return fixed_[x.pins[pin]].i; };
-  switch (kind) {
-    case Subcircuit::Kind::inverter:  // out = -(g1 / g2) in
-      derived_.push_back({x.pins[1], unknown(0), none, r + 1, r, true});
-      parts_.push_back({x.pins[0], 0});
-      part_resistor_.push_back(r);
-      break;
-    case Subcircuit::Kind::grounded_nic:  // out = (1 + g2 / g1) a
-      derived_.push_back({x.pins[1], unknown(0), none, r, r + 1, false});
-      break;
-    case Subcircuit::Kind::floating_nic:  // oa = (1 + g2 / g1) a - (g2 / g1) b
-      derived_.push_back({x.pins[2], unknown(0), unknown(1), r, r + 1, false});
-      derived_.push_back({x.pins[3], unknown(1), unknown(0), r + 2, r + 1, false});
-      break;
-  }
-}
+Reduction::Reduction(const FlatCircuit& circuit) : parts_(std::make_shared<const Parts>(circuit)) {}
 
-void Reduction::at_ends(const Part& part, const auto& add) const {
-  const auto end = [&](Node here, Node there) {
-    for (const Law& law : laws_[here])
-      if (law.row != none) add(law, here, there);
-  };
-  end(part.from, part.to);
-  end(part.to, part.from);
+std::size_t Reduction::rows() const noexcept { return parts_->rows; }
+std::size_t Reduction::outputs() const noexcept { return parts_->outputs; }
+std::span<const std::string> Reduction::resistors() const noexcept { return parts_->names; }
+std::span<const double> Reduction::siemens() const noexcept { return parts_->nominal; }
+std::size_t Reduction::complementary() const noexcept { return parts_->inverses.size(); }
+bool Reduction::is_amplifier(std::size_t row) const { return parts_->amplifier_rows[row]; }
+bool Reduction::has_subcircuits() const noexcept { return parts_->has_subcircuits; }
+std::pair<Node, Node> Reduction::ends(std::size_t resistor) const {
+  return {parts_->resistors[resistor].from, parts_->resistors[resistor].to};
 }
-
-std::vector<Reduction::Voltage> Reduction::voltages(std::span<const double> siemens) const {
-  std::vector<Voltage> all = fixed_;
-  for (const Derived& one : derived_) {
-    const double ratio = siemens[one.down] / siemens[one.up];
-    all[one.node] = one.inverts ? Voltage{one.i, none, -ratio, 0.0}
-                                : Voltage{one.i, one.j, 1.0 + ratio, -ratio};
-  }
-  return all;
-}
-
-double Reduction::value_of(const Voltage& v, std::span<const double> unknowns) {
-  return (v.i != none ? v.a * unknowns[v.i] : 0.0) + (v.j != none ? v.b * unknowns[v.j] : 0.0);
+bool Reduction::is_output(Node node) const {
+  return parts_->nodes.voltages[node][0].at < parts_->outputs;
 }
 
 void Reduction::assemble(std::span<const double> siemens, Equations& equations,
                          std::span<const double> balance, std::span<const Resistor> more) const {
-  if (!balance.empty() && balance.size() != inverses_.size())
+  const Parts& parts = *parts_;
+  if (!balance.empty() && balance.size() != parts.inverses.size())
     throw std::invalid_argument(
         "a balance needs one value an amplifier with complementary outputs");
-  const auto clear = [&](Matrix& matrix, std::size_t columns) {
-    matrix.rows = rows_;
-    matrix.columns = columns;
-    matrix.values.assign(rows_ * columns, 0.0);
-  };
-  clear(equations.matrix, rows_);
-  const bool by_input = !input_.empty();
-  if (by_input)
-    clear(equations.input, static_cast<std::size_t>(
-                               std::count(amplifier_rows_.begin(), amplifier_rows_.end(), true)));
-  equations.total.assign(rows_, 0.0);
-  equations.right_side = sources_;
+  clear(equations.matrix, parts.rows, parts.rows);
+  if (parts.inputs > 0) clear(equations.input, parts.rows, parts.inputs);
+  equations.total.assign(parts.rows, 0.0);
+  equations.right_side = parts.sources;
 
-  std::vector<Voltage> all = voltages(siemens);
-  for (std::size_t k = 0; k < balance.size(); ++k) all[inverses_[k]].a *= 1.0 + balance[k];
-  const auto add = [](Matrix& matrix, std::size_t row, const Voltage& v, double conductance) {
-    if (v.i != none) matrix(row, v.i) += conductance * v.a;
-    if (v.j != none) matrix(row, v.j) += conductance * v.b;
+  NodalMap map = parts.map_with(siemens);
+  for (std::size_t k = 0; k < balance.size(); ++k)
+    map.voltages[parts.inverses[k]][0].factor *= 1.0 + balance[k];
+  const auto add_to = [](Matrix& matrix) {
+    return [&](std::size_t row, std::size_t column, double value) { matrix(row, column) += value; };
   };
-  const auto stamp = [&](const Part& part, double g) {
-    at_ends(part, [&](const Law& law, Node here, Node there) {
-      equations.total[law.row] += g;
-      add(equations.matrix, law.row, all[here], law.factor * g);
-      add(equations.matrix, law.row, all[there], -law.factor * g);
-      if (!by_input) return;
-      add(equations.input, law.row, input_[here], law.factor * g);
-      add(equations.input, law.row, input_[there], -law.factor * g);
-    });
+  const auto add = [&](Node from, Node to, double g) {
+    const NodalMap::Branch branch = map.between(from, to);
+    stamp(branch.law, branch.voltage, g, add_to(equations.matrix));
+    each_term(branch.law, [&](std::size_t row, double) { equations.total[row] += g; });
+    if (parts.inputs == 0) return;
+    stamp(branch.law, std::array{parts.input[from]}, g, add_to(equations.input));
+    stamp(branch.law, std::array{parts.input[to]}, -g, add_to(equations.input));
   };
-  for (std::size_t p = 0; p < parts_.size(); ++p) stamp(parts_[p], siemens[part_resistor_[p]]);
-  for (const Resistor& one : more) stamp({one.from, one.to}, one.siemens);
+  for (std::size_t r = 0; r < parts.resistors.size(); ++r)
+    add(parts.resistors[r].from, parts.resistors[r].to, siemens[r]);
+  for (const Resistor& one : more) add(one.from, one.to, one.siemens);
+}
+
+std::vector<double> Reduction::right_side(std::span<const CurrentSource> sources) const {
+  return parts_->right_side(sources);
 }
 
 std::vector<double> Reduction::currents(std::span<const Resistor> more,
                                         std::span<const double> unknowns) const {
-  const std::vector<Voltage> all = voltages(siemens_);
-  const auto value = [&](const Voltage& v) { return value_of(v, unknowns); };
-  std::vector<double> result(rows_);
-  for (const Resistor& one : more)
-    at_ends({one.from, one.to}, [&](const Law& law, Node here, Node there) {
-      result[law.row] += law.factor * one.siemens * (value(all[here]) - value(all[there]));
-    });
+  const NodalMap map = parts_->map_with(parts_->nominal);
+  std::vector<double> result(parts_->rows);
+  for (const Resistor& one : more) {
+    const NodalMap::Branch branch = map.between(one.from, one.to);
+    const double ampere = one.siemens * value_of(branch.voltage, unknowns);
+    each_term(branch.law, [&](std::size_t row, double factor) { result[row] += factor * ampere; });
+  }
   return result;
 }
 
 Equations Reduction::equations() const {
   Equations result;
-  assemble(siemens_, result);
+  assemble(parts_->nominal, result);
   return result;
 }
 
 Matrix Reduction::sensitivity_bound() const {
-  Matrix bound{rows_, rows_, std::vector<double>(rows_ * rows_)};
-  const std::vector<Voltage> all = voltages(siemens_);
-  std::vector<bool> is_derived(all.size());
-  for (const Derived& one : derived_) is_derived[one.node] = true;
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const double g = std::abs(siemens_[part_resistor_[p]]);
-    at_ends(parts_[p], [&](const Law& law, Node here, Node there) {
-      // A product of g and a ratio of two others has three errors.
-      const auto add = [&](Node node) {
-        const Voltage& v = all[node];
-        const double errors = (is_derived[node] ? 3.0 : 1.0) * std::abs(law.factor);
-        if (v.i != none) bound(law.row, v.i) += errors * g * std::abs(v.a);
-        if (v.j != none) bound(law.row, v.j) += errors * g * std::abs(v.b);
-      };
-      const Voltage& v = all[there];
-      if (is_derived[there] && v.i == law.row && !amplifier_rows_[law.row]) {
-        // A converter at its own node: v_here - v_there = -ratio (z_i - z_j), the 1 cancels.
-        bound(law.row, law.row) += 3.0 * g * std::abs(v.a - 1.0);
-        if (v.j != none) bound(law.row, v.j) += 3.0 * g * std::abs(v.b);
-        return;
-      }
-      add(here);
-      add(there);
+  Matrix bound;
+  clear(bound, parts_->rows, parts_->rows);
+  std::vector<double> unit(parts_->rows);
+  for (std::size_t column = 0; column < parts_->rows; ++column) {
+    unit[column] = 1.0;
+    parts_->each_change(unit, [&](std::size_t, std::size_t row, double siemens) {
+      bound(row, column) += std::abs(siemens);
     });
+    unit[column] = 0.0;
   }
   return bound;
 }
 
 Reduction::Feed Reduction::feed(std::size_t resistor) const {
-  // The circuit's own resistors come first, a part each.
-  if (resistor >= parts_.size() || part_resistor_[resistor] != resistor) return Feed::none;
-  const Part& part = parts_[resistor];
-  const Law& law = laws_[part.to].front();
-  const bool summing = law.row != none && is_amplifier(law.row) && fixed_[part.to].i == none;
-  if (!summing) return Feed::none;
-  const Voltage& source = fixed_[part.from];
-  if (source.i == none || !is_amplifier(source.i)) return Feed::other;
-  return source.a > 0.0 ? Feed::output : Feed::inverse;
+  const auto& [voltages, laws] = parts_->nodes;
+  const auto& [name, from, to, siemens] = parts_->resistors[resistor];
+  const std::size_t row = laws[to][0].at;
+  if (row == none || !is_amplifier(row) || voltages[to][0].at != none) return Feed::none;
+  const auto& [unknown, factor] = voltages[from][0];
+  if (unknown == none || !is_amplifier(unknown)) return Feed::other;
+  return factor > 0.0 ? Feed::output : Feed::inverse;
 }
 
 Matrix Reduction::sensitivities(std::span<const double> unknowns) const {
-  const std::vector<Voltage> all = voltages(siemens_);
-  const auto value = [&](const Voltage& v) { return value_of(v, unknowns); };
-  Matrix result{names_.size(), rows_, std::vector<double>(names_.size() * rows_)};
-  std::vector<std::vector<std::size_t>> at_node(fixed_.size());
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    at_node[parts_[p].from].push_back(p);
-    at_node[parts_[p].to].push_back(p);
-    const std::size_t r = part_resistor_[p];
-    at_ends(parts_[p], [&](const Law& law, Node here, Node there) {
-      result(r, law.row) += law.factor * siemens_[r] * (value(all[here]) - value(all[there]));
-    });
-  }
-  for (const Derived& one : derived_) {  // its voltage moves by the ratio's relative error
-    const Voltage& v = all[one.node];
-    const double ratio = siemens_[one.down] / siemens_[one.up];
-    const double moved = one.inverts
-                             ? value(v)
-                             : ratio * (unknowns[one.i] - (one.j != none ? unknowns[one.j] : 0.0));
-    for (const std::size_t p : at_node[one.node]) {
-      const Node other = parts_[p].from == one.node ? parts_[p].to : parts_[p].from;
-      for (const Law& law : laws_[other]) {
-        if (law.row == none) continue;
-        const double current = -law.factor * siemens_[part_resistor_[p]] * moved;
-        result(one.down, law.row) += current;
-        result(one.up, law.row) -= current;
-      }
-    }
-  }
+  Matrix result;
+  clear(result, parts_->resistors.size(), parts_->rows);
+  parts_->each_change(
+      unknowns, [&](std::size_t r, std::size_t row, double ampere) { result(r, row) += ampere; });
   return result;
 }
 
 Matrix Reduction::balance_sensitivities(std::span<const double> unknowns) const {
-  Matrix result{inverses_.size(), rows_, std::vector<double>(inverses_.size() * rows_)};
-  std::vector<std::size_t> amplifier(fixed_.size(), none);
-  for (std::size_t k = 0; k < inverses_.size(); ++k) amplifier[inverses_[k]] = k;
-  for (std::size_t p = 0; p < parts_.size(); ++p)
-    at_ends(parts_[p], [&](const Law& law, Node, Node there) {
-      if (amplifier[there] == none) return;
-      const Voltage& v = fixed_[there];
-      result(amplifier[there], law.row) -=
-          law.factor * siemens_[part_resistor_[p]] * v.a * unknowns[v.i];
+  const Parts& parts = *parts_;
+  Matrix result;
+  clear(result, parts.inverses.size(), parts.rows);
+  for (std::size_t r = 0; r < parts.resistors.size(); ++r)
+    parts.at_ends(r, [&](Node end, double sign) {
+      const std::size_t k = parts.inverse_at[end];
+      if (k == none) return;
+      const double ampere = parts.nominal[r] * sign * value_of(parts.nodes.voltages[end], unknowns);
+      each_term(parts.nodes.between(parts.resistors[r].from, parts.resistors[r].to).law,
+                [&](std::size_t row, double factor) { result(k, row) += factor * ampere; });
     });
   return result;
 }
 
 Reduction::Load Reduction::load(std::span<const double> unknowns) const {
-  const std::vector<Voltage> all = voltages(siemens_);
-  std::vector<double> volts(all.size());
+  const NodalMap map = parts_->map_with(parts_->nominal);
   Load load;
-  for (std::size_t node = 0; node < all.size(); ++node) {
-    const Voltage& v = all[node];
-    if (v.i != none) volts[node] += v.a * unknowns[v.i];
-    if (v.j != none) volts[node] += v.b * unknowns[v.j];
-    load.largest_voltage = std::max(load.largest_voltage, std::abs(volts[node]));
-  }
-  for (std::size_t p = 0; p < parts_.size(); ++p)
+  for (const NodalMap::Terms& voltage : map.voltages)
+    load.largest_voltage = std::max(load.largest_voltage, std::abs(value_of(voltage, unknowns)));
+  for (std::size_t r = 0; r < parts_->resistors.size(); ++r)
     load.power +=
-        siemens_[part_resistor_[p]] * std::pow(volts[parts_[p].from] - volts[parts_[p].to], 2);
-  for (const Derived& one : derived_) {
-    const double own = unknowns[one.i];
-    const double other = one.j != none ? unknowns[one.j] : 0.0;
-    // An inverter's input resistor is a part; a floating converter's middle one is shared by two.
-    load.power += siemens_[one.up] * std::pow(volts[one.node] - (one.inverts ? 0.0 : own), 2);
-    if (!one.inverts)
-      load.power += siemens_[one.down] * std::pow(own - other, 2) * (one.j != none ? 0.5 : 1.0);
-  }
+        parts_->nominal[r] *
+        std::pow(value_of(map.between(ends(r).first, ends(r).second).voltage, unknowns), 2);
   return load;
 }
 

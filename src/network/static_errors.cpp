@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "network/rest_equations.hpp"
+#include "network/nodal_equations.hpp"
 
 namespace tactile_net {
 namespace {
@@ -56,7 +56,7 @@ double norm_of(const Matrix& matrix) { return norm_of(std::span<const double>(ma
 }  // namespace
 
 StaticErrors static_errors(const FlatCircuit& circuit) {
-  const RestEquations equations(circuit, without_input_errors);
+  const NodalEquations equations(circuit, without_input_errors);
   const Eigen::VectorXd answer = equations.outputs();
   const double size = answer.norm();
   if (!(size > 0.0)) throw std::domain_error("without an answer there is no relative error");
@@ -69,7 +69,7 @@ StaticErrors static_errors(const FlatCircuit& circuit) {
         input_errors(circuit, equations.by_bias_current(), &OpAmp::bias_current), size);
   const auto without = [&](std::optional<double> OpAmp::*key) {
     if (!any(circuit, key)) return 0.0;
-    const RestEquations other(circuit, [key](const OpAmp& opamp) {
+    const NodalEquations other(circuit, [key](const OpAmp& opamp) {
       OpAmp changed = without_input_errors(opamp);
       (changed.*key).reset();
       return changed;
@@ -91,18 +91,18 @@ OpAmpErrors opamp_errors(const FlatCircuit& circuit,
       std::all_of(models.begin(), models.end(),
                   [](const AmplifierModel& model) { return model.opamp.is_nullor(); }))
     return errors;
-  const RestEquations own(circuit, without_input_errors);
+  const NodalEquations own(circuit, without_input_errors);
   if (any(circuit, &OpAmp::offset))
     errors.offset = from_eigen(input_errors(circuit, own.by_offset(), &OpAmp::offset));
   if (any(circuit, &OpAmp::bias_current))
     errors.bias_current =
         from_eigen(input_errors(circuit, own.by_bias_current(), &OpAmp::bias_current));
   // From ideal op-amps on, one property after the other: what each adds adds up to all of it.
-  const RestEquations ideal(
+  const NodalEquations ideal(
       circuit, [](const OpAmp&) { return OpAmp{.gain = std::numeric_limits<double>::infinity()}; });
-  const RestEquations of_gain(circuit,
-                              [](const OpAmp& opamp) { return OpAmp{.gain = opamp.dc_gain()}; });
-  const RestEquations of_inputs(circuit, [](const OpAmp& opamp) {
+  const NodalEquations of_gain(circuit,
+                               [](const OpAmp& opamp) { return OpAmp{.gain = opamp.dc_gain()}; });
+  const NodalEquations of_inputs(circuit, [](const OpAmp& opamp) {
     OpAmp changed = without_input_errors(opamp);
     changed.output_resistance.reset();
     return changed;

@@ -18,11 +18,14 @@ class SparseLu {
   /// Whether every pivot was found; else nothing may be solved.
   [[nodiscard]] bool regular() const noexcept;
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
   [[nodiscard]] Eigen::MatrixXd solve_transposed(const Eigen::MatrixXd& b) const;  ///< A'^-1 b
+  [[nodiscard]] double reciprocal_condition() const;  ///< estimated, in the 1-norm
 
  private:
   struct Factors;
   std::unique_ptr<Factors> factors_;  // whose transpose() is not const, though it changes nothing
+  double norm_ = 0.0;
 };
 
 /// P A P' = L D L' of a symmetric matrix.

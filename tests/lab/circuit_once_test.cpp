@@ -39,10 +39,10 @@ Circuit counted_realize(Realization, const NetworkProblem&, const RealizationOpt
 void real_flat(void*, const Circuit&) asm("__real__ZN11tactile_net11FlatCircuitC1ERKNS_7CircuitE");
 void counted_flat(void*,
                   const Circuit&) asm("__wrap__ZN11tactile_net11FlatCircuitC1ERKNS_7CircuitE");
-void real_reduction(void*,
-                    const Circuit&) asm("__real__ZN11tactile_net9ReductionC1ERKNS_7CircuitE");
-void counted_reduction(void*,
-                       const Circuit&) asm("__wrap__ZN11tactile_net9ReductionC1ERKNS_7CircuitE");
+void real_reduction(void*, const FlatCircuit&) asm(
+    "__real__ZN11tactile_net9ReductionC1ERKNS_11FlatCircuitE");
+void counted_reduction(void*, const FlatCircuit&) asm(
+    "__wrap__ZN11tactile_net9ReductionC1ERKNS_11FlatCircuitE");
 Certificate real_certify(const NetworkCircuit&,
                          double) asm("__real__ZN11tactile_net7certifyERKNS_14NetworkCircuitEd");
 Certificate counted_certify(const NetworkCircuit&,
@@ -65,7 +65,7 @@ void counted_flat(void* self, const Circuit& circuit) {
   ++made_of_circuit["flat circuit"];
   real_flat(self, circuit);
 }
-void counted_reduction(void* self, const Circuit& circuit) {
+void counted_reduction(void* self, const FlatCircuit& circuit) {
   ++made_of_circuit["reduction"];
   real_reduction(self, circuit);
 }

@@ -1,9 +1,12 @@
 // Real op-amps in ngspice: errors at rest, slewing, noise, and contacts that move.
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <sstream>
 
+#include "network/angular_frequency.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/network/deck.hpp"
@@ -16,6 +19,7 @@
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tactile_net/simulator/step_response.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 #include "tests/simulator/at_rest.hpp"
@@ -345,5 +349,46 @@ TEST_CASE("the 1/f noise of real inputs is ngspice's", "[spice][noise]") {
     const double all = expected.thermal(4, 4) + expected.amplifiers(4, 4) + expected.flicker(4, 4);
     CHECK_THAT(noise_of(ngspice.run(deck)), WithinRel(std::sqrt(all), 0.03));
     CHECK(expected.flicker(4, 4) > 0.2 * all);
+  }
+}
+
+TEST_CASE("capacitors at outputs, at inputs and between nodes are ngspice's", "[spice][opamp]") {
+  for (const Realization one :
+       {Realization::crossbar, Realization::least_squares, Realization::lattice}) {
+    Circuit circuit = realize(one, array_network(5, 1e-3).problem,
+                              {.opamp = {.gain = 1e6,
+                                         .bandwidth = 1e7,
+                                         .second_pole = 2.5e7,
+                                         .input_capacitance = 4e-12,
+                                         .output_resistance = 100.0}});
+    const std::vector<Node> outputs = circuit.outputs;
+    const Node input = circuit.instances[0].pins[1];
+    for (std::size_t k = 0; k < outputs.size(); ++k) {
+      const std::string place = std::to_string(k);
+      circuit.capacitors.push_back({"Cload" + place, outputs[k], 0, 2e-11});
+      if (k > 0) circuit.capacitors.push_back({"C" + place, outputs[k - 1], outputs[k], 5e-12});
+    }
+    circuit.capacitors.push_back({"Caround", outputs[0], input, 1e-12});
+    circuit.capacitors.push_back({"Cbetween", input, circuit.instances[1].pins[1], 3e-12});
+    const StateSpace system = state_space(circuit);
+    const auto states = static_cast<Eigen::Index>(system.states());
+    const Eigen::Map<const Eigen::VectorXd> drive(system.drive.data(), states);
+    for (const double hertz : {1e5, 1e6, 1e7, 1e8}) {
+      CAPTURE(name(one), hertz);
+      std::ostringstream deck;
+      write_deck(deck, circuit, {.title = "capacitors"}, Answer::raw_file, SingleFrequency{hertz});
+      Ngspice ngspice;
+      const std::vector<double> seen =
+          operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
+      // Every source is at 90 degrees.
+      const std::complex<double> j(0.0, 1.0);
+      Eigen::MatrixXcd shifted = -view(system.dynamics).cast<std::complex<double>>();
+      shifted.diagonal().array() += j * angular_frequency(hertz);
+      const Eigen::VectorXcd x = shifted.partialPivLu().solve(j * drive);
+      const Eigen::VectorXd expected = (view(system.output) * x).real();
+      for (std::size_t k = 0; k < seen.size(); ++k)
+        CHECK_THAT(seen[k],
+                   WithinAbs(expected(static_cast<Eigen::Index>(k)), 1e-6 * expected.norm()));
+    }
   }
 }

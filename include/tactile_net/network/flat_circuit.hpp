@@ -34,6 +34,7 @@ class FlatCircuit {
     Node out = 0;
     Node inverse = 0;       ///< -out; 0: there is none
     std::size_t model = 0;  ///< index into `circuit().amplifiers`
+    bool inside = false;    ///< it stood in a sub-circuit
   };
   [[nodiscard]] std::span<const Amplifier> amplifiers() const noexcept { return amplifiers_; }
 

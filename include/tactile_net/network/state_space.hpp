@@ -13,8 +13,9 @@
 
 namespace tactile_net {
 
-/// x' = A x + b, v = C x + d: node voltages with capacitance and the amplifiers' poles as states,
-/// everything else eliminated. Assembled from the parts that the deck is written from, inputs'
+/// x' = A x + b, v = C x + d: node voltages with capacitance (of nodes that only capacitors between
+/// each other tie, their differences) and the amplifiers' poles as states, everything else
+/// eliminated. Assembled from the parts that the deck is written from, inputs'
 /// polarity and sub-circuits' insides included.
 struct StateSpace {
   Matrix dynamics{};             ///< A [1/s], square
@@ -39,9 +40,10 @@ struct StateSpace {
 /// How many states a circuit has: to know what its analysis costs before it is done.
 [[nodiscard]] std::size_t count_states(const FlatCircuit& circuit);
 
+/// Capacitors may stand between any two nodes. Of an N-shaped device the slope at 0 V is taken.
+///
 /// @throw std::invalid_argument  a part has no place in it: an amplifier without bandwidth, an
-///                               inductor, an N-shaped device (its slope at 0 V is taken), a
-///                               capacitor not to ground
+///                               inductor
 /// @throw std::domain_error      nodes without capacitance have no unique voltage
 [[nodiscard]] StateSpace state_space(const FlatCircuit& circuit);
 
