@@ -57,7 +57,8 @@ constexpr const char* choice =
 `.op` and `.ac` do not show it: a network that grows has an operating point, too. These do:
 
 **The state space.** From the parts of the deck (sub-circuits' insides and the polarity of every input
-included) the library assembles `x' = A x + b` and decomposes it: poles, the growing mode, settling time.
+included) the library assembles `C x' = -G x + b`, by modified nodal analysis, and from it `x' = A x + b`, which it decomposes: poles, the
+growing mode, settling time. Capacitors may stand between any two nodes. The same G gives the rest point and what offsets and bias currents do.
 
 **The reduced equations.** With fast converters and inverters every network is `T z' = -S z + h`: z the node voltages, or the amplifiers'
 outputs; T > 0 diagonal, the nodes' capacitances or the rows' conductances over 2 pi bandwidth. If the symmetric part of S is
