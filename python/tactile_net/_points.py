@@ -70,11 +70,12 @@ class StudyCopy:
                     copy.write_bytes(content)
                 points = _core.StudyPoints(folder.name + self.path, self.allow_outside)
                 if points.hash != self.hash:
+                    folder.cleanup()
                     raise RuntimeError(
                         f"{self.path} is another study on a worker: name its scene and files by paths relative to it"
                     )
-                if len(_arrived) == 8:  # the oldest
-                    del _arrived[next(iter(_arrived))]
+                if len(_arrived) == 8:
+                    _arrived.pop(next(iter(_arrived)))[0].cleanup()  # the oldest
                 _arrived[self.hash] = folder, points
             return _arrived[self.hash][1]
 

@@ -14,7 +14,7 @@ import fcntl
 import json
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from functools import partial
 from hashlib import sha256
@@ -111,8 +111,9 @@ def generate(
         raise ValueError(f"chunk must be at least 1 (got {chunk})")
     place = Path(store)
     form = _form_of(place)
-    with saved(study) as path, listening(progress) as heard, _locked(place):
+    with saved(study) as path, listening(progress) as heard, ExitStack() as until_the_end:
         points = _core.StudyPoints(path, allow_outside)
+        until_the_end.enter_context(_locked(place))
         scene = Scene.parse(points.scene_text, file=points.scene_file)
         attributes = attributes_of(scene, ()) | {
             "study": points.hash,

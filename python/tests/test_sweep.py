@@ -73,7 +73,7 @@ def test_ctrl_c_keeps_what_is_done(study: tn.Study, tmp_path: Path) -> None:
     path = tn.Study(study.scene.replace({"reconstruct.alpha": "rgcv"}), AXES, repeats=40).save(tmp_path)
     # A shell's job in the background ignores the signal, and so would its children.
     heard = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
-    script = f"{heard}import tactile_net as tn\ntry:\n    tn.sweep({path!r}, {str(tmp_path / 'out')!r}, jobs=2)\nexcept KeyboardInterrupt:\n    print('stopped')"
+    script = f"{heard}import tactile_net as tn\ntry:\n    tn.sweep({path!r}, {str(tmp_path / 'rows.csv')!r}, jobs=2)\nexcept KeyboardInterrupt:\n    print('stopped')"
     with subprocess.Popen([sys.executable, "-B", "-c", script], stdout=subprocess.PIPE, text=True) as process:
         end = time.monotonic() + 60
         while not ((tmp_path / "rows.csv").exists() and (tmp_path / "rows.csv").stat().st_size > 3000) and time.monotonic() < end:

@@ -1,4 +1,4 @@
-// sweep and merge: shards, kills, and what is refused.
+// sweep and merge: parts, kills, and what is refused.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
