@@ -147,17 +147,36 @@ TEST_CASE("a layer's amplitudes are those of its state equations' matrix exponen
 }
 
 TEST_CASE("a wave along y is a line array's", "[skin_transform]") {
-  const Material material =
-      GENERATE(Material{.youngs_modulus = 3.0, .poisson_ratio = 0.4}, layer(0.3, 1.5, Base::bonded),
-               layer(0.5, 1.5, Base::frictionless));
-  for (const Quantity q : line_quantities)
-    for (const Traction load : line_tractions)
-      for (const double k : {-3.0, 0.2, 1.0}) {
-        CAPTURE(name(q), name(load), k);
-        const Complex line = pad_transform(q, load, material, 0.9, k);
-        const Complex plane = skin_transform(q, load, material, 0.9, k, 0.0);
-        CHECK(std::abs(plane - line) <= 4e-16 * (1.0 + std::abs(line)));
-      }
+  // So what holds of a skin's waves holds of a line's: the matrix exponential, the half space of a
+  // thick layer, finite values everywhere.
+  const auto base = GENERATE(Base::bonded, Base::frictionless);
+  const double nu = GENERATE(0.0, 0.3, 0.45, 0.4999, 0.5);
+  const double h = 1.5;
+  Material half = layer(nu, h, base);
+  half.layer.reset();
+  half.youngs_modulus = 3.0;
+  for (const Material& material : {layer(nu, h, base), half})
+    for (const double k : {-3.0, 1e-9, 0.01, 0.2, 1.0, 6.0, 40.0, 1e3, 1e9, 1e300, infinite})
+      for (const double x : {1e-9, 0.02, 0.9, h})
+        for (const Traction load : line_tractions) {
+          const auto line = [&](Quantity q) { return pad_transform(q, load, material, x, k); };
+          const Complex down = line(Quantity::stress_x);
+          const Complex along = line(Quantity::stress_y);
+          for (const Quantity q : line_quantities) {
+            CAPTURE(name(base), material.layer.has_value(), nu, k, x, name(q), name(load));
+            const Complex value = line(q);
+            CHECK(std::isfinite(value.real()));
+            CHECK(std::isfinite(value.imag()));
+            const Complex plane = skin_transform(q, load, material, x, k, 0.0);
+            CHECK(std::abs(plane - value) <= 4e-15 * (1.0 + std::abs(value)));
+            if (!is_strain(q)) continue;
+            const bool is_down = q == Quantity::strain_x;  // by Hooke's law
+            const Complex strain = ((1.0 - nu * nu) * (is_down ? down : along) -
+                                    nu * (1.0 + nu) * (is_down ? along : down)) /
+                                   material.youngs_modulus;
+            CHECK(std::abs(value - strain) <= 1e-14 * (1.0 + std::abs(down) + std::abs(along)));
+          }
+        }
 }
 
 TEST_CASE("turning wave, traction and tensor together changes nothing",
