@@ -78,31 +78,6 @@ TEST_CASE("readings are linear in the field", "[sampled][property]") {
   for (std::size_t i = 0; i < c.size(); ++i) CHECK_THAT(c[i], WithinAbs(3.0 * a[i] - b[i], 1e-14));
 }
 
-TEST_CASE("what j causes at i under a push, i causes at j", "[sampled][property]") {
-  // Reciprocity: even kernels make a symmetric block, odd kernels a skew one.
-  for (const auto& [quantity, sign] :
-       {std::pair{Quantity::stress_x, 1.0}, std::pair{Quantity::shear_xy, -1.0}}) {
-    const Channel channel{quantity, 0.9, ""};
-    const auto kernel = sampled_kernel(channel, Traction::normal, pad, 12, 0.3);
-    for (std::size_t m = 0; m < kernel.size(); ++m)
-      CHECK(kernel[m] == sign * kernel[kernel.size() - 1 - m]);
-  }
-}
-
-TEST_CASE("stress keeps the force when the array is wide", "[sampled][property]") {
-  SensorArray wide = nine_taxels;
-  wide.count = 4001;
-  wide.pitch = 0.1;
-  wide.depths = {1.0};
-  wide.reads = {Quantity::stress_x};
-  TractionField field{.normal = std::vector<double>(4001), .tangential = {}};
-  field.normal[1990] = 3.0;
-  field.normal[2015] = 2.0;
-  double sum = 0.0;
-  for (const double reading : sampled_readings(wide, pad, field)) sum += reading;
-  CHECK_THAT(sum, WithinRel(5.0, 1e-6));  // the rest is read beyond the array's ends
-}
-
 TEST_CASE("an empty tangential field is a field of zeros", "[sampled]") {
   const TractionField none{.normal = wave(9, 1.0), .tangential = {}};
   const TractionField zeros{.normal = none.normal, .tangential = std::vector<double>(9)};

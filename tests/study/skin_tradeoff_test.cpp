@@ -258,17 +258,6 @@ TEST_CASE("circuits too large for operating points and draws are named, with the
   }
 }
 
-TEST_CASE("no point of a skin's front is both slower and worse than another", "[tradeoff][skin]") {
-  const std::vector<WorkPoint> points = digital_skin_study().points();
-  const auto front = pareto_front(points, &WorkPoint::error_to_solution, TimeOf::frame);
-  REQUIRE_FALSE(front.empty());
-  for (const std::size_t i : front)
-    for (const WorkPoint& other : points)
-      if (other.measured() && other.time_of == TimeOf::frame && other.error_to_solution)
-        CHECK_FALSE((other.seconds <= points[i].seconds &&
-                     *other.error_to_solution < *points[i].error_to_solution));
-}
-
 TEST_CASE("uneven and partly dead skins are studied without what they lack",
           "[tradeoff][skin][long]") {
   const Study dead = study_of(pressed_skin + "[dead_taxels]\nindices = [\"1_1\"]\n");
