@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "tactile_net/grasp/margins.hpp"
 #include "tactile_net/grasp/two_fingers.hpp"
 #include "tests/catch.hpp"
 #include "tests/grasp/hands.hpp"
@@ -90,35 +89,6 @@ TEST_CASE("any hand is in equilibrium, by the torques of its forces", "[grasp][p
       }
 }
 
-TEST_CASE("holding does not depend on the frame or the units, and mirrors with the hand",
-          "[grasp][property]") {
-  Random random(4);
-  for (int trial = 0; trial < 40; ++trial) {
-    CAPTURE(trial);
-    Hand hand = random_hand(random, 3, 3);
-    for (ContactPlace& contact : hand.contacts) contact.deviation = random.between(0.0, 0.1);
-    const HoldOptions options{.squeeze = 6.0};
-    const HeldGrasp one = held(hand, options);
-    const HeldGrasp away = held(moved(hand, 1.1, {3.0, -2.0}), options);
-    const HeldGrasp mirror = held(mirrored(hand), options);
-    const HeldGrasp units = held(scaled(hand, 1e-3, 1e4), {.squeeze = 6e4});
-    CHECK_THAT(units.condition, WithinRel(one.condition, 1e-9));
-    const double limit = 1e-12 * one.condition * largest(torques_of(one));
-    for (std::size_t i = 0; i < 3; ++i) {
-      CHECK_THAT(mirror.fingers[i].normal, WithinAbs(one.fingers[i].normal, limit));
-      CHECK_THAT(mirror.fingers[i].tangential, WithinAbs(one.fingers[i].tangential, limit));
-      for (std::size_t j = 0; j < 3; ++j) {
-        const Uncertain torque = one.fingers[i].torques[j];
-        CHECK_THAT(away.fingers[i].torques[j].value, WithinAbs(torque.value, limit));
-        CHECK_THAT(mirror.fingers[i].torques[j].value, WithinAbs(-torque.value, limit));
-        CHECK_THAT(0.1 * units.fingers[i].torques[j].value, WithinAbs(torque.value, limit));
-        CHECK_THAT(0.1 * units.fingers[i].torques[j].deviation,
-                   WithinAbs(torque.deviation, 10.0 * limit));
-      }
-    }
-  }
-}
-
 TEST_CASE("deviations of the contacts' places reach the torques by exact derivatives",
           "[grasp][property]") {
   // Against central differences of `hold` itself.
@@ -179,82 +149,6 @@ TEST_CASE("deviations of the contacts' places reach the torques by exact derivat
     CHECK_THAT(std::pow(grasp.fingers[i].torques[1].deviation, 2),
                WithinAbs(grasp.torque_covariance(2 * i + 1, 2 * i + 1), 1e-12 * size));
   }
-}
-
-TEST_CASE("within friction cones the torques are the least that carry the load",
-          "[grasp][property]") {
-  // Optimal if and only if no nearby forces in equilibrium and within the cones take less: tried in
-  // many directions. And what is found infeasible has no solution among random ones.
-  Random random(7);
-  int found = 0;
-  int bound = 0;
-  for (int trial = 0; trial < 300; ++trial) {
-    const std::size_t fingers = 2 + static_cast<std::size_t>(trial % 3);
-    const Hand hand = random_hand(random, fingers, 2);
-    const std::vector<double> friction(fingers, 0.8);
-    const HeldGrasp unbound = held(hand);
-    HeldGrasp grasp;
-    try {
-      grasp = held(hand, {.friction = friction});
-    } catch (const CannotHold& error) {
-      CHECK(error.reason() == NoHold::beyond_cones);
-      continue;
-    }
-    CAPTURE(trial);
-    ++found;
-    const auto inside = [&](const HeldGrasp& one, std::size_t i, Complex change, double limit) {
-      const Vector2 inward = pose_of(hand.fingers[i]).inward;
-      const Vector2 along = pose_of(hand.fingers[i]).along;
-      const Vector2 force{one.fingers[i].force.x + change.real(),
-                          one.fingers[i].force.y + change.imag()};
-      return 0.8 * dot(force, inward) + std::abs(dot(force, along)) <= limit;
-    };
-    const auto sum_of_squares = [&](const std::vector<Complex>& change) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < fingers; ++i) {
-        const Placed finger = placed(hand.fingers[i], hand.contacts[i].centre);
-        for (const Complex joint : finger.joints)
-          sum += std::pow(
-              moment(finger.contact - joint, complex_of(grasp.fingers[i].force) + change[i]), 2);
-      }
-      return sum;
-    };
-    const std::vector<Complex> none(fingers);
-    const double least = sum_of_squares(none);
-    double size = 0.0;
-    for (const FingerAction& finger : grasp.fingers) size = std::fmax(size, length(finger.force));
-    CHECK(unbalance(hand, forces_of(grasp)) < 1e-13 * grasp.condition);
-    bool same = true;
-    for (std::size_t i = 0; i < fingers; ++i) {
-      CHECK(inside(grasp, i, 0.0, 1e-9 * size));
-      if (grasp.fingers[i].normal > 1e-9 * size)  // on the edge, all of the friction is used
-        CHECK(friction_margin(grasp.fingers[i], 0.8).verdict == ContactVerdict::holds);
-      same = same && inside(unbound, i, 0.0, 0.0);
-    }
-    bound += same ? 0 : 1;
-    if (same) {
-      for (std::size_t i = 0; i < fingers; ++i)
-        CHECK_THAT(length(grasp.fingers[i].force - unbound.fingers[i].force),
-                   WithinAbs(0.0, 1e-12 * grasp.condition * size));
-    }
-    for (int direction = 0; direction < 400; ++direction) {
-      // Pairs that push against each other leave equilibrium alone.
-      std::vector<Complex> change(fingers);
-      for (std::size_t a = 0; a < fingers; ++a)
-        for (std::size_t b = 0; b < a; ++b) {
-          const Complex way = complex_of(grasp.fingers[a].point - grasp.fingers[b].point);
-          const Complex pair = 1e-3 * size * random.between(-1.0, 1.0) * way / std::abs(way);
-          change[a] += pair;
-          change[b] -= pair;
-        }
-      bool allowed = true;
-      for (std::size_t i = 0; i < fingers; ++i)
-        allowed = allowed && inside(grasp, i, change[i], 0.0);
-      if (allowed) CHECK(sum_of_squares(change) >= least * (1.0 - 1e-9));
-    }
-  }
-  CHECK(found > 30);
-  CHECK(bound > 20);
 }
 
 TEST_CASE("no forces are found where none within the cones carry the load", "[grasp]") {
