@@ -259,54 +259,38 @@ TEST_CASE("a class of op-amps is where its keys begin, and each may be another",
   expected.input_capacitance = 1e-12;
   CHECK(opamp("opamp = { class = \"precision\", slew = 3e6, offset = -1e-4 }\n"
               "parasitic = { input = 1e-12 }\n") == expected);
-  const OpAmp real = opamp(
-      "opamp = { bandwidth = 1e6, noise_current = 1e-12, bias_current = -1e-9, cmrr = 1e4, "
-      "output_resistance = 50 }\n");
-  CHECK(real == OpAmp{.bandwidth = 1e6,
-                      .noise_current = 1e-12,
-                      .bias_current = -1e-9,
-                      .common_mode_rejection = 1e4,
-                      .output_resistance = 50.0});
+  CHECK(opamp("opamp = { bandwidth = 1e6, noise_current = 1e-12, bias_current = -1e-9, cmrr = 1e4, "
+              "output_resistance = 50, noise_voltage = 5e-9, noise_corner = 100, "
+              "output_current = 0.02 }\n") == OpAmp{.bandwidth = 1e6,
+                                                    .noise_voltage = 5e-9,
+                                                    .noise_corner = 100.0,
+                                                    .noise_current = 1e-12,
+                                                    .bias_current = -1e-9,
+                                                    .common_mode_rejection = 1e4,
+                                                    .output_resistance = 50.0,
+                                                    .output_current = 0.02});
 }
 
-TEST_CASE("corner of 1/f noise and output current are an op-amp's own", "[scene]") {
-  const OpAmp real =
-      parsed_scene(smallest +
-                   "[network]\nrealization = \"lattice\"\nopamp = { bandwidth = 1e6, "
-                   "noise_voltage = 5e-9, noise_corner = 100, output_current = 0.02 }\n")
-          .network.parts.opamp;
-  CHECK(real == OpAmp{.bandwidth = 1e6,
-                      .noise_voltage = 5e-9,
-                      .noise_corner = 100.0,
-                      .output_current = 0.02});
-}
-
-TEST_CASE("arrays that are programmed, and the wires of their lines", "[scene]") {
-  const auto options =
-      parsed_scene(smallest +
-                   "[network]\nrealization = \"crossbar\"\n"
-                   "tolerance = { bits = 8, cell_noise = 0.005, wire_resistance = 0.5 }\n")
-          .network.tolerance;
-  CHECK(options.value().bits == 8);
-  CHECK(options->cell_noise == 0.005);
-  CHECK(options->wire_resistance == 0.5);
-  CHECK_FALSE(options->relative);
-}
-
-TEST_CASE("tolerances of their own: the stabiliser's resistors, and balance", "[scene]") {
-  const auto options =
-      parsed_scene(smallest +
-                   "[network]\nrealization = \"lattice\"\n"
-                   "tolerance = { relative = 0.01, stabiliser = 1e-3, balance = 2e-3 }\n")
-          .network.tolerance;
-  CHECK(options.value().stabiliser == 1e-3);
-  CHECK(options->balance == 2e-3);
-}
-
-TEST_CASE("a ladder is an option of the circuit, off where nobody asks", "[scene]") {
-  CHECK_FALSE(parsed_scene(smallest).network.parts.ladder);
-  CHECK(parsed_scene(smallest + "[network]\nrealization = \"least_squares\"\nladder = true\n")
-            .network.parts.ladder);
-  CHECK_THROWS_WITH(parsed_scene(smallest + "[network]\nladder = 1\n"),
-                    ContainsSubstring("ladder"));
+TEST_CASE("tolerances are those of the circuit's parts: arrays, resistors, balance", "[scene]") {
+  const auto network = [](const std::string& text) {
+    return parsed_scene(smallest + "[network]\n" + text).network;
+  };
+  const auto arrays = network(
+                          "realization = \"crossbar\"\n"
+                          "tolerance = { bits = 8, cell_noise = 0.005, wire_resistance = 0.5 }\n")
+                          .tolerance.value();
+  CHECK(arrays.bits == 8);
+  CHECK(arrays.cell_noise == 0.005);
+  CHECK(arrays.wire_resistance == 0.5);
+  CHECK_FALSE(arrays.relative);
+  const auto bought = network(
+                          "realization = \"lattice\"\n"
+                          "tolerance = { relative = 0.01, stabiliser = 1e-3, balance = 2e-3 }\n")
+                          .tolerance.value();
+  CHECK(bought.stabiliser == 1e-3);
+  CHECK(bought.balance == 2e-3);
+  // A ladder is off where nobody asks.
+  CHECK_FALSE(network("").parts.ladder);
+  CHECK(network("realization = \"least_squares\"\nladder = true\n").parts.ladder);
+  CHECK_THROWS_WITH(network("ladder = 1\n"), ContainsSubstring("ladder"));
 }
