@@ -3,7 +3,6 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <complex>
-#include <stdexcept>
 
 #include "tactile_net/elasticity/half_plane.hpp"
 #include "tactile_net/elasticity/pad_kernel.hpp"

@@ -4,9 +4,10 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
+#include "tactile_net/lab/recording.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/lab/laws.hpp"
@@ -99,21 +100,76 @@ TEMPLATE_TEST_CASE("a converter's steps are noise of their rms, step over the ro
     CHECK(converted.verdict == stated.verdict);
   }
   CHECK(solved(readings, rms, 6).force.deviation > solved(readings, rms, 0).force.deviation);
+  // So are those of readings that are weighted each by its own.
+  auto weighted =
+      TestType(scene<TestType>("[quantization]\nrange = [-1.0, 1.0]\nbits = 6\n")).problem.scene();
+  weighted.noise->weights_rows = true;
+  const TestType own(weighted);
+  CHECK(*own.problem.stated_noise() == 1.0);
+  CHECK_THAT(own.problem.problem().weights.front() * std::hypot(1e-3, 2.0 / 63.0 / std::sqrt(12.0)),
+             WithinRel(1.0, 1e-12));
 }
 
-TEMPLATE_TEST_CASE("readings that no contact causes are doubted for what they are", "[lab][laws]",
-                   Lines, Skins) {
+TEMPLATE_TEST_CASE("readings that no contact causes are doubted for what they are, and counted",
+                   "[lab][laws]", Lines, Skins, LargeSkins) {
   const TestType sensor(scene<TestType>());
   const std::vector<double> g = sensor.readings();
-  CHECK(sensor.solve(g).data.consistent());
-  CHECK(sensor.solve(scaled(g, -1.0)).data.has(DataDoubt::pulls));
-  CHECK(sensor.solve(scaled(g, 1e9)).data.has(DataDoubt::implausible));
+  lab::RecordingSolver solver = sensor.solver();
+  lab::Recording recording(sensor.problem);
+  const auto data_of = [&](std::vector<double> readings) {
+    const auto found = solver.solve(readings);
+    REQUIRE(found);
+    REQUIRE(found->data);
+    CHECK((found->verdict == lab::Verdict::ok) == found->data->consistent());
+    recording.add({}, solver.problem(), readings, *found);
+    return *found->data;
+  };
+  CHECK(data_of(g).consistent());
+  CHECK(solver.solved().distrusted.empty());
+  CHECK(data_of(scaled(g, -1.0)).has(DataDoubt::pulls));
+  CHECK(data_of(scaled(g, 1e9)).has(DataDoubt::implausible));
+  std::vector<double> strange = g;
+  for (std::size_t i = 0; i < g.size(); ++i) strange[i] += i % 2 == 0 ? 0.02 : -0.02;
+  CHECK(data_of(strange).has(DataDoubt::misfit));
   std::vector<double> liar = g;
   const std::size_t taxel = TestType::taxels / 2;
   liar[taxel] += 0.3 * *std::max_element(g.begin(), g.end());
-  const DataVerdict data = sensor.solve(liar).data;
+  const DataVerdict data = data_of(liar);
   CHECK(data.has(DataDoubt::bad_taxel));
   CHECK(data.taxel == taxel);
+  const TestType given(scene<TestType>("[reconstruct]\ntangential_weight = 1.0\nalpha = 1e-4\n"));
+  const lab::Verdict verdict =
+      given.solve(liar).verdict;  // a skin's small one may reach beyond the taxels, too
+  CHECK(verdict != lab::Verdict::ok);
+  if (std::is_same_v<TestType, Lines>) CHECK(verdict == lab::Verdict::doubted);
+  CHECK(solver.solved().noise_known);
+  CHECK_FALSE(solver.solved().distrusted.empty());
+  CHECK(solver.solved().doubted.at(DataDoubt::bad_taxel).count() == 1);
+  CHECK(solver.solved().bad_taxels.at(taxel) == 1);
+  const lab::RecordingOverview overview = recording.overview();
+  CHECK(overview.doubted == 4);
+  CHECK(overview.doubts.at(DataDoubt::bad_taxel) == 1);
+  CHECK(overview.groups.back().doubted == 1);
+  CHECK(overview.groups.back().answer.data->taxel == taxel);
+  // Under constraints too.
+  const TestType pressed(scene<TestType>("[reconstruct]\nnonnegative = true\n"));
+  CHECK(pressed.solve(scaled(g, -1.0)).data.has(DataDoubt::pulls));
+}
+
+TEMPLATE_TEST_CASE("where nothing presses there is no fault", "[lab][laws]", Lines, Skins) {
+  for (const char* seed : {"1", "2", "3", "4"}) {
+    const TestType sensor(TestType::sensor + pad + stated_noise + "seed = " + seed + "\n");
+    const FrameNumbers found = sensor.run();
+    CAPTURE(seed, lab::name(found.verdict));
+    CHECK(found.data.noise_alone);
+    if constexpr (std::is_same_v<TestType, Skins>)
+      CHECK(lab::solve(sensor.problem, sensor.readings()).cells.empty());
+    CHECK(is_faultless(found.verdict));
+    lab::RecordingSolver solver = sensor.solver();
+    CHECK(is_faultless(TestType::answer(solver, sensor.readings()).verdict));
+    CHECK(solver.solved().distrusted.empty());
+    CHECK(lab::simulate(sensor.problem.scene()).remarks.size() == 1);
+  }
 }
 
 TEMPLATE_TEST_CASE(

@@ -11,7 +11,7 @@
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
-#include "tests/lab/euclidean.hpp"
+#include "tests/euclidean.hpp"
 
 namespace tactile_net {
 

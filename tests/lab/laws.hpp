@@ -22,7 +22,7 @@
 #include "tactile_net/scene/any_scene.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
-#include "tests/lab/euclidean.hpp"
+#include "tests/euclidean.hpp"
 
 namespace tactile_net::laws {
 
@@ -108,7 +108,8 @@ struct SensorProblem {
 
 /// Taxels in a line, a third of their depth apart, that read two quantities.
 struct Lines : SensorProblem<lab::SceneProblem> {
-  static constexpr std::size_t taxels = 21, channels = 2;
+  static constexpr std::size_t taxels = 21, channels = 2, mirrors = 1;
+  static constexpr double tolerance = 1e-8;  ///< of tractions that are the same but for rounding
   static constexpr const char* coarse = "pitch = 3.0";
   static constexpr const char* spaced = "pitch = 1.5";  ///< as far apart as they are deep
   static inline const std::string sensor =
@@ -170,28 +171,27 @@ struct Lines : SensorProblem<lab::SceneProblem> {
     return numbers_of(std::move(answer));
   }
   /// The reading of taxel `t`'s mirror image, and what becomes of its sign.
-  [[nodiscard]] static std::vector<double> mirrored_readings(const std::vector<double>& g) {
+  [[nodiscard]] static std::vector<double> mirrored_readings(const std::vector<double>& g,
+                                                             std::size_t /*mirror*/) {
+    const std::size_t n = g.size() / 2;
     std::vector<double> m(g.size());
-    for (std::size_t t = 0; t < taxels; ++t) {
-      m[t] = g[taxels - 1 - t];
-      m[taxels + t] = -g[2 * taxels - 1 - t];
+    for (std::size_t i = 0; i < n; ++i) {
+      m[i] = g[n - 1 - i];
+      m[n + i] = -g[2 * n - 1 - i];
     }
     return m;
   }
-  [[nodiscard]] static std::vector<double> mirrored_tractions(const std::vector<double>& f) {
-    const std::size_t n = f.size() / 2;
-    std::vector<double> m(f.size());
-    for (std::size_t i = 0; i < n; ++i) {
-      m[i] = f[n - 1 - i];
-      m[n + i] = -f[2 * n - 1 - i];
-    }
-    return m;
+  [[nodiscard]] static std::vector<double> mirrored_tractions(const std::vector<double>& f,
+                                                              std::size_t mirror) {
+    return mirrored_readings(f, mirror);
   }
 };
 
 /// Taxels of a lattice that read three quantities.
 struct Skins : SensorProblem<lab::SkinSceneProblem> {
   static constexpr std::size_t rows = 6, columns = 5, taxels = rows * columns, channels = 3;
+  static constexpr std::size_t mirrors = 2;
+  static constexpr double tolerance = 1e-8;
   static constexpr const char* coarse = "pitch = 3.0";
   static constexpr const char* spaced = "pitch = 1.5";
   static inline const std::string sensor =
@@ -206,7 +206,8 @@ struct Skins : SensorProblem<lab::SkinSceneProblem> {
 
   explicit Skins(const std::string& toml)
       : Skins(std::get<SkinScene>(parse_any_scene(toml, "skin.toml"))) {}
-  explicit Skins(SkinScene scene) : SensorProblem{lab::SkinSceneProblem(std::move(scene))} {}
+  explicit Skins(SkinScene scene) : Skins(lab::SkinSceneProblem(std::move(scene))) {}
+  explicit Skins(lab::SkinSceneProblem of) : SensorProblem{std::move(of)} {}
 
   /// Taxels in no rows may be listed in any order.
   static std::vector<std::size_t> another_order() {
@@ -251,23 +252,37 @@ struct Skins : SensorProblem<lab::SkinSceneProblem> {
     REQUIRE(experiment.results.front().has_answer());
     return numbers_of(experiment.results.front().answer);
   }
-  /// About y = 0: the drag along y turns its sign, and what reads it.
-  [[nodiscard]] static std::vector<double> mirrored(const std::vector<double>& x, std::size_t down,
+  /// About y = 0, or z = 0: the drag along that turns its sign, and what reads it.
+  [[nodiscard]] static std::vector<double> mirrored(const std::vector<double>& x,
+                                                    std::size_t mirror, std::size_t down,
                                                     std::size_t across) {
     std::vector<double> m(x.size());
     for (std::size_t u = 0; u < 3; ++u)
       for (std::size_t r = 0; r < down; ++r)
         for (std::size_t c = 0; c < across; ++c)
           m[(u * down + r) * across + c] =
-              (u == 1 ? -1.0 : 1.0) * x[(u * down + down - 1 - r) * across + c];
+              (u == 1 + mirror ? -1.0 : 1.0) *
+              x[(u * down + (mirror == 0 ? down - 1 - r : r)) * across +
+                (mirror == 1 ? across - 1 - c : c)];
     return m;
   }
-  [[nodiscard]] static std::vector<double> mirrored_readings(const std::vector<double>& g) {
-    return mirrored(g, rows, columns);
+  [[nodiscard]] static std::vector<double> mirrored_readings(const std::vector<double>& g,
+                                                             std::size_t mirror) {
+    return mirrored(g, mirror, rows, columns);
   }
-  [[nodiscard]] std::vector<double> mirrored_tractions(const std::vector<double>& f) const {
-    return mirrored(f, problem.grid().rows, problem.grid().columns);
+  [[nodiscard]] std::vector<double> mirrored_tractions(const std::vector<double>& f,
+                                                       std::size_t mirror) const {
+    return mirrored(f, mirror, problem.grid().rows, problem.grid().columns);
   }
+};
+
+/// Skins that are solved without a matrix, by steps that end where they are told to.
+struct LargeSkins : Skins {
+  static constexpr double tolerance = 1e-5;
+  explicit LargeSkins(const std::string& toml)
+      : LargeSkins(std::get<SkinScene>(parse_any_scene(toml, "skin.toml"))) {}
+  explicit LargeSkins(SkinScene scene)
+      : Skins(lab::SkinSceneProblem(std::move(scene), std::size_t{0})) {}
 };
 
 template <class Sensor>

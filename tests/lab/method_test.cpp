@@ -207,17 +207,4 @@ TEST_CASE("the circuit solves no frames, and says so", "[lab][method]") {
                   std::invalid_argument);
 }
 
-TEST_CASE("a single frame shares its alpha with none", "[lab][method]") {
-  const SceneProblem problem(scene_that_reads(one_stress, ""));
-  const std::vector<double> g = bump(1);
-  std::vector<double> alone(problem.tractions());
-  std::vector<double> first(problem.tractions());
-  REQUIRE(make_solver(problem, Method::tikhonov)->solve(g, alone).status == FrameStatus::ok);
-  REQUIRE(make_sharing_solver(problem, Method::tikhonov, 20)->solve(g, first).status ==
-          FrameStatus::ok);
-  CHECK(first == alone);
-  CHECK_THROWS_AS(make_sharing_solver(problem, Method::dft, 20), std::invalid_argument);
-  CHECK_THROWS_AS(make_sharing_solver(problem, Method::tikhonov, 0), std::invalid_argument);
-}
-
 }  // namespace tactile_net::lab

@@ -91,13 +91,6 @@ TEST_CASE("what patterns of missing taxels need is kept, not without end", "[lab
   CHECK(made == 5);
 }
 
-TEST_CASE("a frame without any taxel has no answer", "[lab][missing]") {
-  RecordingSolver solver(SceneProblem{two_quantity_scene("[reconstruct]\nalpha = 1e-3\n")},
-                         Method::tikhonov, {.missing = Missing::estimate});
-  std::vector<double> readings(2 * taxel_count, missing_reading);
-  CHECK_FALSE(solver.solve(readings));
-}
-
 TEST_CASE("dft knows no dead taxels, and so none that are missing", "[lab][missing]") {
   const SceneProblem problem{
       parse_scene("[sensor]\ncount = 17\npitch = 0.5\ndepth = 1.5\nreads = [\"stress_x\"]\n"

@@ -1,9 +1,10 @@
 #include "tactile_net/lab/recording_solver.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 #include "tests/lab/checked_line.hpp"
+#include "tests/lab/checked_skin.hpp"
 #include "tests/lab/scene_parts.hpp"
 
 namespace tactile_net::lab {
@@ -23,13 +25,6 @@ Scene pressed_over_time() {
       "[time]\nrate = 10.0\nframes = 6\n[reconstruct]\nalpha = 1e-3\n"
       "[[contact]]\nshape = \"cylinder\"\nforce = 10.0\nhalf_width = 2.0\n",
       "scene.toml");
-}
-
-std::vector<double> simulated_readings(const Scene& scene) { return simulate(scene).readings; }
-
-/// Of the problem that the last frame was solved with.
-const std::vector<std::size_t>& dead_of(const RecordingSolver& solver) {
-  return std::get<SceneProblem>(solver.problem()).scene().dead_taxels;
 }
 
 struct Steps : Observer {
@@ -45,48 +40,6 @@ struct Steps : Observer {
 };
 
 }  // namespace
-
-TEST_CASE("frames are solved as the method solves them, and judged", "[lab][recording]") {
-  const Scene scene = pressed_over_time();
-  const SceneProblem problem(scene);
-  RecordingSolver recorded(problem, Method::tikhonov);
-  const auto alone = make_solver(problem, Method::tikhonov);
-  std::vector<double> expected(alone->tractions());
-  SensorRecording sensor(scene);
-  while (sensor.next()) {
-    std::vector<double> readings(sensor.readings().begin(), sensor.readings().end());
-    const auto result = recorded.solve(readings);
-    REQUIRE(result);
-    REQUIRE(alone->solve(sensor.readings(), expected).status == FrameStatus::ok);
-    CHECK(result->tractions == expected);
-    REQUIRE(result->data);
-    CHECK(result->data->consistent());
-  }
-  CHECK(recorded.solved().frames == 6);
-  CHECK(recorded.solved().verdicts.size() == 1);
-}
-
-TEST_CASE("a frame with a missing reading is skipped, or solved from the others",
-          "[lab][recording]") {
-  const Scene scene = pressed_over_time();
-  std::vector<double> readings = simulated_readings(scene);
-  readings[4] = missing_reading;
-  const Missing missing = GENERATE(Missing::skip, Missing::estimate);
-  RecordingSolver solver(SceneProblem(scene), Method::tikhonov, {.missing = missing});
-  const auto result = solver.solve(readings);
-  CHECK(result.has_value() == (missing == Missing::estimate));
-  CHECK(solver.solved().frames == 1);
-  if (result) {
-    CHECK(dead_of(solver) == std::vector<std::size_t>{4});
-    CHECK(readings[4] == 0.0);
-    CHECK(solver.solved().estimated.count() == 1);
-  } else {
-    CHECK(solver.solved().skipped.count() == 1);
-  }
-  std::vector<double> whole = simulated_readings(scene);
-  REQUIRE(solver.solve(whole));
-  CHECK(dead_of(solver).empty());
-}
 
 TEST_CASE("a bad frame does not count", "[lab][recording]") {
   RecordingSolver solver(SceneProblem(pressed_over_time()), Method::tikhonov);
@@ -106,42 +59,6 @@ TEST_CASE("whoever observes a simulation hears every frame, and may end it", "[l
   Steps some(3);
   CHECK_THROWS(simulate(pressed_over_time(), some));
   CHECK(some.frames.size() == 3);
-}
-
-TEST_CASE("taxels at the end of a line's range are left out, as if dead",
-          "[lab][recording][clipped]") {
-  Scene scene = pressed_over_time();
-  std::vector<double> readings = simulated_readings(scene);
-  const double limit = 0.7 * *std::max_element(readings.begin(), readings.end());
-  std::vector<std::size_t> beyond;
-  for (std::size_t i = 0; i < readings.size(); ++i)
-    if (readings[i] >= limit) beyond.push_back(i);
-  REQUIRE(beyond.size() >= 5);
-  for (double& reading : readings) reading = std::min(reading, limit);
-
-  // Nobody states the range: they are named, and taken for what they say.
-  const std::vector<double> clipped = readings;
-  RecordingSolver guessing(SceneProblem(scene), Method::tikhonov);
-  auto result = guessing.solve(readings);
-  REQUIRE(result);
-  CHECK(result->verdict == Verdict::clipped);
-  CHECK(readings == clipped);
-  REQUIRE(std::holds_alternative<remark::Clipped>(result->remarks.back()));
-  CHECK(std::get<remark::Clipped>(result->remarks.back()).taxels == beyond);
-  CHECK_FALSE(std::get<remark::Clipped>(result->remarks.back()).left_out);
-
-  scene.saturation = Saturation{.range = {{Quantity::stress_x, {-limit, limit}}}};
-  RecordingSolver knowing(SceneProblem(scene), Method::tikhonov);
-  result = knowing.solve(readings);
-  REQUIRE(result);
-  CHECK(result->verdict == Verdict::clipped);
-  CHECK(std::get<remark::Clipped>(result->remarks.back()).left_out);
-  CHECK(knowing.solved().estimated.count() == 0);
-  scene.dead_taxels = beyond;
-  const auto without = make_solver(scene, Method::tikhonov);
-  std::vector<double> expected(without->tractions());
-  REQUIRE(without->solve(readings, expected).status == FrameStatus::ok);
-  CHECK(result->tractions == expected);
 }
 
 TEST_CASE("what solve notices comes from the same functions", "[lab][check]") {
@@ -173,10 +90,12 @@ RecordingSolver solver_through(const RecordedLine& recording) {
   return solver;
 }
 
-/// From frame to frame by a tenth of the noise.
-void let_drift(RecordedLine& recording) {
+constexpr double slope = 0.3 * pad_noise;  // a frame
+
+template <class Recording>
+void let_drift(Recording& recording) {
   for (std::size_t k = 0; k < recording.frames.size(); ++k)
-    for (double& value : recording.frames[k]) value += 0.1 * pad_noise * static_cast<double>(k);
+    for (double& value : recording.frames[k]) value += slope * static_cast<double>(k);
 }
 
 }  // namespace
@@ -202,27 +121,80 @@ TEST_CASE("solve is told what no single frame shows", "[lab][check]") {
         finding_of<finding::Drift>(check(drifting)).largest);
 }
 
-TEST_CASE("a solver finds in frames and their times what a check of them finds",
-          "[lab][recording][check]") {
-  const Missing missing = GENERATE(Missing::skip, Missing::estimate);
-  RecordedLine recording = recorded_line(line_pad(11, "\"stress_x\"", presses, 1));
+namespace {
+
+/// Which drifts, and of which a reading is missing.
+template <class Recording>
+Recording drifting() {
+  Recording recording;
+  if constexpr (std::is_same_v<Recording, RecordedLine>) {
+    recording = recorded_line(line_pad(11, "\"stress_x\"", presses, 1));
+  } else {
+    recording = recorded_skin(skin_pad("\"stress_x\"", false));
+    std::vector<std::vector<double>> third;  // which are quick to solve
+    for (std::size_t k = 0; k < recording.frames.size(); k += 3)
+      third.push_back(recording.frames[k]);
+    recording.frames = std::move(third);
+  }
   let_drift(recording);
   recording.frames[30][4] = missing_reading;
+  return recording;
+}
+
+AnyProblem problem_of(const RecordedLine& recording) { return SceneProblem(recording.scene); }
+AnyProblem problem_of(const RecordedSkin& recording) { return SkinSceneProblem(recording.scene); }
+
+}  // namespace
+
+TEMPLATE_TEST_CASE(
+    "a solver finds in frames and their times what a check of them finds, however many at once",
+    "[lab][recording][check]", RecordedLine, RecordedSkin) {
+  const Missing missing = GENERATE(Missing::skip, Missing::estimate);
+  const auto recording = drifting<TestType>();
+  const std::size_t frames = recording.frames.size();
+  const auto time_of = [&](std::size_t k) -> std::optional<double> {
+    // It is missing once, runs backwards once and stands still once.
+    if (k == 10) return std::nullopt;
+    const std::size_t half = frames / 2;
+    const std::size_t steps = k < half ? k : k < half + 20 ? k - half / 2 : k - half / 2 - 1;
+    return 0.01 * static_cast<double>(steps);
+  };
   ReadingsChecker checker(recording.scene);
-  RecordingSolver solver(SceneProblem(recording.scene), Method::tikhonov, {.missing = missing});
-  for (std::size_t k = 0; k < recording.frames.size(); ++k) {
-    std::optional<double> time;  // runs backwards once, stands still once, and is missing once
-    if (k != 50) time = 0.01 * static_cast<double>(k < 200 ? k : k < 300 ? k - 100 : k - 101);
-    checker.add(time, recording.frames[k]);
-    std::vector<double> readings = recording.frames[k];
-    (void)solver.solve(readings, time);
-  }
+  for (std::size_t k = 0; k < frames; ++k) checker.add(time_of(k), recording.frames[k]);
   const ReadingsCheck expected = checker.result();
   const Names names = kinds(expected);
   for (const char* one : {"time_backwards", "time_repeats", "values_missing", "drift"})
     CHECK(names.contains(one));
-  CHECK(in_sentences(solver.findings(), recording.scene) ==
-        in_sentences(expected.findings, recording.scene));
+  const auto check_found = [&](auto solve) {
+    RecordingSolver solver(problem_of(recording), Method::tikhonov, {.missing = missing});
+    solve(solver);
+    CHECK(in_sentences(solver.findings(), recording.scene) ==
+          in_sentences(expected.findings, recording.scene));
+    const Findings doubts = solver.doubts();
+    REQUIRE(doubts.size() == 1);
+    const auto& drift = std::get<finding::Drift>(doubts.front());
+    // Of two rests in which nothing presses, the change is the drift's.
+    CHECK_THAT(drift.largest, WithinRel(slope * static_cast<double>(drift.to - drift.from), 0.25));
+    return drift.largest;
+  };
+  const double one_by_one = check_found([&](RecordingSolver& solver) {
+    for (std::size_t k = 0; k < frames; ++k) {
+      std::vector<double> readings = recording.frames[k];
+      (void)solver.solve(readings, time_of(k));
+    }
+  });
+  const double at_once = check_found([&](RecordingSolver& solver) {
+    std::size_t next = 0;
+    solver.solve_all(
+        [&](std::vector<double>& readings, std::optional<double>& time) {
+          if (next == frames) return false;
+          time = time_of(next);
+          readings = recording.frames[next++];
+          return true;
+        },
+        [](std::span<const double>, const std::optional<FrameAnswer>&) {}, 2);
+  });
+  CHECK(one_by_one == at_once);
 }
 
 }  // namespace tactile_net::lab

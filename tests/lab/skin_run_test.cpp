@@ -89,29 +89,6 @@ TEST_CASE("under constraints the residual is the noise, whatever the draw", "[la
   CHECK_THAT(std::sqrt(squares / draws), WithinRel(1e-4, 0.15));
 }
 
-TEST_CASE("two contacts apart are both summed, whatever the draw", "[lab][skin]") {
-  SkinScene scene = dragged_skin(
-      "[[contact]]\nshape = \"sphere\"\nplace = [-2.5, 2.2]\nradius = 1.0\nforce = 0.4\n"
-      "[reconstruct]\nfriction_limit = 0.5\n");
-  for (scene.noise->seed = 1; scene.noise->seed <= 6; ++scene.noise->seed) {
-    const lab::Experiment experiment = lab::run(scene);
-    REQUIRE(experiment.results.front().has_answer());
-    const Uncertain& force = experiment.results.front().answer.wrench.normal;
-    CAPTURE(force.value, force.deviation);
-    CHECK(std::abs(force.value - 1.4) < 3.0 * force.deviation + 0.03);
-  }
-}
-
-TEST_CASE("without contacts nothing is found that is larger than its deviation", "[lab][skin]") {
-  SkinScene scene = dragged_skin();
-  scene.contacts.clear();
-  scene.trajectories.clear();
-  const lab::Experiment experiment = lab::run(scene);
-  REQUIRE(experiment.results.front().has_answer());
-  CHECK(experiment.results.front().answer.cells.empty());
-  CHECK(experiment.frame.remarks.size() == 1);
-}
-
 TEST_CASE("equal scenes give equal bytes, and each frame noise of its own", "[lab][skin]") {
   SkinScene scene = dragged_skin();
   scene.time = Timing{.rate = 1.0, .frames = 2};
@@ -128,35 +105,6 @@ TEST_CASE("equal scenes give equal bytes, and each frame noise of its own", "[la
   REQUIRE(both.next());
   CHECK(std::vector(both.readings().begin(), both.readings().end()) != first);
   CHECK_FALSE(both.next());
-}
-
-TEST_CASE("dead taxels read zero, and are not believed", "[lab][skin]") {
-  SkinScene scene = dragged_skin("[dead_taxels]\nindices = [20, 21]\n");
-  const lab::Experiment experiment = lab::run(scene);
-  REQUIRE(experiment.results.front().has_answer());
-  for (std::size_t i = 0; const Site& site : sites(scene.sensor)) {
-    if (site.taxel == 20) CHECK(experiment.frame.readings[i] == 0.0);
-    ++i;
-  }
-  const Uncertain& force = experiment.results.front().answer.wrench.normal;
-  CHECK(std::abs(force.value - 1.0) < 2.5 * force.deviation);
-  CHECK(force.deviation < 0.1);
-}
-
-TEST_CASE("a recording keeps the frame that presses hardest", "[lab][skin]") {
-  const SkinScene scene = dragged_skin();
-  const lab::SkinSceneProblem problem(scene);
-  std::vector<double> readings = lab::simulate(scene).readings;
-  lab::Recording recording(problem);
-  for (const double share : {0.5, 1.0, 0.7}) {
-    std::vector<double> part = readings;
-    for (double& reading : part) reading *= share;
-    recording.add({}, problem, part, solve(problem, part));
-  }
-  const lab::RecordingOverview overview = recording.overview();
-  CHECK(overview.rows.size() == 3);
-  CHECK(overview.hardest == 1);
-  CHECK(overview.readings == readings);
 }
 
 TEST_CASE("of a long recording each frame is shown, or a neighbour that presses harder",

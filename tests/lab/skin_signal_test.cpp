@@ -1,15 +1,14 @@
 // What a skin's effects make of its frames, and frames of recordings: readings that miss, offsets
 // that nobody knows, an alpha that neighbours share.
-#include <cmath>
 #include <string>
 #include <vector>
 
-#include "tactile_net/lab/recording_solver.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/lab/summary.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
-#include "tests/lab/euclidean.hpp"
+#include "tests/euclidean.hpp"
 #include "tests/lab/scene_parts.hpp"
 #include "tests/lab/skin_frames.hpp"
 
@@ -86,38 +85,6 @@ TEST_CASE("sampled readings leave out the drags that nothing has", "[lab][skin][
       sampled_readings(scene.sensor, scene.material, grid(scene), recording.truth());
   const std::vector<double> readings(recording.readings().begin(), recording.readings().end());
   CHECK(distance(readings, all) <= 1e-14 * norm(all));
-}
-
-TEST_CASE("an alpha that frames share is each one's where they are equal", "[lab][skin]") {
-  const SkinScene scene = strain_skin("[reconstruct]\nalpha = \"aicc\"\n");
-  const lab::SkinSceneProblem problem(scene);
-  std::vector<double> readings = lab::simulate(scene).readings;
-  for (std::size_t i = 0; i < readings.size(); ++i)
-    readings[i] += 1e-4 * std::sin(7.0 * static_cast<double>(i));
-  const double own = lab::solve(problem, readings).alpha.value;
-  lab::RecordingSolver sharing(problem, Method::tikhonov, {.share_alpha = 3});
-  for (int frame = 0; frame < 4; ++frame) {
-    const auto answer = sharing.solve(readings);
-    REQUIRE(answer);
-    CHECK_THAT(answer->alpha.value, WithinRel(own, 1e-6));
-  }
-  // Another frame: what it wants, and the two before it.
-  std::vector<double> other = readings;
-  for (std::size_t i = 0; i < other.size(); ++i)
-    other[i] += 3e-3 * std::cos(3.0 * static_cast<double>(i * i));
-  const double alone = lab::solve(problem, other).alpha.value;
-  const auto shared = sharing.solve(other);
-  REQUIRE(shared);
-  CHECK(std::abs(std::log(alone / own)) > 0.1);
-  CHECK(std::abs(std::log(shared->alpha.value / alone)) > 1e-3);
-
-  SkinScene given = scene;
-  given.reconstruct.alpha = 1e-4;
-  CHECK_THROWS_WITH(
-      lab::RecordingSolver(lab::SkinSceneProblem(given), Method::tikhonov, {.share_alpha = 3}),
-      ContainsSubstring("this scene gives one"));
-  CHECK_THROWS_WITH(lab::RecordingSolver(problem, Method::tikhonov, {.share_alpha = 0}),
-                    ContainsSubstring("at least one frame"));
 }
 
 TEST_CASE("an alpha that double precision cannot hold is refused, as on lines", "[lab][skin]") {

@@ -9,11 +9,9 @@
 
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
-#include "tactile_net/lab/planned_controller.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/numeric/comparison.hpp"
-#include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 #include "tests/lab/scene_parts.hpp"
@@ -65,36 +63,6 @@ std::vector<double> truth_of_pad(std::size_t wanted, const SurfaceGrid& grid) {
 }
 
 }  // namespace
-
-TEST_CASE("a stated weight of 1 is none, the same bits", "[lab][skin][weights]") {
-  const Experiment plain = run(weighted_skin(""));
-  const Experiment one = run(weighted_skin("tangential_weight = 1\n"));
-  REQUIRE(plain.results.front().has_answer());
-  CHECK(one.results.front().answer.tractions == plain.results.front().answer.tractions);
-  CHECK_FALSE(one.results.front().answer.alpha.tangential_weight.has_value());
-}
-
-TEST_CASE("a skin's estimated weight is the answer that stating it gives", "[lab][skin][weights]") {
-  const std::string rest = GENERATE("", "alpha = 1e-3\n", "friction_limit = 0.8\n",
-                                    "offset = true\nnonnegative = true\n");
-  CAPTURE(rest);
-  const Experiment found = run(weighted_skin(rest + estimated_weight));
-  REQUIRE(found.results.front().has_answer());
-  REQUIRE(found.results.front().answer.alpha.tangential_weight);
-  const double weight = *found.results.front().answer.alpha.tangential_weight;
-  CHECK(weight > 1.0);
-  const Experiment stated = run(weighed(found.skin(), weight));
-  CHECK(stated.results.front().answer.tractions == found.results.front().answer.tractions);
-  CHECK(stated.results.front().answer.alpha.value == found.results.front().answer.alpha.value);
-  CHECK(stated.results.front().answer.wrench.normal.deviation ==
-        found.results.front().answer.wrench.normal.deviation);
-  const report::Sentences said = report::remarks_in_words(found.results.front().answer);
-  CHECK(
-      said.warnings ==
-      report::remarks_in_words(stated.results.front().answer).warnings);  // it is the normal course
-  CHECK(said.notes.size() ==
-        report::remarks_in_words(stated.results.front().answer).notes.size() + 1);
-}
 
 TEST_CASE("of a skin's weights the one with the largest posterior is taken",
           "[lab][skin][weights]") {
@@ -160,16 +128,6 @@ TEST_CASE("the finite-element pad is found better with a weight of its own",
   CHECK(gained > 0.3);  // of five frames
   REQUIRE(own.solved().least_weight);
   CHECK(*own.solved().least_weight < *own.solved().largest_weight);
-}
-
-TEST_CASE("frames with a weight each have no plan, and share no alpha", "[lab][skin][weights]") {
-  const SkinSceneProblem problem(weighted_skin(estimated_weight));
-  CHECK_THROWS_WITH(plan_controller(problem, {.value = 1e-3}, {}),
-                    ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
-  CHECK_THROWS_WITH(RecordingSolver(problem, Method::tikhonov, {.share_alpha = 5}),
-                    ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
-  CHECK_NOTHROW(plan_controller(SkinSceneProblem(weighted_skin("tangential_weight = 2\n")),
-                                {.value = 1e-3}, {}));
 }
 
 TEST_CASE("with pressure alone nothing is weighed", "[lab][skin][weights]") {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "tactile_net/lab/method.hpp"
@@ -18,7 +19,10 @@
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/laws.hpp"
 #include "tests/lab/scene_parts.hpp"
+
+using namespace tactile_net::laws;
 
 namespace tactile_net::lab {
 namespace {
@@ -65,8 +69,9 @@ struct SolvedFrame {
   FrameResult result{};
   std::vector<double> f{};
 };
-SolvedFrame solved_frame(const SceneProblem& problem, std::span<const double> readings) {
-  const auto solver = make_solver(problem, Method::tikhonov);
+SolvedFrame solved_frame(const SceneProblem& problem, std::span<const double> readings,
+                         Method method = Method::tikhonov) {
+  const auto solver = make_solver(problem, method);
   SolvedFrame answer{.f = std::vector<double>(solver->tractions())};
   answer.result = solver->solve(readings, answer.f);
   REQUIRE(answer.result.status == FrameStatus::ok);
@@ -86,47 +91,82 @@ double error(const SolvedFrame& answer, const Frame& frame) {
 
 }  // namespace
 
-TEST_CASE("a weight of 1 is none: the same bits", "[lab][weights]") {
-  const std::string rest = GENERATE("", "alpha = 1e-4\n", "friction_limit = 0.8\n");
-  const Frame frame = noisy_frame(tangential_pad(with_shear, ""), 0.3, 0.4, 1);
-  const SolvedFrame plain =
-      solved_frame(SceneProblem(tangential_pad(with_shear, rest)), frame.readings);
-  const SolvedFrame one = solved_frame(
-      SceneProblem(tangential_pad(with_shear, rest + "tangential_weight = 1\n")), frame.readings);
-  CHECK(one.f == plain.f);
-  CHECK(one.result.alpha->value == plain.result.alpha->value);
-  CHECK_FALSE(one.result.alpha->tangential_weight.has_value());
+TEMPLATE_TEST_CASE("a stated weight of 1 is none, the same bits", "[lab][weights]", Lines, Skins) {
+  const std::string rest =
+      "[reconstruct]\ntangential = true\n" +
+      GENERATE(as<std::string>{}, "", "alpha = 1e-4\n", "friction_limit = 0.8\n");
+  const TestType plain(scene<TestType>(rest));
+  const std::vector<double> g = plain.readings();
+  const FrameNumbers found = plain.solve(g);
+  const FrameNumbers one = TestType(scene<TestType>(rest + "tangential_weight = 1\n")).solve(g);
+  CHECK(one.tractions == found.tractions);
+  CHECK(one.alpha.value == found.alpha.value);
+  CHECK_FALSE(one.alpha.tangential_weight.has_value());
 }
 
-TEST_CASE("an estimated weight is the answer that stating it gives", "[lab][weights]") {
-  const std::string rest = GENERATE("", "alpha = 1e-4\n", "friction_limit = 0.8\n");
-  const Method method = GENERATE(Method::tikhonov, Method::closed_form);
-  if (method == Method::closed_form && rest.starts_with("friction")) return;
-  CAPTURE(rest, name(method));
-  const Frame frame = noisy_frame(tangential_pad(with_shear, ""), 0.25, 0.4, 2);
-  const SceneProblem problem(tangential_pad(with_shear, rest + estimated_weight));
-  REQUIRE(problem.estimates_weight());
-  const auto solver = make_solver(problem, method);
+TEMPLATE_TEST_CASE("an estimated weight is the answer that stating it gives", "[lab][weights]",
+                   Lines, Skins) {
+  const std::string rest =
+      "[reconstruct]\ntangential = true\n" + GENERATE(as<std::string>{}, "", "alpha = 1e-4\n",
+                                                      "friction_limit = 0.8\n",
+                                                      "offset = true\nnonnegative = true\n");
+  CAPTURE(rest);
+  const TestType sensor(scene<TestType>(rest + estimated_weight));
+  REQUIRE(sensor.problem.estimates_weight());
+  const std::vector<double> g = sensor.readings();
+  const FrameNumbers found = sensor.solve(g);
+  REQUIRE(found.alpha.tangential_weight.has_value());
+  CHECK(*found.alpha.tangential_weight != 1.0);
+  auto with_weight = sensor.problem.scene();
+  with_weight.reconstruct.tangential_weight = found.alpha.tangential_weight;
+  const FrameNumbers stated = TestType(with_weight).solve(g);
+  CHECK(apart(found.tractions, stated.tractions) < 1e-9);
+  CHECK_THAT(found.alpha.value, WithinRel(stated.alpha.value, 1e-12));
+  CHECK(found.remarks.size() == stated.remarks.size() + 1);  // it is named
+  // A line's bands are over all weights that are likely.
+  if (std::is_same_v<TestType, Skins>) CHECK(found.force.deviation == stated.force.deviation);
+}
+
+TEMPLATE_TEST_CASE("who needs one functional for all frames asks for the weight", "[lab][weights]",
+                   Lines, Skins) {
+  const std::string rest = "[reconstruct]\ntangential = true\n";
+  const TestType sensor(scene<TestType>(rest + estimated_weight));
+  CHECK_THROWS_WITH(plan_controller(sensor.problem, {.value = 1e-3}, {}),
+                    ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
+  CHECK_THROWS_WITH(sensor.solver({.share_alpha = 5}),
+                    ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
+  const TestType stated(scene<TestType>(rest + "tangential_weight = 2\n"));
+  CHECK_NOTHROW(plan_controller(stated.problem, {.value = 1e-3}, {}));
+}
+
+TEST_CASE("a line's methods ask for the weight, or find it", "[lab][weights]") {
+  const SceneProblem problem(tangential_pad(with_shear, estimated_weight));
+  CHECK_THROWS_WITH(make_solver(problem, Method::dft), ContainsSubstring("tangential_weight"));
+  CHECK_THROWS_WITH(
+      make_sharing_solver(SceneProblem(tangential_pad(
+                              with_shear, "nonnegative = true\nalpha_on_active_set = true\n")),
+                          Method::tikhonov, 5),
+      ContainsSubstring("alpha_on_active_set"));
+  Scene many = tangential_pad(with_shear, estimated_weight);
+  many.sensor.count = 600;
+  const auto solver = make_solver(many, Method::tikhonov);
   std::vector<double> f(solver->tractions());
-  const FrameResult result = solver->solve(frame.readings, f);
-  REQUIRE(result.alpha->tangential_weight.has_value());
-  const double weight = *result.alpha->tangential_weight;
-  CHECK(weight > 1.0);
-  CHECK(weight < 16.0);
+  CHECK_THROWS_WITH((void)solver->solve(std::vector<double>(1200, 1.0), f),
+                    ContainsSubstring("state it"));
 
-  Scene stated = tangential_pad(with_shear, rest);
-  stated.reconstruct.tangential_weight = weight;
-  const auto other = make_solver(SceneProblem(stated), method);
-  std::vector<double> expected(other->tractions());
-  const FrameResult by_statement = other->solve(frame.readings, expected);
-  CHECK_THAT(result.alpha->value, WithinRel(by_statement.alpha->value, 1e-12));
-  CHECK(relative_l2_error(f, expected) < 1e-9);
-
+  const Frame frame = noisy_frame(problem.scene(), 0.25, 0.4, 2);
   const SceneFrame analysed(problem, frame.readings);
+  const double weight = analysed.estimated_weight().value();
   double sum = 0.0;
   for (const SceneFrame::LikelyWeight& one : analysed.likely_weights()) sum += one.probability;
   CHECK_THAT(sum, WithinRel(1.0, 1e-12));
-  CHECK(analysed.estimated_weight() == weight);
+  Scene stated = tangential_pad(with_shear, "");
+  stated.reconstruct.tangential_weight = weight;
+  const SolvedFrame found = solved_frame(problem, frame.readings, Method::closed_form);
+  const SolvedFrame expected =
+      solved_frame(SceneProblem(stated), frame.readings, Method::closed_form);
+  CHECK(found.result.alpha->tangential_weight == weight);
+  CHECK(relative_l2_error(found.f, expected.f) < 1e-9);
 }
 
 TEST_CASE("the evidence of the weight makes tractions better, the null mode of two stresses first",
@@ -230,26 +270,6 @@ TEST_CASE("bands under constraints hold the answer without them", "[lab][bands]"
       uncertainty(SceneFrame(plain, frame.readings), other.f, other.result).resultant;
   CHECK(own.normal.deviation > 0.9 * free.normal.deviation);
   CHECK(std::abs(own.normal.value - free.normal.value) < 2.0 * own.normal.deviation);
-}
-
-TEST_CASE("who needs one functional for all frames asks for the weight", "[lab][weights]") {
-  const SceneProblem problem(tangential_pad(with_shear, estimated_weight));
-  CHECK_THROWS_WITH(make_sharing_solver(problem, Method::tikhonov, 5),
-                    ContainsSubstring("tangential_weight") && ContainsSubstring("state it"));
-  CHECK_THROWS_WITH(plan_controller(problem, {.value = 1e-3}, {}),
-                    ContainsSubstring("tangential_weight"));
-  CHECK_THROWS_WITH(make_solver(problem, Method::dft), ContainsSubstring("tangential_weight"));
-  CHECK_THROWS_WITH(
-      make_sharing_solver(SceneProblem(tangential_pad(
-                              with_shear, "nonnegative = true\nalpha_on_active_set = true\n")),
-                          Method::tikhonov, 5),
-      ContainsSubstring("alpha_on_active_set"));
-  Scene many = tangential_pad(with_shear, estimated_weight);
-  many.sensor.count = 600;
-  const std::vector<double> readings(1200, 1.0);
-  const auto solver = make_solver(many, Method::tikhonov);
-  std::vector<double> f(solver->tractions());
-  CHECK_THROWS_WITH((void)solver->solve(readings, f), ContainsSubstring("state it"));
 }
 
 TEST_CASE("a recording tells which weights its frames have", "[lab][weights]") {

@@ -1,28 +1,25 @@
 // A scene's units and calibration do not change what is found.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "tactile_net/frames/frame_of.hpp"
-#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
-#include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
+#include "tests/lab/laws.hpp"
 
 using namespace tactile_net;
 using namespace tactile_net::lab;
+using namespace tactile_net::laws;
 
 namespace {
 
@@ -87,113 +84,51 @@ TEST_CASE("counts give the tractions of the readings that they were made of",
   }
 }
 
-TEST_CASE("a controller finds in counts what solve finds in readings", "[lab][units]") {
-  Scene raw = read_scene(counts + ".toml");
-  raw.quantization = Quantization{.bits = 12};
-  for (const Quantity quantity : raw.sensor.reads)
-    raw.quantization->range[quantity] = {-20e3, 30e3};
-  const SceneProblem problem(raw);
-  const PlannedController planned = plan_controller(problem, {.value = 1e-8}, {.accuracy = 1e-10});
-  CHECK_FALSE(planned.needs_baseline);
-  raw.reconstruct.alpha = 1e-8;
-  ContactEstimator estimator(planned.estimator.plan);
-  std::vector<double> f(estimator.tractions());
-  ContactEstimate estimate{.tractions = f};
-  std::ifstream file(counts + ".csv");
-  std::string line;
-  std::getline(file, line);
-  for (std::size_t frame = 0; std::getline(file, line); ++frame) {
-    std::vector<double> numbers;
-    std::istringstream row(line);
-    for (std::string field; std::getline(row, field, ',');) numbers.push_back(std::stod(field));
-    numbers.erase(numbers.begin());  // t
-    const auto readings = frames::readings_of_frame(counts + ".csv", raw, frame);
-    REQUIRE(estimator.update(numbers, estimate) == FrameStatus::ok);
-    CHECK_FALSE(estimate.saturated);
-    CHECK(relative_l2_error(f, tikhonov_tractions(raw, readings)) < 1e-8);
-    // One count that stands for the converter's end.
-    std::vector<double> end(readings.size(), 0.0);
-    end[20] = 30e3;
-    const std::vector<double> saturated = raw_numbers(raw, end);
-    REQUIRE(estimator.update(saturated, estimate) == FrameStatus::ok);
-    CHECK(estimate.saturated);
-  }
-}
-
-TEST_CASE("a plan without the frames of its baseline asks for one", "[lab][units]") {
-  Scene scene = read_scene(counts + ".toml");
-  scene.calibration->baseline_frames = FrameRange{0, 9};
-  CHECK(plan_controller(SceneProblem(scene), {.value = 1e-8}).needs_baseline);
-  scene.calibration->baseline_frames.reset();
-  CHECK_FALSE(plan_controller(SceneProblem(scene), {.value = 1e-8}).needs_baseline);
-}
-
-namespace {
-
-/// Gains and offsets that differ from reading to reading of 5 x 4 taxels.
-std::string sensor_of_counts() {
+TEMPLATE_TEST_CASE("solve and a plan find in counts what they find in readings, and their end",
+                   "[lab][units]", Lines, Skins) {
+  // Gains and offsets that differ from reading to reading, signs too.
+  constexpr std::size_t count = TestType::taxels * TestType::channels;
   std::string gains;
   std::string offsets;
-  for (int i = 0; i < 60; ++i) {
-    gains += (i > 0 ? ", " : "") + std::to_string((i % 7 == 3 ? -1.0 : 1.0) * (0.8 + 0.01 * i));
-    offsets += (i > 0 ? ", " : "") + std::to_string(2.0 - 0.1 * i);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double k = static_cast<double>(i);
+    gains += std::to_string((i % 7 == 3 ? -1.0 : 1.0) * (0.8 + 0.01 * k)) + ", ";
+    offsets += std::to_string(2.0 - 0.1 * k) + ", ";
   }
-  return "[calibration]\ngains = [" + gains + "]\noffsets = [" + offsets + "]\n";
-}
-
-SkinScene skin_of(const std::string& more) {
-  return std::get<SkinScene>(
-      parse_any_scene("[sensor]\nrows = 5\ncolumns = 4\npitch = 1.0\ndepth = 1.0\n"
-                      "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
-                      "[material]\nyoungs_modulus = 10.0\npoisson_ratio = 0.45\n"
-                      "[[contact]]\nshape = \"sphere\"\nradius = 1.5\nforce = 3.0\nfriction = 0.3\n"
-                      "place = [0.3, -0.2]\n[reconstruct]\nalpha = 1e-6\n" +
-                          more,
-                      "skin.toml"));
-}
-
-}  // namespace
-
-TEST_CASE("counts of a skin give the tractions of the readings that they were made of",
-          "[lab][units][skin]") {
-  const SkinScene plain = skin_of("");
-  const SkinScene raw = skin_of(sensor_of_counts());
-  const std::vector<double> readings = simulate(raw).readings;
-  CHECK(readings == simulate(plain).readings);
-  const std::vector<double> numbers = raw_numbers(raw, readings);
+  const std::string toml =
+      scene<TestType>("[reconstruct]\ntangential_weight = 1.0\nalpha = 1e-6\n");
+  const TestType plain(toml);
+  auto described = TestType(toml + "[calibration]\ngains = [" + gains + "]\noffsets = [" + offsets +
+                            "]\n[quantization]\nbits = 12\nrange = [-4.0, 9.0]\n")
+                       .problem.scene();
+  const TestType raw(described);
+  const std::vector<double> readings = plain.readings();
+  const std::vector<double> numbers = raw_numbers(described, readings);
   // number = gains reading + offsets
   CHECK_THAT(numbers[3], WithinRel(-0.83 * readings[3] + 1.7, 1e-12));
-  CHECK_THAT(numbers[58], WithinRel(1.38 * readings[58] - 3.8, 1e-12));
+  CHECK_THAT(numbers[38], WithinRel(-1.18 * readings[38] - 1.8, 1e-12));
   std::vector<double> back = numbers;
-  calibrate(*raw.calibration, back);
-  const std::vector<double> expected = solve(SkinSceneProblem(plain), readings).tractions;
-  CHECK(relative_l2_error(solve(SkinSceneProblem(raw), back).tractions, expected) < 1e-10);
-  // Who takes counts for readings finds something else.
-  CHECK(relative_l2_error(solve(SkinSceneProblem(raw), numbers).tractions, expected) > 0.1);
-}
+  calibrate(*described.calibration, back);
+  const std::vector<double> expected = plain.solve(readings).tractions;
+  CHECK(apart(raw.solve(back).tractions, expected) < 1e-10);
+  CHECK(apart(raw.solve(numbers).tractions, expected) > 0.1);  // counts taken for readings
 
-TEST_CASE("a skin's controller finds in counts what solve finds in readings, and their end",
-          "[lab][units][skin]") {
-  SkinScene raw = skin_of(sensor_of_counts());
-  raw.quantization = Quantization{.bits = 12};
-  for (const Quantity quantity : raw.sensor.reads) raw.quantization->range[quantity] = {-4, 9};
-  const SkinSceneProblem problem(raw);
-  const PlannedController planned = plan_controller(problem, {.value = 1e-6}, {.accuracy = 1e-10});
+  const PlannedController planned =
+      plan_controller(raw.problem, {.value = 1e-6}, {.accuracy = 1e-10});
   CHECK(planned.for_raw_numbers);
   CHECK_FALSE(planned.needs_baseline);
   ContactEstimator estimator(planned.estimator.plan);
   std::vector<double> f(estimator.tractions());
   ContactEstimate estimate{.tractions = f};
-  const std::vector<double> readings = simulate(skin_of("")).readings;
-  REQUIRE(estimator.update(raw_numbers(raw, readings), estimate) == FrameStatus::ok);
-  CHECK(relative_l2_error(f, solve(SkinSceneProblem(skin_of("")), readings).tractions) < 1e-8);
+  REQUIRE(estimator.update(numbers, estimate) == FrameStatus::ok);
+  CHECK(apart(f, expected) < 1e-8);
   CHECK_FALSE(estimate.saturated);
   std::vector<double> end = readings;
   end[20] = 9.0;
-  REQUIRE(estimator.update(raw_numbers(raw, end), estimate) == FrameStatus::ok);
+  REQUIRE(estimator.update(raw_numbers(described, end), estimate) == FrameStatus::ok);
   CHECK(estimate.saturated);
-  raw.calibration->baseline_frames = FrameRange{0, 9};
-  CHECK(plan_controller(SkinSceneProblem(raw), {.value = 1e-6}).needs_baseline);
+  described.calibration->baseline_frames = FrameRange{0, 9};
+  CHECK(plan_controller(TestType(described).problem, {.value = 1e-6}).needs_baseline);
 }
 
 TEST_CASE("a circuit's remarks say numbers that mend it where the scene writes them",

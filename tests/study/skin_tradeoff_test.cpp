@@ -1,7 +1,5 @@
 // The study of a skin: every error against a solution that this file computes by itself.
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
