@@ -6,7 +6,6 @@
 #include <random>
 
 #include "tactile_net/inverse/alpha_tables.hpp"
-#include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
@@ -66,19 +65,6 @@ double percentile(std::vector<double> values, double p) {
 }
 
 }  // namespace
-
-TEST_CASE("the family solves as tikhonov does, for every alpha", "[tikhonov_family]") {
-  for (const auto& [name, problem] : sample_problems()) {
-    const TikhonovFamily family(problem);
-    const std::vector<double> g = random_values(problem.kernel.rows, 3);
-    const FilterFrame frame = family.analyse(g);
-    for (const double alpha : {1e-8, 1e-4, 1.0, 1e3}) {
-      CAPTURE(name, alpha);
-      CHECK(relative_l2_error(family.solve(frame, alpha), tikhonov_solve(problem, alpha, g)) <
-            1e-10);
-    }
-  }
-}
 
 TEST_CASE("rules come near the best alpha on contacts nobody chose, or say that they do not",
           "[alpha]") {

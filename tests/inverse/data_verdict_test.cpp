@@ -43,17 +43,6 @@ TEST_CASE("noise alone is consistent", "[data_verdict]") {
   CHECK(doubted == 0);
 }
 
-TEST_CASE("readings in another unit are implausible, with the noise stated or not",
-          "[data_verdict]") {
-  Bench bench = GENERATE(Bench{}, Bench::two_tractions());
-  bench.stated = GENERATE(true, false);
-  std::vector<double> readings = bench.frame(contact_at(0.3), 1);
-  for (double& reading : readings) reading *= 1e3;
-  const DataVerdict data = bench.judge(readings);
-  CHECK(data.doubts == only(DataDoubt::implausible));
-  CHECK(data.strain > 1.0);
-}
-
 TEST_CASE("the taxel that contradicts all others is named", "[data_verdict]") {
   const Bench bench = GENERATE(Bench{}, Bench::two_tractions());
   const std::size_t taxel = GENERATE(9u, 12u);

@@ -9,10 +9,8 @@
 
 #include "inverse/coordinates.hpp"
 #include "inverse/mirror_classes.hpp"
-#include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/stabiliser.hpp"
-#include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/sensing/sampled.hpp"
 #include "tests/catch.hpp"
 #include "tests/eigen.hpp"
@@ -41,7 +39,7 @@ TEST_CASE("K times the tractions is the forward model", "[problem]") {
 
 TEST_CASE("P is symmetric, and positive definite by at least alpha", "[problem]") {
   const double alpha = GENERATE(1e-8, 1e-3, 10.0);
-  for (const auto& [name, problem] : sample_problems()) {
+  for (const auto& [name, problem] : all_problems()) {
     CAPTURE(name, alpha);
     const Matrix p = normal_matrix(problem, alpha);
     const RowMajor dense = view(p);
@@ -56,7 +54,7 @@ TEST_CASE("P is symmetric, and positive definite by at least alpha", "[problem]"
 
 TEST_CASE("P is the second derivative of the functional", "[problem]") {
   const double alpha = 1e-3;
-  for (const auto& [name, problem] : sample_problems()) {
+  for (const auto& [name, problem] : all_problems()) {
     CAPTURE(name);
     const Matrix p = normal_matrix(problem, alpha);
     const std::vector<double> f = random_values(problem.kernel.columns, 2);
@@ -70,13 +68,19 @@ TEST_CASE("P is the second derivative of the functional", "[problem]") {
 TEST_CASE("the prior's deviation of a sum is by waves what it is by the stabiliser's inverse",
           "[problem]") {
   const double alpha = 1e-2;
-  for (const auto& [name, problem] : sample_problems()) {
+  for (const auto& [name, problem] : all_problems()) {
     CAPTURE(name);
     const Matrix stabiliser = stabiliser_matrix(problem, alpha);
     const std::vector<double> sum = random_values(problem.kernel.columns, 6);
     const Eigen::Map<const Eigen::VectorXd> s(sum.data(), std::ssize(sum));
     const Eigen::VectorXd solved = Eigen::MatrixXd(view(stabiliser)).llt().solve(s);
     CHECK_THAT(prior_deviation(problem, sum, alpha), WithinRel(std::sqrt(s.dot(solved)), 1e-11));
+    CHECK_THROWS_WITH(prior_deviation(problem, std::vector<double>{1.0}, alpha),
+                      ContainsSubstring("needs one weight per traction"));
+    // Where nothing is read the normal matrix is the stabiliser, entry by entry.
+    LinearProblem blind = problem;
+    std::fill(blind.kernel.values.begin(), blind.kernel.values.end(), 0.0);
+    CHECK(normal_matrix(blind, alpha).values == stabiliser.values);
   }
 }
 
@@ -106,23 +110,6 @@ TEST_CASE("an impossible problem is refused with its reason", "[problem]") {
   CHECK_THROWS_AS(normal_right_side(problem, std::vector<double>(20)), std::invalid_argument);
 }
 
-TEST_CASE("where no reading depends on the tractions no rule finds an alpha, and none is made up",
-          "[problem]") {
-  // One taxel is left, and what it reads is its offset.
-  LinearProblem problem =
-      make_problem({5, 1.0, {1.0}, {Quantity::stress_x}}, pad, {.unknown_offsets = true});
-  leave_out(problem, std::vector<std::size_t>{0, 1, 3, 4});
-  CHECK(problem.kernel.values == std::vector<double>(25, 0.0));
-
-  const TikhonovFamily family(problem);
-  const FilterFrame frame = family.analyse(std::vector{1.0, -2.0, 0.3, 0.0, 7.0});
-  CHECK(family.condition(1e-3) == 1.0);
-  CHECK(family.solve(frame, 1e-3) == std::vector<double>(5, 0.0));
-  const AlphaChoice choice = choose_alone(frame, AlphaRule::aicc);
-  CHECK(choice.verdict == AlphaVerdict::no_root);
-  CHECK_THROWS_WITH(family.solve(frame, choice.alpha), ContainsSubstring("no reading depends"));
-}
-
 TEST_CASE("a matrix that no memory should be asked for is refused before it is", "[problem]") {
   const SensorArray long_array{20000, 0.5, {1.5}, {Quantity::stress_x}};
   const LineProblemOptions hats{.surface = {.basis = SurfaceBasis::hats}};
@@ -132,16 +119,7 @@ TEST_CASE("a matrix that no memory should be asked for is refused before it is",
 
 TEST_CASE("a class has the same kernel whether its readings or its waves are taken first",
           "[problem][property]") {
-  std::vector<NamedProblem> problems = sample_problems();
-  const SkinArray skin{.rows = 4,
-                       .columns = 7,
-                       .pitch_y = 1.0,
-                       .pitch_z = 1.2,
-                       .depths = {1.5},
-                       .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}};
-  problems.push_back({"skin", make_problem(skin, Material{})});
-  problems.push_back({"its dead ends", make_problem(skin, Material{}, {.dead_taxels = {0, 6}})});
-  for (const auto& [name, problem] : problems) {
+  for (const auto& [name, problem] : all_problems()) {
     CAPTURE(name);
     const WaveCoordinates waves(problem, stabiliser_spectrum(problem).cwiseSqrt());
     const Eigen::MatrixXd all = waves.sums(as_eigen(problem.kernel).transpose());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactile_net/inverse/line_problem.hpp"
+#include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
 
@@ -70,18 +71,49 @@ inline std::vector<NamedProblem> sample_problems() {
   };
 }
 
-/// |L f|^2 as linear_problem.hpp has it, term by term.
+/// Those, and skins: of four, two and one classes, a weight, dead taxels, offsets, one row.
+inline std::vector<NamedProblem> all_problems() {
+  using enum Quantity;
+  const Material material{.youngs_modulus = 1.0, .poisson_ratio = 0.45};
+  const std::vector<Quantity> reads{stress_x, shear_xy, shear_xz};
+  const auto make = [&](std::size_t rows, std::size_t columns, const SkinProblemOptions& options) {
+    return make_problem(SkinArray{.rows = rows,
+                                  .columns = columns,
+                                  .pitch_y = 1.0,
+                                  .pitch_z = 1.2,
+                                  .depths = {1.5},
+                                  .reads = reads},
+                        material, options);
+  };
+  std::vector<NamedProblem> all = sample_problems();
+  all.push_back({"a skin, drags heavier", make(3, 4, {.tangential_weight = 2.0})});
+  all.push_back({"a skin, a finer surface",
+                 make(3, 3, {.smoothing_length = 2.0, .grid = {.spacing = 0.5, .margin = 0.5}})});
+  all.push_back({"a skin's dead ends", make(4, 3, {.dead_taxels = {0, 2}})});
+  all.push_back(
+      {"a skin, weighted, a dead taxel, offsets",
+       make(3, 3, {.channel_rms = {2.0, 1.0, 0.5}, .dead_taxels = {2}, .unknown_offsets = true})});
+  all.push_back({"one row of a skin", make(1, 5, {})});
+  return all;
+}
+
+/// |L f|^2 as linear_problem.hpp has it, term by term: of f^2 + l^2 |grad f|^2 the integral.
 inline double smoothness(const LinearProblem& problem, const std::vector<double>& f) {
-  const std::size_t n = problem.grid.count();
-  const double ratio = problem.smoothing_length / problem.grid.spacing_y;
+  const SurfaceGrid& grid = problem.grid;
+  const auto squared = [&](double difference, double spacing) {
+    return std::pow(problem.smoothing_length / spacing * difference, 2);
+  };
   double all = 0.0;
   for (std::size_t j = 0; j < f.size(); ++j) {
+    const std::size_t row = j % grid.count() / grid.columns;
+    const std::size_t column = j % grid.columns;
     double sum = f[j] * f[j];
-    if ((j + 1) % n != 0) sum += std::pow(ratio * (f[j + 1] - f[j]), 2);
+    if (row + 1 < grid.rows) sum += squared(f[j + grid.columns] - f[j], grid.spacing_y);
+    if (column + 1 < grid.columns) sum += squared(f[j + 1] - f[j], grid.spacing_z);
     // Hats fall to 0 beyond both ends.
-    const bool ends = j % n == 0 || (j + 1) % n == 0;
-    if (ends && problem.grid.boundary_y == Boundary::zero_beyond) sum += std::pow(ratio * f[j], 2);
-    all += j < n ? sum : std::pow(problem.tangential_weight, 2) * sum;
+    const bool ends = row == 0 || row + 1 == grid.rows;
+    if (ends && grid.boundary_y == Boundary::zero_beyond) sum += squared(f[j], grid.spacing_y);
+    all += j < grid.count() ? sum : std::pow(problem.tangential_weight, 2) * sum;
   }
   return problem.measure * all;
 }

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
-#include <span>
 #include <vector>
 
-#include "tactile_net/inverse/stabiliser.hpp"
 #include "tactile_net/skin/signal_layout.hpp"
 #include "tests/catch.hpp"
 #include "tests/skin/skins.hpp"
@@ -52,37 +49,6 @@ TEST_CASE("a dead taxel's rows count for nothing, whether known before or after"
   CHECK(weighted(before, readings)[4] == 0.5);
 }
 
-TEST_CASE("the stabiliser is the integral of f^2 + l^2 |grad f|^2 over a taxel's area",
-          "[skin][problem][property]") {
-  // Of the normal matrix, alpha so large that it is all that counts.
-  const LinearProblem problem = make_problem(
-      square_skin(3, 2e-3), silicone,
-      {.smoothing_length = 3e-3, .tangential_weight = 2.0, .grid = {.spacing = 0.5e-3}});
-  const SurfaceGrid& grid = problem.grid;
-  const double alpha = 1e12;
-  const Matrix p = normal_matrix(problem, alpha);
-  std::mt19937 random(3);
-  std::normal_distribution<double> value;
-  std::vector<double> f(p.columns);
-  for (double& one : f) one = value(random);
-  double expected = 0.0;
-  for (std::size_t u = 0; u < 3; ++u)
-    for (std::size_t m = 0; m < grid.rows; ++m)
-      for (std::size_t n = 0; n < grid.columns; ++n) {
-        const auto at = [&](std::size_t row, std::size_t column) {
-          return f[(u * grid.rows + row) * grid.columns + column];
-        };
-        double sum = at(m, n) * at(m, n);
-        if (m + 1 < grid.rows) sum += 36.0 * std::pow(at(m + 1, n) - at(m, n), 2);
-        if (n + 1 < grid.columns) sum += 36.0 * std::pow(at(m, n + 1) - at(m, n), 2);
-        expected += (u == 0 ? 1.0 : 4.0) * 0.25 * sum;
-      }
-  const std::vector<double> image = product(p, f);
-  double found = 0.0;
-  for (std::size_t i = 0; i < f.size(); ++i) found += f[i] * image[i] / alpha;
-  CHECK_THAT(found, WithinRel(expected, 1e-11));
-}
-
 TEST_CASE("what a problem of a skin cannot be made of is refused with the rule",
           "[skin][problem]") {
   const SkinArray skin = square_skin(4, 2e-3);
@@ -113,13 +79,6 @@ TEST_CASE("what a problem of a skin cannot be made of is refused with the rule",
   CHECK_THROWS_WITH(normal_matrix(make_problem(skin, silicone), 0.0), ContainsSubstring("alpha"));
 }
 
-TEST_CASE("where nothing is read the normal matrix is the stabiliser, entry by entry",
-          "[skin][problem]") {
-  LinearProblem problem = make_problem(square_skin(4, 1e-3), silicone, {.tangential_weight = 0.7});
-  std::fill(problem.kernel.values.begin(), problem.kernel.values.end(), 0.0);
-  CHECK(normal_matrix(problem, 3e-2).values == stabiliser_matrix(problem, 3e-2).values);
-}
-
 TEST_CASE("taxels anywhere have the pitch that a look at every pair of them finds",
           "[skin][problem]") {
   std::mt19937 random(3);
@@ -148,35 +107,4 @@ TEST_CASE("taxels anywhere have the pitch that a look at every pair of them find
         if (apart(i, k) <= 1.3 * skin.pitch_y) ++pairs;
     CHECK(signal_layout(skin).neighbours.size() == pairs);
   }
-}
-
-TEST_CASE("before anything is read a sum is known as the stabiliser's inverse has it", "[skin]") {
-  SkinProblemOptions options;
-  options.tangential_weight = 1.7;
-  const LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone, options);
-  const std::vector<double> sum = random_numbers(problem.components * problem.grid.count(), 5);
-  constexpr double alpha = 3e-4;
-  const Matrix stabiliser = stabiliser_matrix(problem, alpha);
-  const auto dot = [](std::span<const double> a, std::span<const double> b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  };
-  // deviation^2 = s' x with (alpha L'L) x = s: x by conjugate gradients of the matrix itself.
-  std::vector<double> x(sum.size());
-  std::vector<double> residual = sum;
-  std::vector<double> direction = sum;
-  for (std::size_t step = 0; step < sum.size(); ++step) {
-    const std::vector<double> image = product(stabiliser, direction);
-    const double before = dot(residual, residual);
-    const double length = before / dot(direction, image);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      x[i] += length * direction[i];
-      residual[i] -= length * image[i];
-    }
-    if (norm(residual) < 1e-14 * norm(sum)) break;
-    const double ratio = dot(residual, residual) / before;
-    for (std::size_t i = 0; i < x.size(); ++i) direction[i] = residual[i] + ratio * direction[i];
-  }
-  CHECK_THAT(prior_deviation(problem, sum, alpha), WithinRel(std::sqrt(dot(sum, x)), 1e-10));
-  CHECK_THROWS_WITH(prior_deviation(problem, std::vector<double>{1.0}, alpha),
-                    ContainsSubstring("needs one weight per traction"));
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <random>
@@ -47,33 +46,6 @@ class White final : public Covariance {
 };
 
 }  // namespace
-
-TEST_CASE("bands are the root of the diagonal of the inverse normal matrix",
-          "[skin][covariance][property]") {
-  // With the prior's alpha the same the covariance is P^-1: P C w = w for every w.
-  LinearProblem problem = make_problem(square_skin(4, 2e-3), silicone, {.tangential_weight = 2.0});
-  if (GENERATE(false, true)) leave_out(problem, std::vector<std::size_t>{2});
-  const TikhonovFamily family(problem);
-  const double alpha = 1e-3;
-  const TractionCovariance covariance(family, alpha, alpha);
-  const Matrix p = normal_matrix(problem, alpha);
-  const std::size_t n = p.rows;
-  const std::vector<double> deviations = covariance.deviations();
-  for (const std::size_t i : {std::size_t{0}, n / 3 + 20, n - 7}) {
-    std::vector<double> unit(n), column(n);
-    unit[i] = 1.0;
-    for (std::size_t j = 0; j < n; ++j) {
-      std::vector<double> other(n);
-      other[j] = 1.0;
-      column[j] = covariance.covariance(unit, other);
-    }
-    CHECK(distance(product(p, column), unit) <= 1e-10);
-    CHECK_THAT(deviations[i], WithinRel(std::sqrt(column[i]), 1e-10));
-    CHECK_THAT(covariance.deviation(unit), WithinRel(deviations[i], 1e-10));
-  }
-  CHECK_THAT(covariance.degrees_of_freedom(), WithinRel(family.degrees_of_freedom(alpha), 1e-14));
-  CHECK_THROWS_WITH(TractionCovariance(family, 0.0, 1.0), ContainsSubstring("alpha"));
-}
 
 TEST_CASE("several sums at once err as each by itself, whatever they are over",
           "[skin][covariance]") {

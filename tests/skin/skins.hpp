@@ -10,6 +10,7 @@
 
 #include "tactile_net/skin/forward.hpp"
 #include "tactile_net/skin/problem.hpp"
+#include "tests/euclidean.hpp"
 
 namespace tactile_net {
 
@@ -53,18 +54,6 @@ inline std::vector<double> product(const Matrix& matrix, std::span<const double>
   for (std::size_t i = 0; i < matrix.rows; ++i)
     for (std::size_t j = 0; j < matrix.columns; ++j) y[i] += matrix(i, j) * x[j];
   return y;
-}
-
-inline double norm(std::span<const double> x) {
-  double sum = 0.0;
-  for (const double value : x) sum = std::hypot(sum, value);
-  return sum;
-}
-
-inline double distance(std::span<const double> x, std::span<const double> y) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum = std::hypot(sum, x[i] - y[i]);
-  return sum;
 }
 
 inline std::vector<double> random_numbers(std::size_t count, unsigned seed) {
