@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "network/nodal_equations.hpp"
@@ -10,10 +9,13 @@
 namespace tactile_net {
 namespace {
 
-OpAmp without_input_errors(OpAmp opamp) {
-  opamp.offset.reset();
-  opamp.bias_current.reset();
-  return opamp;
+/// What counts at rest, and no input errors: where two circuits have that alike, their equations
+/// are the same to the last bit, and so are their answers.
+OpAmp without_input_errors(const OpAmp& opamp) {
+  if (opamp.is_nullor()) return {};
+  return {.gain = opamp.dc_gain(),
+          .common_mode_rejection = opamp.common_mode_rejection,
+          .output_resistance = opamp.output_resistance};
 }
 
 /// Whether any of the op-amps has it.
@@ -98,10 +100,13 @@ OpAmpErrors opamp_errors(const FlatCircuit& circuit,
     errors.bias_current =
         from_eigen(input_errors(circuit, own.by_bias_current(), &OpAmp::bias_current));
   // From ideal op-amps on, one property after the other: what each adds adds up to all of it.
-  const NodalEquations ideal(
-      circuit, [](const OpAmp&) { return OpAmp{.gain = std::numeric_limits<double>::infinity()}; });
-  const NodalEquations of_gain(circuit,
-                               [](const OpAmp& opamp) { return OpAmp{.gain = opamp.dc_gain()}; });
+  const NodalEquations ideal(circuit, [](const OpAmp&) { return OpAmp{}; });
+  const NodalEquations of_gain(circuit, [](const OpAmp& opamp) {
+    OpAmp changed = without_input_errors(opamp);
+    changed.common_mode_rejection.reset();
+    changed.output_resistance.reset();
+    return changed;
+  });
   const NodalEquations of_inputs(circuit, [](const OpAmp& opamp) {
     OpAmp changed = without_input_errors(opamp);
     changed.output_resistance.reset();

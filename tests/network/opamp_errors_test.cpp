@@ -277,6 +277,27 @@ TEST_CASE("op-amps are in every build, each with errors of its own", "[opamp_err
   CHECK(yield.yield() < 0.5);
 }
 
+TEST_CASE("what op-amps do not have moves an answer by nothing at all", "[opamp_errors]") {
+  const ArrayNetwork network = array_network(9, 1e-3);
+  for (const Realization one :
+       {Realization::nic, Realization::least_squares, Realization::lattice}) {
+    CAPTURE(name(one));
+    OpAmp opamp{.gain = 1e4, .bandwidth = 1e7, .second_pole = 2.5e7, .offset = 1e-3};
+    const auto shift_of = [&](const OpAmp& own) {
+      const Circuit circuit = realize(one, network.problem, {.opamp = own});
+      const std::vector<std::vector<CurrentSource>> load = {circuit.sources};
+      return opamp_errors(circuit, load).shifts.at(0);
+    };
+    const OpAmpErrors::Shift plain = shift_of(opamp);
+    CHECK(norm(plain.gain) > 0.0);
+    CHECK(norm(plain.common_mode) == 0.0);
+    CHECK(norm(plain.output_resistance) == 0.0);
+    opamp.common_mode_rejection = 1e3;
+    CHECK(norm(shift_of(opamp).common_mode) > 0.0);
+    CHECK(norm(shift_of(opamp).output_resistance) == 0.0);
+  }
+}
+
 TEST_CASE("balance in a build is what it is in a draw", "[opamp_errors][tolerance]") {
   const ArrayNetwork network = array_network(9, 1e-3);
   const Reduction reduction(realize(Realization::lattice, network.problem));
