@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "tactile_net/lab/scene_problem.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
@@ -47,5 +48,14 @@ using ScenePointer = std::shared_ptr<SharedScene>;
 
 using SharedSkin = Shared<lab::SkinSceneProblem>;
 using SkinPointer = std::shared_ptr<SharedSkin>;
+
+/// A line's or a skin's.
+using AnyPointer = std::variant<ScenePointer, SkinPointer>;
+
+/// The lock under which alone its problem, and copies of it, may be used.
+/// @pre  the GIL is not held
+[[nodiscard]] inline std::unique_lock<std::mutex> lock_of(const AnyPointer& shared) {
+  return std::visit([](const auto& one) { return one->lock().lock; }, shared);
+}
 
 }  // namespace tactile_net::python

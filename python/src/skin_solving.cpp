@@ -1,4 +1,4 @@
-// A skin's readings into tractions: one frame, and many.
+// A skin's readings into tractions alone.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
@@ -8,15 +8,26 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "arrays.hpp"
 #include "bad_frame.hpp"
-#include "missing_named.hpp"
 #include "rooms.hpp"
-#include "skin_fields.hpp"
-#include "solved_skin.hpp"
-#include "tactile_net/report/json/contacts_json.hpp"
+#include "shared_scene.hpp"
+#include "watcher.hpp"
 
 namespace tactile_net::python {
 namespace {
+
+/// One frame. @param frame  its number, for messages
+/// @throw BadFrame  a reading is not finite, or the tractions overflow
+lab::FrameAnswer answer_of(const lab::SkinSceneProblem& problem, std::span<const double> readings,
+                           std::size_t frame) {
+  check_finite(readings, frame, false);
+  try {
+    return lab::solve(problem, readings);
+  } catch (const lab::FrameOverflow&) {
+    throw bad_frame(FrameStatus::too_large, readings, frame);
+  }
+}
 
 /// Tikhonov's method for any number of frames.
 class SkinSolver {
@@ -39,7 +50,8 @@ class SkinSolver {
   [[nodiscard]] View matrix(nb::handle owner) const {
     if (!product_)
       throw std::invalid_argument(
-          "the answer is not one matrix here: that takes a given alpha and no constraints");
+          "the answer is not one matrix here: that "
+          "takes a given alpha and no constraints");
     const Matrix& transposed = product_->transposed();
     const auto row = static_cast<std::int64_t>(transposed.columns);
     return {transposed.values.data(), {transposed.columns, transposed.rows}, owner, {1, row}};
@@ -81,18 +93,9 @@ class SkinSolver {
   std::optional<Reconstruction> product_{};
 };
 
-std::shared_ptr<SolvedSkin> solve_skin(const SkinPointer& shared, const std::string& missing,
-                                       std::optional<std::size_t> share_alpha,
-                                       const std::vector<double>& times, const Rows& readings,
-                                       const nb::object& progress) {
-  Watcher watcher(progress);
-  const lab::RecordingSolverOptions options{.missing = missing_of(missing),
-                                            .share_alpha = share_alpha};
-  const nb::gil_scoped_release released;
-  return std::make_shared<SolvedSkin>(shared, options, times, readings, watcher);
-}
+}  // namespace
 
-void bind_solver(nb::module_& module) {
+void bind_skin_solving(nb::module_& module) {
   nb::class_<SkinSolver>(module, "SkinSolver")
       .def(
           "__init__",
@@ -105,41 +108,6 @@ void bind_solver(nb::module_& module) {
       .def_prop_ro("matrix",
                    [](nb::handle self) { return nb::cast<const SkinSolver&>(self).matrix(self); })
       .def("solve", &SkinSolver::solve, nb::arg("readings").noconvert());
-}
-
-}  // namespace
-
-void bind_skin_solving(nb::module_& module) {
-  bind_solver(module);
-  nb::class_<SolvedSkin>(module, "SolvedSkin")
-      .def(
-          "fields",
-          [](const SolvedSkin& self, const std::vector<std::string>& wrench) {
-            return fields_of(self.answers(), self.scene(), self.grid(), self.width(), wrench);
-          },
-          nb::arg("wrench"))
-      .def("uncertainty",
-           [](const SolvedSkin& self) { return uncertainty_of(self.answers(), self.scene()); })
-      .def("patches",
-           [](const SolvedSkin& self) {
-             std::vector<std::optional<std::vector<ContactPatch>>> frames;
-             for (const auto& answer : self.answers())
-               frames.push_back(answer ? std::optional(answer->patches) : std::nullopt);
-             return report::contacts_json(frames, true);
-           })
-      .def("notes", &SolvedSkin::notes)
-      .def("json", &SolvedSkin::json, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())
-      .def("row", &SolvedSkin::row, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())
-      .def("html", &SolvedSkin::html, nb::arg("name"), nb::call_guard<nb::gil_scoped_release>())
-      .def(
-          "report",
-          [](const SolvedSkin& self, const std::string& folder, bool force,
-             const std::string& name) { self.report({.path = folder, .force = force}, name); },
-          nb::arg("folder"), nb::arg("force"), nb::arg("name"),
-          nb::call_guard<nb::gil_scoped_release>());
-  module.def("solve_skin", &solve_skin, nb::arg("scene"), nb::arg("missing"),
-             nb::arg("share_alpha").none(), nb::arg("times"), nb::arg("readings").noconvert(),
-             nb::arg("progress").none());
 }
 
 }  // namespace tactile_net::python

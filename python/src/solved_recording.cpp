@@ -1,6 +1,5 @@
 #include "solved_recording.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -9,9 +8,11 @@
 #include "first_look.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/lab/recorded_noise.hpp"
+#include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/csv/recording_csv.hpp"
+#include "tactile_net/report/csv/skin_csv.hpp"
 #include "tactile_net/report/json/solve_json.hpp"
 #include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
@@ -25,74 +26,71 @@ void add(std::vector<double>& numbers, const std::optional<Uncertain>& number) {
   numbers.push_back(number ? number->deviation : unknown);
 }
 
-/// The scene's, with the noise that still frames show where it waits for that, and without taxels
-/// that the recording shows to be broken.
+/// The scene's, of a line with the noise that still frames show where it waits for that, and
+/// without taxels that the recording shows to be broken.
 ///
 /// @param said  what is to be said of these
-lab::SceneProblem problem_of(SharedScene& shared, Method method, const Rows& readings,
-                             lab::Findings& said) {
-  const auto locked = shared.lock();
-  const lab::SceneProblem& stated = locked.problem;
-  if (!lab::can_leave_out(stated, method)) return stated;
-  const lab::ReadingsCheck seen = first_look(stated.scene(), readings);
-  lab::SceneProblem problem =
-      lab::wants_noise(stated, method) ? lab::with_recorded_noise(stated, seen) : stated;
+lab::AnyProblem problem_of(const AnyPointer& shared, Method method, const Rows& readings,
+                           lab::Findings& said) {
+  lab::AnyProblem problem =
+      std::visit([](const auto& one) { return lab::AnyProblem(one->lock().problem); }, shared);
+  if (!lab::can_leave_out(problem, method)) return problem;
+  const auto locked = lock_of(shared);  // of which `problem` is a copy
+  const lab::AnyProblem stated = problem;
+  const lab::ReadingsCheck seen = first_look(lab::scene_of(stated), readings);
+  auto* const line = std::get_if<lab::SceneProblem>(&problem);
+  if (line && lab::wants_noise(*line, method)) *line = lab::with_recorded_noise(*line, seen);
   said = lab::leave_out_broken(problem, seen);
+  if (line)
+    if (const auto taken = lab::noise_taken(std::get<lab::SceneProblem>(stated), *line))
+      said.emplace_back(*taken);
   return problem;
 }
 
-lab::RecordingSolver solver_of(SharedScene& shared, const lab::SceneProblem& problem, Method method,
-                               const lab::RecordingSolverOptions& options) {
-  const auto locked = shared.lock();  // of which `problem` may be a copy
+lab::RecordingSolver solver_of(const AnyPointer& shared, const lab::AnyProblem& problem,
+                               Method method, const lab::RecordingSolverOptions& options) {
+  const auto locked = lock_of(shared);  // of which `problem` may be a copy
   return lab::RecordingSolver(problem, method, options);
 }
 
-/// What is kept of an answer beside its tractions.
-lab::FrameResult kept_of(lab::FrameAnswer&& answer) {
+/// What bands take of an answer beside its tractions.
+lab::FrameResult result_of(const lab::FrameAnswer& answer) {
   return {.alpha = answer.alpha.value > 0.0 ? std::optional(answer.alpha) : std::nullopt,
           .verdict = answer.verdict,
           .condition = answer.condition,
-          .remarks = std::move(answer.remarks),
-          .constrained = std::move(answer.constrained),
-          .data = std::move(answer.data)};
+          .remarks = answer.remarks,
+          .constrained = answer.constrained,
+          .data = answer.data};
 }
 
 }  // namespace
 
-SolvedRecording::SolvedRecording(ScenePointer shared, Method method,
+SolvedRecording::SolvedRecording(AnyPointer shared, Method method,
                                  const lab::RecordingSolverOptions& options,
                                  std::vector<double> times, const Rows& readings, Watcher& watcher)
     : shared_(std::move(shared)),
-      problem_(problem_of(*shared_, method, readings, first_found_)),
       method_(method),
       missing_(options.missing),
       times_(std::move(times)),
       readings_(readings.data(), readings.data() + readings.size()),
-      solver_(solver_of(*shared_, problem_, method, options)),
+      size_(readings.shape(1)),
+      problem_(problem_of(shared_, method, readings, first_found_)),
+      solver_(solver_of(shared_, problem_, method, options)),
       recording_(problem_, method) {
-  const auto locked = shared_->lock();
+  const auto locked = lock_of(shared_);
+  if (!is_line()) grid_ = std::get<lab::SkinSceneProblem>(problem_).grid();
   width_ = solver_.tractions();
-  remarks_ = solver_.remarks();
-  tractions_.assign(readings.shape(0) * width_, unknown);
-  const std::size_t size = readings.shape(1);
   for (std::size_t i = 0; i < readings.shape(0); ++i) {
     watcher.frame();
-    const std::span frame(readings_.data() + i * size, size);
+    const std::span frame(readings_.data() + i * size_, size_);
     const bool incomplete = check_finite(frame, i, options.missing != lab::Missing::fail);
-    std::optional<lab::FrameAnswer> answer = solved_frame(solver_, frame, time(i), i);
-    problems_.push_back(std::get<lab::SceneProblem>(solver_.problem()));
-    if (!answer) {
+    answers_.push_back(solved_frame(solver_, frame, time(i), i));
+    if (is_line()) problems_.push_back(solver_.problem());
+    if (answers_.back())
+      recording_.add(time(i), solver_.problem(), frame, *answers_.back(), incomplete);
+    else
       recording_.skip(time(i));
-      results_.emplace_back();
-      continue;
-    }
-    recording_.add(time(i), solver_.problem(), frame, *answer, incomplete);
-    std::copy(answer->tractions.begin(), answer->tractions.end(),
-              tractions_.begin() + static_cast<std::ptrdiff_t>(i * width_));
-    results_.emplace_back(kept_of(*std::move(answer)));
   }
-  if (const auto taken = lab::noise_taken(locked.problem, problem_))
-    first_found_.emplace_back(*taken);
   doubts_ = solver_.doubts();
   doubts_.insert(doubts_.begin(), first_found_.begin(), first_found_.end());
 }
@@ -102,31 +100,42 @@ std::optional<double> SolvedRecording::time(std::size_t frame) const {
   return times_[frame];
 }
 
+std::span<const double> SolvedRecording::readings(std::size_t frame) const {
+  return std::span(readings_).subspan(frame * size_, size_);
+}
+
+const SkinScene& SolvedRecording::skin() const {
+  return std::get<lab::SkinSceneProblem>(problem_).scene();
+}
+
 std::vector<std::string> SolvedRecording::notes() const {
-  std::vector<std::string> all = report::in_words(remarks_);
-  for (std::string& sentence : report::in_words(solver_.solved(), problem_.scene()))
-    all.push_back(std::move(sentence));
+  const auto locked = lock_of(shared_);
+  const AnyScene scene = lab::scene_of(problem_);
+  std::vector<std::string> all = report::in_words(solver_.remarks());
+  const auto add = [&](std::vector<std::string> sentences) {
+    for (std::string& sentence : sentences) all.push_back(std::move(sentence));
+  };
+  add(report::in_words(solver_.solved(), scene));
   for (const lab::Finding& doubt : doubts_)
-    all.push_back(report::in_words(doubt, problem_.scene()) + "; " +
-                  report::advice(doubt, problem_.scene()));
+    all.push_back(report::in_words(doubt, scene) + "; " + report::advice(doubt, scene));
+  if (is_line()) return all;
+  const lab::RecordingOverview overview = recording_.overview();
+  if (overview.answer) add(report::remarks_in_words(*overview.answer).all());
   return all;
 }
 
-bool SolvedRecording::has_bands() const {
-  return lab::traits(method_).has_bands && problem_.has_bands();
-}
+bool SolvedRecording::has_bands() const { return lab::has_bands(problem_, method_); }
 
-Bands SolvedRecording::bands(Watcher& watcher) {
-  const auto locked = shared_->lock();
+Bands SolvedRecording::bands(Watcher& watcher) const {
+  const auto locked = lock_of(shared_);
   Bands bands;
-  const std::size_t size = frames() == 0 ? 0 : readings_.size() / frames();
   for (std::size_t i = 0; i < frames(); ++i) {
     watcher.frame();
     lab::FrameUncertainty one;
-    if (results_[i])
-      one = lab::uncertainty(
-          lab::SceneFrame(problems_[i], std::span(readings_).subspan(i * size, size)),
-          std::span(tractions_).subspan(i * width_, width_), *results_[i]);
+    if (const auto& answer = answers_[i])
+      one =
+          lab::uncertainty(lab::SceneFrame(std::get<lab::SceneProblem>(problems_[i]), readings(i)),
+                           answer->tractions, result_of(*answer));
     else
       one = {.resultant = {.normal = {unknown, unknown}},
              .deviation = std::vector<double>(width_, unknown)};
@@ -134,13 +143,13 @@ Bands SolvedRecording::bands(Watcher& watcher) {
     add(bands.normal_force, one.resultant.normal);
     add(bands.tangential_force, one.resultant.tangential);
     add(bands.centre, one.resultant.centre);
-    bands.patches.push_back(results_[i] ? std::optional(std::move(one.patches)) : std::nullopt);
+    bands.patches.push_back(answers_[i] ? std::optional(std::move(one.patches)) : std::nullopt);
   }
   return bands;
 }
 
 lab::RecordingOverview SolvedRecording::overview(Watcher& watcher) const {
-  const auto locked = shared_->lock();
+  const auto locked = lock_of(shared_);
   lab::RecordingOverview overview = recording_.overview(watcher);
   overview.findings = solver_.findings(watcher);
   overview.findings.insert(overview.findings.begin(), first_found_.begin(), first_found_.end());
@@ -154,11 +163,11 @@ std::string SolvedRecording::json(const lab::RecordingOverview& overview,
   return report::solve_json(overview, solved,
                             {.readings = name,
                              .missing = missing_,
-                             .remarks = any ? solved.last.remarks : remarks_,
+                             .remarks = any ? solved.last.remarks : solver_.remarks(),
                              .seconds = unknown});
 }
 
-std::string SolvedRecording::json(const std::string& name, Watcher& watcher) {
+std::string SolvedRecording::json(const std::string& name, Watcher& watcher) const {
   return json(overview(watcher), name);
 }
 
@@ -168,24 +177,37 @@ lab::RecordingRow SolvedRecording::row(const std::string& name, Watcher& watcher
   return row;
 }
 
+std::string SolvedRecording::html(const std::string& name, Watcher& watcher) const {
+  return pages::recording_page(overview(watcher), name, report::in_words(solver_.remarks()), {})
+      .html;
+}
+
 std::string SolvedRecording::tractions_csv() const {
   std::ostringstream out;
-  const std::size_t count = surface(problem_.scene()).count;
-  frames::CsvSink sink(out, frames::traction_columns(count, width_ > count), !times_.empty());
+  const auto* const line = std::get_if<lab::SceneProblem>(&problem_);
+  const std::size_t places = line ? surface(line->scene()).count : grid_.count();
+  frames::CsvSink sink(out,
+                       line ? frames::traction_columns(places, width_ > places)
+                            : report::traction_columns(grid_, width_ / places),
+                       !times_.empty());
+  const std::vector<double> none(width_, unknown);
   for (std::size_t i = 0; i < frames(); ++i)
     sink.add(time(i) ? shortest(times_[i]) : std::string(),
-             std::span(tractions_).subspan(i * width_, width_));
+             answers_[i] ? answers_[i]->tractions : none);
   sink.finish();
   return out.str();
 }
 
-void SolvedRecording::report(const PageFolder& folder, const std::string& name, Watcher& watcher) {
+void SolvedRecording::report(const PageFolder& folder, const std::string& name,
+                             Watcher& watcher) const {
   const lab::RecordingOverview shown = overview(watcher);
-  drawing::Page page =
-      pages::recording_page(shown, name, report::in_words(remarks_),
-                            {.files = {"result.json", "shown.csv", "tractions.csv"}});
-  page.files.emplace_back("shown.csv", report::recording_csv(shown));
-  page.files.emplace_back("tractions.csv", tractions_csv());
+  const std::string tractions = is_line() ? "tractions.csv" : "tractions-of-frames.csv";
+  std::vector<std::string> files{"result.json", tractions};
+  if (is_line()) files.insert(files.begin() + 1, "shown.csv");
+  drawing::Page page = pages::recording_page(shown, name, report::in_words(solver_.remarks()),
+                                             {.files = std::move(files)});
+  if (is_line()) page.files.emplace_back("shown.csv", report::recording_csv(shown));
+  page.files.emplace_back(tractions, tractions_csv());
   write_page(folder, page, "result.json", json(shown, name));
 }
 

@@ -1,9 +1,13 @@
 /// @file
-/// A recording that was solved, with all that is known of each of its frames.
+/// A line's or a skin's recording that was solved, with all that is known of each of its
+/// frames.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "arrays.hpp"
@@ -12,12 +16,12 @@
 #include "tactile_net/lab/recording.hpp"
 #include "tactile_net/lab/recording_row.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
-#include "tactile_net/lab/uncertainty.hpp"
 #include "watcher.hpp"
 
 namespace tactile_net::python {
 
-/// How far the tractions of all frames may be from the truth; NaN where a frame has no answer.
+/// How far a line's tractions of all frames may be from the truth; NaN where a frame has no
+/// answer.
 struct Bands {
   std::vector<double> deviation{};  ///< frames x tractions
   /// Of every frame its value and its deviation: frames x 2; NaN where there is none.
@@ -31,58 +35,71 @@ struct Bands {
 class SolvedRecording {
  public:
   /// Solves every frame. @pre the GIL is not held
-  /// @param times     of the frames [s]; empty: they have none
+  /// @param method    of a skin tikhonov
+  /// @param times     of the frames [s], NaN where one has none; empty: they have none
   /// @param readings  frames x readings
   /// @throw BadFrame
-  SolvedRecording(ScenePointer shared, Method method, const lab::RecordingSolverOptions& options,
+  SolvedRecording(AnyPointer shared, Method method, const lab::RecordingSolverOptions& options,
                   std::vector<double> times, const Rows& readings, Watcher& watcher);
 
-  [[nodiscard]] std::size_t frames() const noexcept { return results_.size(); }
-  /// Of one frame.
+  [[nodiscard]] std::size_t frames() const noexcept { return answers_.size(); }
+  /// Of one frame: components x places.
   [[nodiscard]] std::size_t width() const noexcept { return width_; }
-  /// Frames x width; NaN where a frame has no answer.
-  [[nodiscard]] const std::vector<double>& tractions() const noexcept { return tractions_; }
-  /// One a frame: absent without an answer.
-  [[nodiscard]] const std::vector<std::optional<lab::FrameResult>>& results() const noexcept {
-    return results_;
+  /// One a frame: absent without an answer. Of a line they have no bands: `bands`.
+  [[nodiscard]] const std::vector<std::optional<lab::FrameAnswer>>& answers() const noexcept {
+    return answers_;
   }
-  /// A sentence each: what holds for the method, and what is odd about the readings.
+  [[nodiscard]] bool is_line() const noexcept {
+    return std::holds_alternative<lab::SceneProblem>(problem_);
+  }
+  /// Of a skin.
+  [[nodiscard]] const SkinScene& skin() const;
+  [[nodiscard]] const SurfaceGrid& grid() const noexcept { return grid_; }
+
+  // None of what follows may be called with the GIL held.
+
+  /// A sentence each: what holds for the method, what is odd about the readings, and of a skin what
+  /// is to be said of the frame that presses hardest.
   [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] bool has_bands() const;
+  /// Of a line: the more costly part, made when it is asked for. @pre has_bands()
+  [[nodiscard]] Bands bands(Watcher& watcher) const;
 
-  /// The more costly part, made when it is asked for. @pre the GIL is not held, has_bands()
-  [[nodiscard]] Bands bands(Watcher& watcher);
-
-  [[nodiscard]] std::string json(const std::string& name, Watcher& watcher);
-  /// What it amounts to beside others.
+  /// As `solve --json` writes it. @param name  of the recording
+  [[nodiscard]] std::string json(const std::string& name, Watcher& watcher) const;
+  /// What it amounts to beside others. @param name  of the recording
   [[nodiscard]] lab::RecordingRow row(const std::string& name, Watcher& watcher) const;
-  /// As `solve --out` writes it.
-  void report(const PageFolder& folder, const std::string& name, Watcher& watcher);
+  /// The page that `solve --out` writes.
+  [[nodiscard]] std::string html(const std::string& name, Watcher& watcher) const;
+  /// The folder that `solve --out` writes.
+  void report(const PageFolder& folder, const std::string& name, Watcher& watcher) const;
 
  private:
+  /// With what is suspicious about the readings; solves some frames for it.
   [[nodiscard]] lab::RecordingOverview overview(Watcher& watcher) const;
   [[nodiscard]] std::string json(const lab::RecordingOverview& overview,
                                  const std::string& name) const;
-  [[nodiscard]] std::optional<double> time(std::size_t frame) const;
   [[nodiscard]] std::string tractions_csv() const;
+  [[nodiscard]] std::optional<double> time(std::size_t frame) const;
+  [[nodiscard]] std::span<const double> readings(std::size_t frame) const;
 
-  ScenePointer shared_;
-  lab::Findings first_found_{};  // before any frame is solved
-  /// With the noise that the recording shows, where it wants it; without taxels that it shows to be
-  /// broken.
-  lab::SceneProblem problem_;
+  AnyPointer shared_;
   Method method_;
   lab::Missing missing_;
   std::vector<double> times_;
   std::vector<double> readings_;  // as they were solved: missing values of a frame are 0
-  std::size_t width_ = 0;
-  std::vector<double> tractions_{};
-  std::vector<std::optional<lab::FrameResult>> results_{};
-  std::vector<lab::SceneProblem> problems_{};  // that each frame was solved with
-  lab::Remarks remarks_{};
-  lab::Findings doubts_{};
+  std::size_t size_;              // of a frame of them
+  lab::Findings first_found_{};   // before any frame is solved
+  /// With the noise that the recording shows, where it wants it; without taxels that it shows to be
+  /// broken.
+  lab::AnyProblem problem_;
   lab::RecordingSolver solver_;
   lab::Recording recording_;
+  SurfaceGrid grid_{};  // of a skin
+  std::size_t width_ = 0;
+  std::vector<std::optional<lab::FrameAnswer>> answers_{};
+  std::vector<lab::AnyProblem> problems_{};  // of a line: that each frame was solved with
+  lab::Findings doubts_{};
 };
 
 }  // namespace tactile_net::python

@@ -3,6 +3,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "bad_frame.hpp"
 #include "missing_named.hpp"
 #include "rooms.hpp"
+#include "skin_fields.hpp"
 #include "solved_recording.hpp"
 #include "solver.hpp"
 #include "tactile_net/report/json/contacts_json.hpp"
@@ -39,7 +41,8 @@ View Solver::matrix(nb::handle owner) const {
   const Reconstruction* product = solver_->product();
   if (product == nullptr)
     throw std::invalid_argument(
-        "the answer is not one matrix here: that takes tikhonov or closed_form, a given alpha and "
+        "the answer is not one matrix here: that takes tikhonov or "
+        "closed_form, a given alpha and "
         "tangential weight, no constraints, and less than 1024 tractions");
   const Matrix& transposed = product->transposed();
   const auto row = static_cast<std::int64_t>(transposed.columns);
@@ -54,7 +57,7 @@ Method method_of(const std::string& name) {
                               "': dft, tikhonov, closed_form or network");
 }
 
-std::shared_ptr<SolvedRecording> solve(const ScenePointer& shared, const std::string& method,
+std::shared_ptr<SolvedRecording> solve(const AnyPointer& shared, const std::string& method,
                                        const std::string& missing,
                                        std::optional<std::size_t> share_alpha,
                                        const std::vector<double>& times, const Rows& readings,
@@ -71,29 +74,41 @@ std::shared_ptr<SolvedRecording> solve(const ScenePointer& shared, const std::st
 template <class Value, class Of>
 std::vector<Value> of_frames(const SolvedRecording& self, Value none, Of of) {
   std::vector<Value> all;
-  for (const auto& result : self.results()) all.push_back(result ? of(*result) : none);
+  for (const auto& answer : self.answers()) all.push_back(answer ? of(*answer) : none);
   return all;
 }
 
+Array tractions(const SolvedRecording& self) {
+  std::vector<double> all;
+  all.reserve(self.frames() * self.width());
+  for (const auto& answer : self.answers())
+    if (answer)
+      all.insert(all.end(), answer->tractions.begin(), answer->tractions.end());
+    else
+      all.insert(all.end(), self.width(), unknown);
+  return owned(std::move(all), {self.frames(), self.width()});
+}
+
 Array alphas(const SolvedRecording& self) {
-  return owned(of_frames(self, unknown, [](const lab::FrameResult& result) {
-    return result.alpha ? result.alpha->value : unknown;
+  return owned(of_frames(self, unknown, [](const lab::FrameAnswer& answer) {
+    return answer.alpha.value > 0.0 ? answer.alpha.value : unknown;
   }));
 }
 
 std::vector<std::string> verdicts(const SolvedRecording& self) {
-  return of_frames(self, std::string("missing"), [](const lab::FrameResult& result) {
-    return std::string(lab::name(result.verdict));
+  return of_frames(self, std::string("missing"), [](const lab::FrameAnswer& answer) {
+    return std::string(lab::name(answer.verdict));
   });
 }
 
 std::vector<std::string> data(const SolvedRecording& self) {
-  return of_frames(self, std::string("missing"), [](const lab::FrameResult& result) {
-    return result.data ? report::data_word(*result.data) : std::string("not_judged");
+  return of_frames(self, std::string("missing"), [](const lab::FrameAnswer& answer) {
+    return answer.data ? report::data_word(*answer.data) : std::string("not_judged");
   });
 }
 
-/// Deviation, normal force, tangential force, centre, contacts as JSON; None: the method has none.
+/// Of a line: deviation, normal force, tangential force, centre, contacts as JSON; None: the method
+/// has none.
 std::optional<std::tuple<Array, Array, Array, Array, std::string>> bands_of(SolvedRecording& self) {
   Watcher watcher;
   std::optional<Bands> bands;
@@ -110,18 +125,23 @@ std::optional<std::tuple<Array, Array, Array, Array, std::string>> bands_of(Solv
                     report::contacts_json(bands->patches, false));
 }
 
-std::string json_of(SolvedRecording& self, const std::string& name) {
-  Watcher watcher;
-  const nb::gil_scoped_release released;
-  return self.json(name, watcher);
+/// Of a skin, whose answers have them at once, as JSON.
+std::string patches_of(const SolvedRecording& self) {
+  std::vector<std::optional<std::vector<ContactPatch>>> frames;
+  for (const auto& answer : self.answers())
+    frames.push_back(answer ? std::optional(answer->patches) : std::nullopt);
+  return report::contacts_json(frames, true);
 }
 
-void write_recording_report(SolvedRecording& self, const std::string& folder, bool force,
-                            const std::string& name) {
+/// A call of `SolvedRecording` that may take long: Ctrl-C ends it, other threads run on.
+template <auto call>
+auto watched(const SolvedRecording& self, const std::string& name) {
   Watcher watcher;
   const nb::gil_scoped_release released;
-  self.report({.path = folder, .force = force}, name, watcher);
+  return (self.*call)(name, watcher);
 }
+
+using ByName = std::string (SolvedRecording::*)(const std::string&, Watcher&) const;
 
 }  // namespace
 
@@ -141,25 +161,33 @@ void bind_solving(nb::module_& module) {
                    [](nb::handle self) { return nb::cast<const Solver&>(self).matrix(self); })
       .def("solve", &Solver::solve, nb::arg("readings").noconvert());
   nb::class_<SolvedRecording>(module, "SolvedRecording")
-      .def("tractions",
-           [](const SolvedRecording& self) {
-             return owned(self.tractions(), {self.frames(), self.width()});
-           })
+      .def("tractions", &tractions)
       .def("alpha", &alphas)
       .def("verdict", &verdicts)
       .def("data", &data)
-      .def("notes", &SolvedRecording::notes)
+      .def("notes", &SolvedRecording::notes, nb::call_guard<nb::gil_scoped_release>())
       .def("bands", &bands_of)
-      .def("json", &json_of, nb::arg("name"))
       .def(
-          "row",
-          [](const SolvedRecording& self, const std::string& name) {
+          "fields",
+          [](const SolvedRecording& self, const std::vector<std::string>& wrench) {
+            return fields_of(self.answers(), self.skin(), self.grid(), self.width(), wrench);
+          },
+          nb::arg("wrench"))
+      .def("uncertainty",
+           [](const SolvedRecording& self) { return uncertainty_of(self.answers(), self.skin()); })
+      .def("patches", &patches_of)
+      .def("json", &watched<static_cast<ByName>(&SolvedRecording::json)>, nb::arg("name"))
+      .def("row", &watched<&SolvedRecording::row>, nb::arg("name"))
+      .def("html", &watched<&SolvedRecording::html>, nb::arg("name"))
+      .def(
+          "report",
+          [](const SolvedRecording& self, const std::string& folder, bool force,
+             const std::string& name) {
             Watcher watcher;
             const nb::gil_scoped_release released;
-            return self.row(name, watcher);
+            self.report({.path = folder, .force = force}, name, watcher);
           },
-          nb::arg("name"))
-      .def("report", &write_recording_report, nb::arg("folder"), nb::arg("force"), nb::arg("name"));
+          nb::arg("folder"), nb::arg("force"), nb::arg("name"));
   module.def("solve", &solve, nb::arg("scene"), nb::arg("method"), nb::arg("missing"),
              nb::arg("share_alpha").none(), nb::arg("times"), nb::arg("readings").noconvert(),
              nb::arg("progress").none());

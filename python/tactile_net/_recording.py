@@ -135,18 +135,23 @@ class Solution(Document):
         self._share_alpha = share_alpha
         core = self._solve(progress)
         self._core: _core.SolvedRecording | None = core
+        self._know(core)
+        self.notes = tuple(core.notes())
+
+    def _know(self, core: _core.SolvedRecording) -> None:
+        """What is known of every frame."""
         self.tractions = self._shaped(core.tractions())
         self.verdict = np.array(core.verdict(), dtype=np.str_)
         self.data = np.array(core.data(), dtype=np.str_)
         self.alpha = core.alpha()
-        self.notes = tuple(core.notes())
 
     def _solve(self, progress: Progress = False) -> _core.SolvedRecording:
         recording = self.recording
         times = [] if recording.t is None else recording.t.tolist()
-        rows = np.ascontiguousarray(recording.readings.reshape(len(recording), len(recording.scene.reading_names)))
+        scene = recording.scene
+        rows = np.ascontiguousarray(scene._ordered(recording.readings), dtype=np.float64)
         with listening(progress) as heard:
-            return _core.solve(recording.scene._core, self.method, self._missing, self._share_alpha, times, rows, heard)
+            return _core.solve(scene._core, self.method, self._missing, self._share_alpha, times, rows, heard)
 
     def _solved(self) -> _core.SolvedRecording:
         if self._core is None:  # it was pickled, as arrays

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from os import PathLike, fspath
+from os import PathLike
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -12,7 +12,6 @@ from . import _core, _html
 from ._arrays import Floats
 from ._told import ContactPatch, followed_patches
 from ._optional import optional
-from ._progress import Progress, listening
 from ._recording import Recording, Solution
 
 if TYPE_CHECKING:
@@ -39,17 +38,8 @@ class SkinSolution(Solution):
     contacts: NDArray[np.int_]
     """(T,): how many contacts lie apart."""
 
-    def __init__(
-        self, recording: Recording, method: str, missing: str, share_alpha: int | None, progress: Progress = False
-    ) -> None:
-        self.recording = recording
-        self.method = method
-        self._missing = missing
-        self._share_alpha = share_alpha
-        core = self._solved_skin(progress)
-        self._skin_core: _core.SolvedSkin | None = core
+    def _know(self, core: _core.SolvedRecording) -> None:
         self._take(core.fields(list(_WRENCH)))
-        self.notes = tuple(core.notes())
 
     def _take(self, found: Any) -> None:
         frames, places = len(self.recording), self.scene.traction_shape
@@ -81,29 +71,10 @@ class SkinSolution(Solution):
     @classmethod
     def _restored(cls, held: dict[str, Floats], **state: Any) -> SkinSolution:
         solution = cls.__new__(cls)
-        solution.__dict__.update(state, _skin_core=None)
+        solution.__dict__.update(state, _core=None)
         known = held if EARLIER in held else _side_by_side(held)  # else a file of an earlier version
         solution._take(known | {"verdict": state["verdict"], "data": state["data"]})
         return solution
-
-    def _solved_skin(self, progress: Progress = False) -> _core.SolvedSkin:
-        recording = self.recording
-        times = [] if recording.t is None else recording.t.tolist()
-        rows, _ = self.scene._rows(recording.readings)
-        with listening(progress) as heard:
-            scene, missing = self.scene._core, self._missing
-            return _core.solve_skin(scene, missing, self._share_alpha, times, np.ascontiguousarray(rows), heard)
-
-    def _drawable(self) -> _core.SolvedSkin:
-        if self._skin_core is None:  # it was pickled, as arrays
-            self._skin_core = self._solved_skin()
-        return self._skin_core
-
-    def _row(self, name: str) -> _core.RecordingRow:
-        return self._drawable().row(name)
-
-    def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_skin_core": None}
 
     @property
     def scene(self) -> Skin:
@@ -193,7 +164,7 @@ class SkinSolution(Solution):
     @cached_property
     def patches(self) -> tuple[tuple[ContactPatch, ...], ...]:
         """Of every frame each contact by itself, the strongest first, numbered over the frames."""
-        return followed_patches(self._drawable().patches())
+        return followed_patches(self._solved().patches())
 
     @property
     def ellipse(self) -> Floats:
@@ -204,10 +175,6 @@ class SkinSolution(Solution):
     def ellipse_deviation(self) -> Floats:
         return np.asarray(self._ellipse[:, 1::2])
 
-    def to_json(self, name: str = "readings") -> str:
-        """As `tactile-net solve --json` writes it."""
-        return self._drawable().json(name)
-
     def report(self, folder: str | PathLike[str], *, force: bool = False, name: str = "readings") -> str:
         """Writes the page that `tactile-net solve --out` writes, and returns the path of report.html.
 
@@ -216,8 +183,7 @@ class SkinSolution(Solution):
         """
         if len(self) == 0:
             raise ValueError("the recording holds no frame")
-        self._drawable().report(fspath(folder), force, name)
-        return f"{fspath(folder)}/report.html"
+        return super().report(folder, force=force, name=name)
 
     def to_xarray(self) -> Any:
         """The recording's Dataset with `tractions` and `deviation` over (t, component, y, z), `touching`, `wrench`,
@@ -228,14 +194,14 @@ class SkinSolution(Solution):
         """A frame a row, as `solve --uncertainty` writes it: forces, centre, torsion, friction, angle and slip margin,
         their deviations, offsets where they were sought, alpha, verdict; over t."""
         pandas = optional("pandas", "tables")
-        names, values = self._drawable().uncertainty()
+        names, values = self._solved().uncertainty()
         columns: dict[str, Any] = {name: values[:, i] for i, name in enumerate(names)}
         columns |= {"contacts": self.contacts, "alpha": self.alpha, "verdict": self.verdict}
         return pandas.DataFrame(columns, index=None if self.t is None else pandas.Index(self.t, name="t"))
 
     @cached_property
     def _page(self) -> str:
-        return self._drawable().html("readings")
+        return self._solved().html("readings")
 
     def _repr_html_(self) -> str:
         if len(self) == 0:
