@@ -146,6 +146,7 @@ void Recording::add(std::optional<double> time, const AnyProblem& problem,
     frame.doubted = 1;
     ++all_.doubted;
     for (const DataDoubt doubt : answer.data->doubts) ++all_.doubts[doubt];
+    if (answer.data->taxel) ++all_.bad_taxels[*answer.data->taxel];
   }
   if (estimated) all_.estimated.add(number);
   if (all_.frames++ == all_.skipped.count())

@@ -80,18 +80,27 @@ RecordingRow row_of(const RecordingOverview& recording) {
     return row;
   }
   add_verdicts(row, recording.verdicts);
-  const FrameGroup& peak = recording.peak();
-  if (std::isfinite(peak.time)) row.force_time = peak.time;
-  row.force_frame = peak.shown;
+  for (const auto& [taxel, frames] : recording.bad_taxels) {
+    if (frames <= row.bad_taxel_frames) continue;
+    row.bad_taxel = taxel;
+    row.bad_taxel_frames = frames;
+  }
+  const auto take = [&](const Uncertain& force, std::size_t frame, double time) {
+    if (row.force && !(force.value > row.force->value)) return;
+    row.force = force;
+    row.force_frame = frame;
+    row.force_time = std::isfinite(time) ? std::optional(time) : std::nullopt;
+  };
   std::vector<double> times;
   if (!recording.is_line()) {
     const std::optional<double>& limit = recording.skin().reconstruct.friction_limit;
-    for (const FrameRow& frame : recording.rows) {
+    for (std::size_t i = 0; i < recording.rows.size(); ++i) {
+      const FrameRow& frame = recording.rows[i];
       times.push_back(frame.time);
-      if (frame.verdict == Verdict::ok && frame.friction)
-        add_margin(row, limit, frame.friction->value);
+      if (frame.missing || frame.verdict != Verdict::ok) continue;
+      take(frame.wrench.normal, i, frame.time);
+      if (frame.friction) add_margin(row, limit, frame.friction->value);
     }
-    row.force = recording.answer->wrench.normal;
   } else {
     const std::optional<double>& limit = recording.line().reconstruct.friction_limit;
     for (const FrameGroup& group : recording.groups) {
@@ -99,9 +108,11 @@ RecordingRow row_of(const RecordingOverview& recording) {
       if (group.answer.verdict == Verdict::ok && recording.tangential() && recording.loaded(group))
         add_margin(row, limit, group.resultant.tangential / group.resultant.normal);
     }
-    row.force = peak.answer.bands
-                    ? peak.answer.bands->resultant.normal
-                    : Uncertain{peak.resultant.normal, std::numeric_limits<double>::quiet_NaN()};
+    if (const FrameGroup& peak = recording.peak(); peak.answer.verdict == Verdict::ok)
+      take(peak.answer.bands
+               ? peak.answer.bands->resultant.normal
+               : Uncertain{peak.resultant.normal, std::numeric_limits<double>::quiet_NaN()},
+           peak.shown, peak.time);
   }
   row.duration = span_of(times);
   return row;

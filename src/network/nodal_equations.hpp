@@ -2,7 +2,6 @@
 /// A circuit's equations by modified nodal analysis. Private.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <array>
 #include <cstddef>
 #include <functional>

@@ -59,11 +59,15 @@ std::string answer_box(const std::vector<report::Answer>& answers) {
   return html + "</div>\n";
 }
 
+std::string mark_of(const std::string& word, std::string_view type, std::string_view sign,
+                    std::string_view meaning) {
+  return "<span class=\"verdict " + std::string(type) + "\" title=\"" + escaped(meaning) + "\">" +
+         std::string(sign) + ' ' + escaped(word) + "</span>";
+}
+
 std::string verdict_mark(const std::string& word) {
   const Judgement one = judgement(word);
-  if (one.sign.empty()) return escaped(word);
-  return "<span class=\"verdict " + std::string(one.type) + "\" title=\"" + escaped(one.meaning) +
-         "\">" + std::string(one.sign) + ' ' + escaped(word) + "</span>";
+  return one.sign.empty() ? escaped(word) : mark_of(word, one.type, one.sign, one.meaning);
 }
 
 std::string verdict_table(std::vector<std::vector<std::string>> rows) {

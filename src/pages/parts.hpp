@@ -26,6 +26,9 @@ namespace tactile_net::pages {
 /// A verdict's word, "ok", "rules_disagree" or "slips": with a sign and a colour, and what it means
 /// as its tooltip.
 [[nodiscard]] std::string verdict_mark(const std::string& word);
+/// Any word like that. @param type  "good", "doubtful" or "failed"
+[[nodiscard]] std::string mark_of(const std::string& word, std::string_view type,
+                                  std::string_view sign, std::string_view meaning);
 
 /// A table whose column "verdict" stands second and is marked; below it what each verdict means
 /// that is not good.

@@ -14,10 +14,25 @@ namespace {
 
 using drawing::escaped;
 
+std::string standing_mark(const std::string& word, lab::Standing standing) {
+  const auto mark = [&](std::string_view type, std::string_view sign) {
+    return mark_of(word, type, sign, report::standing_meaning(standing));
+  };
+  switch (standing) {
+    case lab::Standing::no_answer:
+      return mark("failed", "✗");
+    case lab::Standing::needs_a_look:
+      return mark("doubtful", "!");
+    case lab::Standing::fine:
+      break;
+  }
+  return mark("good", "✓");
+}
+
 std::string recordings_table(report::RecordingRows rows, const AnyScene& scene) {
   std::size_t next = 0;  // of the rows, whose cells come one after the other
   const auto cell = [&](std::size_t column, const std::string& text) {
-    if (column == 1) return verdict_mark(text);
+    if (column == 1) return standing_mark(text, rows[next - 1].standing());
     if (column > 1) return drawing::words_html(text);
     const std::string& page = rows[next++].page;
     return page.empty() ? escaped(text)

@@ -23,7 +23,8 @@ inline constexpr StandingTold standings_told[] = {
      "The file cannot be read or solved, or no frame has an answer."},
     {lab::Standing::needs_a_look, "needs_a_look",
      "More than a tenth of the frames are not to be trusted, or the readings are suspicious."},
-    {lab::Standing::fine, "fine", "Neither."}};
+    {lab::Standing::fine, "fine",
+     "Nine of ten frames and more are to be trusted, and nothing is suspicious."}};
 
 }  // namespace report
 
@@ -45,6 +46,8 @@ struct RecordingTold {
   std::size_t findings = 0;
   std::optional<std::string_view> finding{};
   std::optional<std::string> finding_text{};
+  std::optional<std::string> bad_taxel{};
+  std::size_t bad_taxel_frames = 0;
   std::optional<double> force{};
   std::optional<double> force_deviation{};
   std::optional<std::size_t> force_frame{};
@@ -71,8 +74,11 @@ struct RecordingTold {
             "How many things are suspicious about its readings."),
       field("finding", &RecordingTold::finding, "The kind of the first of them; null: none."),
       field("finding_text", &RecordingTold::finding_text, "The same in a sentence; null: none."),
+      field("bad_taxel", &RecordingTold::bad_taxel,
+            "The taxel that contradicts all others in most frames; null: none does."),
+      field("bad_taxel_frames", &RecordingTold::bad_taxel_frames, "In how many frames it does so."),
       field("force", &RecordingTold::force, Measure::load,
-            "The largest normal force; null: not known."),
+            "The largest normal force of a frame with the verdict ok; null: not known."),
       field("force_deviation", &RecordingTold::force_deviation, Measure::load,
             "Its standard deviation; null: not known."),
       field("force_frame", &RecordingTold::force_frame,

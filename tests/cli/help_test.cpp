@@ -103,7 +103,7 @@ TEST_CASE("a value stands behind its option or is glued to it", "[cli]") {
   CHECK(tool::parse(Words{"-q", "gen", "S", "--quiet", "-q"}).quiet);
   CHECK_FALSE(tool::parse(Words{"gen", "S"}).quiet);
   CHECK(std::get<tool::MergeOptions>(tool::parse(Words{"merge", "a", "--force", "b", "c"}).command)
-            .folders == Words{"a", "b", "c"});
+            .files == Words{"a", "b", "c"});
 }
 
 TEST_CASE("what is missing, given twice or too much is named", "[cli]") {

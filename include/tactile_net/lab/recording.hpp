@@ -71,13 +71,14 @@ struct RecordingOverview {
   SurfaceGrid grid{};  ///< of a skin
   Method method = Method::tikhonov;
   std::size_t frames = 0;
-  std::map<Verdict, std::size_t> verdicts{};  ///< how many frames have it
-  std::map<DataDoubt, std::size_t> doubts{};  ///< how many frames' readings have it
-  std::size_t doubted = 0;                    ///< frames whose readings have any
-  FrameRuns skipped{};                        ///< frames without an answer
-  FrameRuns estimated{};                      ///< solved without the taxels that they miss
-  std::vector<FrameGroup> groups{};           ///< in the order of time
-  std::size_t per_group = 1;                  ///< frames in each of these, or more
+  std::map<Verdict, std::size_t> verdicts{};        ///< how many frames have it
+  std::map<DataDoubt, std::size_t> doubts{};        ///< how many frames' readings have it
+  std::size_t doubted = 0;                          ///< frames whose readings have any
+  std::map<std::size_t, std::size_t> bad_taxels{};  ///< frames whose readings blame a taxel, by it
+  FrameRuns skipped{};                              ///< frames without an answer
+  FrameRuns estimated{};                            ///< solved without the taxels that they miss
+  std::vector<FrameGroup> groups{};                 ///< in the order of time
+  std::size_t per_group = 1;                        ///< frames in each of these, or more
   Findings findings{};       ///< about the readings, by a ReadingsChecker; `Recording` has none
   ContactTracker tracker{};  ///< what became of contacts: of a skin, or of the frames shown
 

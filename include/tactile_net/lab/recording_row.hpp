@@ -40,7 +40,11 @@ struct RecordingRow {
   /// The commonest one of the frames that are not faultless; ok: all are.
   Verdict verdict = Verdict::failed;
   Findings findings{};
-  std::optional<Uncertain> force{};          ///< the largest normal one [N/m], of a skin [N]
+  /// The taxel that most frames' readings blame, and how many do; absent: none is blamed.
+  std::optional<std::size_t> bad_taxel{};
+  std::size_t bad_taxel_frames = 0;
+  /// The largest normal one of the frames with the verdict ok [N/m], of a skin [N].
+  std::optional<Uncertain> force{};
   std::optional<std::size_t> force_frame{};  ///< where that is
   std::optional<double> force_time{};        ///< the same [s]
   /// Share of friction's limit that the largest drag of a frame with the verdict ok leaves of it;

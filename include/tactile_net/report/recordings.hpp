@@ -35,11 +35,14 @@ using RecordingRows = std::span<const lab::RecordingRow>;
 /// The rule by which rows are sorted, and what needs a look: two sentences.
 [[nodiscard]] std::string order_in_words();
 
-/// What a row says first: the problem, else the first finding, else the commonest verdict; empty:
-/// nothing.
+/// What that means, a sentence.
+[[nodiscard]] std::string_view standing_meaning(lab::Standing standing) noexcept;
+
+/// What a row says first: the problem, else the first finding, else the taxel that most frames
+/// blame or the commonest verdict, and of how many frames; empty: the recording is fine.
 [[nodiscard]] std::string worst_in_words(const lab::RecordingRow& row, const AnyScene& scene);
 
-/// Header and rows as cells: name, verdict, frames, findings, force, slip margin, duration, and
+/// Header and rows as cells: name, standing, frames, findings, force, slip margin, duration, and
 /// what is worst.
 [[nodiscard]] std::vector<std::vector<std::string>> recording_cells(RecordingRows rows,
                                                                     const AnyScene& scene);

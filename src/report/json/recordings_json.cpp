@@ -50,8 +50,8 @@ std::string recording_keys_json(RecordingRows rows, const AnyScene& scene) {
     const auto number = [&](double value) {
       return row.problem.empty() ? finite_or_null(value) : Json(nullptr);
     };
-    all.push_back({row.name, lab::name(row.problem.empty() ? row.verdict : lab::Verdict::failed),
-                   number(row.share_faultless()), number(static_cast<double>(row.findings.size())),
+    all.push_back({row.name, static_cast<int>(row.standing()), number(row.share_faultless()),
+                   number(static_cast<double>(row.findings.size())),
                    number(row.force ? row.force->value : std::nan("")),
                    row.force_time ? Json(*row.force_time)
                                   : number(row.force_frame ? static_cast<double>(*row.force_frame)

@@ -10,6 +10,7 @@
 #include "tactile_net/report/words/check_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
+#include "tactile_net/system/printable.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -25,6 +26,17 @@ const std::optional<Units>& units_of(const AnyScene& scene) {
 
 std::string seconds_in_words(const std::optional<double>& seconds) {
   return seconds ? brief(*seconds) + " s" : "-";
+}
+
+std::string taxel_in_words(const AnyScene& scene, std::size_t taxel) {
+  return std::visit([&](const auto& one) { return taxel_name(one.sensor, taxel); }, scene);
+}
+
+/// "fine", "needs a look", "no answer".
+std::string standing_in_words(lab::Standing standing) {
+  std::string words(enumerator_name(standing));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
 }
 
 std::size_t count_of(RecordingRows rows, lab::Standing standing) {
@@ -56,6 +68,8 @@ std::vector<RecordingTold> recordings_told(RecordingRows rows, const AnyScene& s
       told.finding = lab::name(row.findings.front());
       told.finding_text = in_words(row.findings.front(), scene);
     }
+    if (row.bad_taxel) told.bad_taxel = taxel_in_words(scene, *row.bad_taxel);
+    told.bad_taxel_frames = row.bad_taxel_frames;
     if (!row.force) continue;
     told.force = row.force->value;
     if (std::isfinite(row.force->deviation)) told.force_deviation = row.force->deviation;
@@ -95,20 +109,32 @@ std::string order_in_words() {
          "less certain.";
 }
 
+std::string_view standing_meaning(lab::Standing standing) noexcept {
+  return row_in<standings_told>(standing).text;
+}
+
 std::string worst_in_words(const lab::RecordingRow& row, const AnyScene& scene) {
   if (!row.problem.empty()) return row.problem;
   if (!row.findings.empty()) return in_words(row.findings.front(), scene);
-  return row.verdict == lab::Verdict::ok ? std::string() : std::string(in_words(row.verdict));
+  if (row.standing() == lab::Standing::fine) return {};
+  const std::size_t faults = row.frames - row.faultless;
+  const auto of_frames = [&](std::size_t some) {
+    return " in " + std::to_string(some) + " of " + counted(row.frames, "frame");
+  };
+  if (row.bad_taxel && 2 * row.bad_taxel_frames >= faults)
+    return "taxel " + taxel_in_words(scene, *row.bad_taxel) + " contradicts all others" +
+           of_frames(row.bad_taxel_frames);
+  return std::string(in_words(row.verdict)) + of_frames(faults);
 }
 
 std::vector<std::vector<std::string>> recording_cells(RecordingRows rows, const AnyScene& scene) {
-  std::vector<std::vector<std::string>> cells = {{"recording", "verdict", "frames to trust",
-                                                  "suspicions", "largest force", "at",
-                                                  "slip margin", "duration", "look at"}};
+  std::vector<std::vector<std::string>> cells = {
+      {"recording", "standing", "frames to trust", "suspicions", "largest force to trust",
+       "time of it", "least slip margin", "duration", "what is wrong"}};
   const std::optional<Units>& units = units_of(scene);
   for (const lab::RecordingRow& row : rows) {
     if (!row.problem.empty()) {
-      cells.push_back({row.name, std::string(lab::name(lab::Verdict::failed)), "-", "-", "-", "-",
+      cells.push_back({printable(row.name), standing_in_words(row.standing()), "-", "-", "-", "-",
                        "-", "-", row.problem});
       continue;
     }
@@ -117,12 +143,13 @@ std::vector<std::vector<std::string>> recording_cells(RecordingRows rows, const 
       at = seconds_in_words(row.force_time);
     else if (row.force_frame)
       at = "frame " + std::to_string(*row.force_frame);
-    cells.push_back({row.name, std::string(lab::name(row.verdict)),
+    const std::string wrong = worst_in_words(row, scene);
+    cells.push_back({printable(row.name), standing_in_words(row.standing()),
                      std::to_string(row.faultless) + " of " + std::to_string(row.frames),
                      std::to_string(row.findings.size()),
                      row.force ? in_unit(units, load_dimension(scene), *row.force) : "-", at,
                      row.slip_margin ? percent(*row.slip_margin) : "-",
-                     seconds_in_words(row.duration), worst_in_words(row, scene)});
+                     seconds_in_words(row.duration), wrong.empty() ? "-" : wrong});
   }
   return cells;
 }

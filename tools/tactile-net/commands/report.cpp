@@ -63,7 +63,9 @@ std::vector<fs::path> recordings_in(const fs::path& folder, const ReportOptions&
   std::vector<fs::path> found;
   const auto take = [&](const fs::directory_entry& entry) {
     std::error_code none;
-    if (!is_recording(entry.path()) || !entry.is_regular_file(none)) return;
+    // A link that leads nowhere is a row that says so.
+    if (!is_recording(entry.path()) || entry.is_directory(none)) return;
+    if (entry.path().filename().string().starts_with('.')) return;  // the system's own, and hidden
     if (!out.empty() && are_one(entry.path(), out / table_file)) return;
     if (!options.csv.empty() && are_one(entry.path(), options.csv)) return;
     found.push_back(entry.path());
