@@ -139,10 +139,10 @@ std::optional<RowsHead> read_head(const fs::path& file) {
 
 void Rows::add(const fs::path& file) {
   const std::string content = content_of(file);
-  if (!is_begun_head(content)) add(content, file);
+  if (!is_begun_head(content)) (void)add(content, file);
 }
 
-void Rows::add(std::string_view content, const fs::path& file) {
+std::size_t Rows::add(std::string_view content, const fs::path& file) {
   std::string_view rest = content;
   const RowsHead head = take_head(rest, file);
   if (head.version != head_.version)
@@ -152,6 +152,8 @@ void Rows::add(std::string_view content, const fs::path& file) {
     refuse(file, 1, "holds the rows of another study",
            "a study that was changed begins another file");
 
+  const auto read = [&] { return content.size() - rest.size(); };
+  std::size_t whole = read();
   std::map<std::size_t, std::map<std::size_t, std::string>> begun;  // points, their rows so far
   std::size_t number = 2;
   while (const auto text = next_line(rest)) {
@@ -171,7 +173,9 @@ void Rows::add(std::string_view content, const fs::path& file) {
       refuse(file, number,
              "has another answer to point " + std::to_string(line->index) + " than stands before",
              "machines of other processors have other last digits: keep one of the two answers");
+    whole = read();
   }
+  return whole;
 }
 
 RowsFile::RowsFile(const Study& study, fs::path path)
@@ -189,12 +193,9 @@ RowsFile::RowsFile(const Study& study, fs::path path)
       fail("another sweep writes into this file: wait until it ends, or name another file");
     const std::string content = content_of(path_);
     const bool is_new = is_begun_head(content);
-    if (!is_new) {
-      rows_.add(content, path_);
-      size_ = content.rfind('\n') + 1;
-    }
+    if (!is_new) size_ = rows_.add(content, path_);
     if (size_ < content.size() && ::ftruncate(file_, static_cast<off_t>(size_)) != 0)
-      fail(std::string("its last line is not whole and cannot be cut off: ") +
+      fail(std::string("its last point is not whole and cannot be cut off: ") +
            std::strerror(errno));
     if (is_new) append(text(rows_.head()));
   } catch (...) {

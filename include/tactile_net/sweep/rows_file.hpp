@@ -48,7 +48,7 @@ class Rows {
   /// @param head  of the study; others' files are refused
   explicit Rows(RowsHead head) : head_(std::move(head)) {}
 
-  /// Adds what a file holds up to its last whole line.
+  /// Adds the points that a file holds whole.
   ///
   /// @throw InputError  it cannot be read, or is no file of rows; it is of another study or another
   ///                    version of the library; a line is no row; a point has another answer than
@@ -64,7 +64,8 @@ class Rows {
 
  private:
   friend class RowsFile;
-  void add(std::string_view content, const std::filesystem::path& file);
+  /// @return  the length up to the last whole point
+  std::size_t add(std::string_view content, const std::filesystem::path& file);
 
   RowsHead head_;
   std::map<std::size_t, std::vector<std::string>> points_;
@@ -74,7 +75,7 @@ class Rows {
 /// end, however that comes.
 class RowsFile {
  public:
-  /// Makes the file, or goes on with it: what follows its last whole line is cut off.
+  /// Makes the file, or goes on with it: what follows its last whole point is cut off.
   ///
   /// @throw InputError            as `Rows::add`; the file stays as it is
   /// @throw frames::CannotCreate  it cannot be written to; another sweep has it
