@@ -205,7 +205,8 @@ void bind_sweep(nb::module_& module) {
           },
           nb::arg("study"), nb::arg("path"))
       .def("missing", &missing, nb::arg("first"), nb::arg("end").none())
-      .def("append", &sweep::RowsFile::append, nb::arg("lines"));
+      .def("append", &sweep::RowsFile::append, nb::arg("lines"))
+      .def("close", &sweep::RowsFile::close);
   module.attr("instructions") = name(widest_instruction_set());
   module.def("sweep", &run_sweep, nb::arg("study"), nb::arg("file"), nb::arg("jobs").none(),
              nb::arg("first"), nb::arg("end").none(), nb::arg("allow_outside"),

@@ -15,14 +15,13 @@ from ._containers import beside, chosen, columns_of, layout_from
 from ._layout import OF_FRAMES, READINGS, TRACTIONS, Layout
 from ._optional import optional
 from ._refusal import refused
-from ._skin_solution import EARLIER
+from ._skin_solution import EARLIER, RESULTANT
 
 if TYPE_CHECKING:
     from ._scene import Scene
 
 HDF5, ZARR = (".nc", ".h5", ".hdf5"), (".zarr",)
 _SURFACE = ("truth", "tractions", "deviation")
-_RESULTANT = ("normal", "tangential_y", "tangential_z", "centre_y", "centre_z", "torsion", "friction")
 _OTHERS = {
     "wrench": ("of",),
     "wrench_deviation": ("of",),
@@ -63,7 +62,7 @@ def dataset_of(layout: Layout, scene: Scene) -> Any:
         else:
             variables[name] = (("t", *_OTHERS.get(name, ())), values)
     if "wrench" in arrays:
-        coordinates |= {"of": list(_RESULTANT), "axis": ["radius", "second_radius", "angle"]}
+        coordinates |= {"of": list(RESULTANT), "axis": ["radius", "second_radius", "angle"]}
     return xarray.Dataset(variables, coordinates, layout.attributes | {"components": json.dumps(components)})
 
 

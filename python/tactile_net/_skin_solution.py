@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 __all__ = ["COMPONENTS", "SkinSolution"]
 
 COMPONENTS = ("normal", "tangential_y", "tangential_z")
+RESULTANT = ("normal", "tangential_y", "tangential_z", "centre_y", "centre_z", "torsion", "friction")
 EARLIER = "covariance"
 """What the library, and files of earlier versions, call `wrench_covariance`; there values and deviations stand side by side."""
 
@@ -39,7 +40,7 @@ class SkinSolution(Solution):
     """(T,): how many contacts lie apart."""
 
     def _know(self, core: _core.SolvedRecording) -> None:
-        self._take(core.fields(list(_WRENCH)))
+        self._take(core.fields(list(RESULTANT)))
 
     def _take(self, found: Any) -> None:
         frames, places = len(self.recording), self.scene.traction_shape

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
 from os import PathLike, fspath
 from pathlib import Path
@@ -205,15 +205,15 @@ def _by_dask(
     study = _core.StudyPoints(path, allow_outside)
     if first >= study.points:
         raise refused(path, f"has {study.points} points, and none from {first} on", "points are counted from 0")
-    file = _core.RowsFile(study, out)
-    missing = file.missing(first, end)
-    copy = StudyCopy.of(path, study, allow_outside)
     done = 0
-    for part, lines in computed(_rows, copy, missing, client, None):
-        file.append(lines)
-        done += len(part)
-        if heard is not None:
-            heard(f"{done} of {counted(len(missing), 'point')}")
+    with closing(_core.RowsFile(study, out)) as file:
+        missing = file.missing(first, end)
+        copy = StudyCopy.of(path, study, allow_outside)
+        for part, lines in computed(_rows, copy, missing, client, None):
+            file.append(lines)
+            done += len(part)
+            if heard is not None:
+                heard(f"{done} of {counted(len(missing), 'point')}")
     if done < len(missing):
         try:
             _core.merge([out], first, end)

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "tactile_net/frames/cannot_create.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -204,7 +205,11 @@ RowsFile::RowsFile(const Study& study, fs::path path)
   }
 }
 
-RowsFile::~RowsFile() { ::close(file_); }
+void RowsFile::close() noexcept {
+  if (file_ < 0) return;
+  ::flock(file_, LOCK_UN);  // for a child that is on its way to another program too
+  ::close(std::exchange(file_, -1));
+}
 
 void RowsFile::append(std::string_view lines) {
   ssize_t written = 0;

@@ -1,6 +1,9 @@
 #include "tactile_net/sweep/rows_file.hpp"
 
+#include <signal.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -164,6 +167,19 @@ TEST_CASE("a file has one writer at a time", "[sweep]") {
                       ContainsSubstring("another sweep writes into this file"));
   }
   CHECK(sweep::RowsFile(files.study, path).rows().points().empty());
+
+  // A child on its way to another program has the file too, and keeps nobody from it.
+  auto file = std::make_unique<sweep::RowsFile>(files.study, path);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::pause();
+    ::_exit(0);
+  }
+  file.reset();
+  CHECK_NOTHROW(sweep::RowsFile(files.study, path));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
 }
 
 TEST_CASE("a point that a full disk has no room for leaves nothing", "[sweep]") {

@@ -81,9 +81,12 @@ class RowsFile {
   /// @throw frames::CannotCreate  it cannot be written to; another sweep has it
   /// @throw std::runtime_error    the head could not be written: a full disk
   RowsFile(const Study& study, std::filesystem::path path);
-  ~RowsFile();
+  ~RowsFile() { close(); }
   RowsFile(const RowsFile&) = delete;
   RowsFile& operator=(const RowsFile&) = delete;
+
+  /// Lets others write into it. Nothing can be appended then.
+  void close() noexcept;
 
   /// What it held when it was opened.
   [[nodiscard]] const Rows& rows() const noexcept { return rows_; }
