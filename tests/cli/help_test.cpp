@@ -119,7 +119,7 @@ TEST_CASE("what is missing, given twice or too much is named", "[cli]") {
   usage_refused({"run", "S", "T"},
                 "argument not expected: T (usage: tactile-net run [OPTIONS] SCENE)");
   usage_refused({"solve", "S"}, "--readings is required");
-  usage_refused({"merge"}, "FOLDER is required");
+  usage_refused({"merge"}, "FILE is required");
   usage_refused({"--", "run", "S"}, "tactile-net has no option '--'");
   usage_refused({"--json", "run", "S"}, "tactile-net has no option '--json'");
   usage_refused({""}, "there is no command ''");
