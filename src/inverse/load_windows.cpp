@@ -9,6 +9,7 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/family_factors.hpp"
+#include "inverse/window_places.hpp"
 #include "numeric/require.hpp"
 
 namespace tactile_net {
@@ -22,42 +23,6 @@ constexpr Index window_alphas = 61;
 constexpr double largest_alpha = 64.0;  // over the largest gamma squared
 constexpr double least_noise = 1e-14;   // over the largest reading: below, rounding is larger
 constexpr double negligible_probability = 1e-6;  // a probability
-constexpr std::size_t most_widths = 9;           // what is wider takes most of the time
-
-/// Values of one traction in a row.
-struct Range {
-  Index first = 0;
-  Index count = 0;
-};
-
-/// Level after level, each of one width.
-std::vector<std::vector<Range>> ranges(const SurfaceGrid& grid, double narrowest) {
-  const auto n = static_cast<Index>(grid.rows);
-  const double whole = static_cast<double>(n + 1) * grid.spacing_y;
-  const double to_array = static_cast<double>(grid.margin_rows);
-  const double last = static_cast<double>(n - 1);
-  std::vector<std::vector<Range>> levels;
-  for (double width = narrowest; width < whole && levels.size() < most_widths;
-       width *= std::sqrt(2.0)) {
-    // Hats fall to 0 one spacing beyond the outermost values: they are one less than spacings.
-    const Index count = std::clamp<Index>(std::lround(width / grid.spacing_y) - 1, 1, n);
-    if (count == n) break;
-    const double step = std::max(0.25 * width / grid.spacing_y, 1.0);
-    Index places = static_cast<Index>(std::ceil(static_cast<double>(n - count) / step)) + 1;
-    // No window lies in the very middle where the values left over are odd: two are beside it.
-    if (places % 2 == 1 && (n - count) % 2 == 1) ++places;
-    std::vector<Range> level;
-    for (Index k = 0; k < places; ++k) {
-      const Index from_end = (n - count) * std::min(k, places - 1 - k) / (places - 1);
-      const Index first = 2 * k < places ? from_end : n - count - from_end;  // a mirrored array's
-      const double middle = static_cast<double>(first) + 0.5 * static_cast<double>(count - 1);
-      if (middle >= to_array && middle <= last - to_array) level.push_back({first, count});
-    }
-    if (!level.empty()) levels.push_back(std::move(level));
-  }
-  levels.push_back({{0, n}});
-  return levels;
-}
 
 }  // namespace
 
@@ -75,9 +40,9 @@ struct LoadWindows::Windows {
   Windows(const LinearProblem& problem, double narrowest) : weighting(problem) {
     require_line(problem);
     const auto block = static_cast<Index>(problem.grid.count());
-    const auto levels = ranges(problem.grid, narrowest);
+    const auto levels = window_levels(problem.grid, narrowest, true);
     for (auto level = levels.rbegin(); level != levels.rend(); ++level)  // the whole surface first
-      for (const Range& range : *level) {
+      for (const auto& [range, column] : *level) {
         Window window;
         ActiveFace face;
         for (std::size_t unknown = 0; unknown < problem.components; ++unknown)

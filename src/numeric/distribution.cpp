@@ -92,44 +92,36 @@ Distribution Distribution::at_least(double least) const {
 
 void Distribution::find_moments() {
   const double spread = std::isinf(degrees_) ? 1.0
-                        : degrees_ > 2.0     ? degrees_ / (degrees_ - 2.0)
+                        : degrees_ > 2.0     ? std::sqrt(degrees_ / (degrees_ - 2.0))
                                              : std::numeric_limits<double>::infinity();
   double numerator = 0.0;
   double denominator = 0.0;
-  std::vector<std::pair<double, double>> moments;  // mean and variance of max(x, least)
+  std::vector<std::pair<double, double>> moments;  // mean and deviation of max(x, least)
   for (const Component& one : components_) {
-    auto& [mean, variance] = moments.emplace_back(one.mean, spread * one.scale * one.scale);
-    if (one.scale == 0.0) variance = 0.0;
-    if (least_) {
-      const double place = one.mean / one.divisor;
-      const double size = one.scale / one.divisor;
-      if (size == 0.0) {
-        mean = std::max(place, *least_) * one.divisor;
-      } else {
-        const double a = (*least_ - place) / size;
-        const auto [first, second] = moments_above(a, degrees_);
-        const double below = standard_cdf(a);
-        // Of t less a where it lies above, of which neither place nor bound is left to cancel.
-        const double beyond = first - a * (1.0 - below);
-        const double square = second - 2.0 * a * first + a * a * (1.0 - below);
-        mean = (*least_ + size * beyond) * one.divisor;
-        variance = std::max(square - beyond * beyond, 0.0) * one.scale * one.scale;
-      }
+    auto& [mean, size] = moments.emplace_back(one.mean, one.scale > 0.0 ? spread * one.scale : 0.0);
+    if (least_ && one.scale == 0.0) mean = std::max(mean, *least_ * one.divisor);
+    if (least_ && one.scale > 0.0) {
+      const double a = (*least_ * one.divisor - one.mean) / one.scale;
+      const auto [first, second] = moments_above(a, degrees_);
+      const double above = 1.0 - standard_cdf(a);
+      // Of t less a where it lies above, of which neither place nor bound is left to cancel.
+      const double beyond = first - a * above;
+      const double square = second - 2.0 * a * first + a * a * above;
+      mean = *least_ * one.divisor + one.scale * beyond;
+      size = std::sqrt(std::max(square - beyond * beyond, 0.0)) * one.scale;
     }
     numerator += one.probability * mean;
     denominator += one.probability * one.divisor;
   }
   mean_ = numerator / denominator;
-  double squares = 0.0;
+  deviation_ = 0.0;
   for (std::size_t i = 0; i < components_.size(); ++i) {
     const Component& one = components_[i];
-    const auto& [mean, variance] = moments[i];
-    const double off = mean - mean_ * one.divisor;
-    double own = variance;
-    if (one.divisor_scale > 0.0) own = spread * std::pow(scale_at(one, mean_), 2);
-    squares += one.probability * (own + off * off);
+    const auto& [mean, size] = moments[i];
+    const double own = one.divisor_scale > 0.0 ? spread * scale_at(one, mean_) : size;
+    const double share = std::sqrt(one.probability) / denominator;
+    deviation_ = std::hypot(deviation_, share * own, share * (mean - mean_ * one.divisor));
   }
-  deviation_ = std::sqrt(squares) / denominator;
 }
 
 double Distribution::standard_cdf(double z) const {
@@ -206,7 +198,7 @@ double Distribution::quantile(double p) const {
   return bounded(0.5 * (bracket.first + bracket.second));
 }
 
-Interval Distribution::interval(double level) const {
+CentralInterval Distribution::interval(double level) const {
   require(level > 0.0 && level < 1.0, "level", "lie between 0 and 1", level);
   const double left_out = 0.5 * (1.0 - level);
   return {.level = level, .low = quantile(left_out), .high = quantile(1.0 - left_out)};

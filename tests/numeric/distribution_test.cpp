@@ -78,7 +78,7 @@ TEST_CASE("one Gaussian has the Gaussian's table", "[distribution]") {
   CHECK(one.mean() == 2.0);
   CHECK(one.deviation() == 0.5);
   CHECK_THAT(one.quantile(0.975), WithinRel(2.0 + 0.5 * 1.959963984540054, 1e-12));
-  const Interval band = one.interval(0.8);
+  const CentralInterval band = one.interval(0.8);
   CHECK(band.level == 0.8);
   CHECK_THAT(band.low, WithinRel(2.0 - 0.5 * 1.2815515655446004, 1e-12));
   CHECK_THAT(band.high, WithinRel(2.0 + 0.5 * 1.2815515655446004, 1e-12));

@@ -6,7 +6,7 @@
 ///         {.probability = 0.7, .mean = 1.0, .scale = 0.1},
 ///         {.probability = 0.3, .mean = 1.4, .scale = 0.3}};
 ///     const Distribution force(two);
-///     const Interval band = force.interval(0.95);  // 2.5 % lie below band.low
+///     const CentralInterval band = force.interval(0.95);  // 2.5 % lie below band.low
 #pragma once
 
 #include <limits>
@@ -20,15 +20,15 @@
 namespace tactile_net {
 
 /// The central part of a distribution.
-struct Interval {
+struct CentralInterval {
   double level = 0.95;  ///< the probability in it, as much left out below as above
   double low = 0.0;
   double high = 0.0;
 
-  static constexpr auto described =
-      std::tuple{field("level", &Interval::level, "The probability that the value lies inside."),
-                 field("low", &Interval::low, "As much of the rest lies below this ..."),
-                 field("high", &Interval::high, "... as above this.")};
+  static constexpr auto described = std::tuple{
+      field("level", &CentralInterval::level, "The probability that the value lies inside."),
+      field("low", &CentralInterval::low, "As much of the rest lies below this ..."),
+      field("high", &CentralInterval::high, "... as above this.")};
 };
 
 class Distribution {
@@ -71,7 +71,7 @@ class Distribution {
   /// @throw std::invalid_argument  p is not between 0 and 1, both excluded
   [[nodiscard]] double quantile(double p) const;
   /// The central interval. @throw std::invalid_argument  level is not between 0 and 1
-  [[nodiscard]] Interval interval(double level = 0.95) const;
+  [[nodiscard]] CentralInterval interval(double level = 0.95) const;
   /// The continuous ranked probability score of a truth x: the integral of (cdf(t) - [t >= x])^2,
   /// in the number's unit, the smaller the better (Gneiting and Raftery 2007). By a Gauss rule
   /// between the components' quantiles: some thousand `cdf`, for whoever tests bands.

@@ -1,0 +1,142 @@
+/// @file
+/// The tractions as all that the readings leave possible: where may a load press, how hard, and
+/// what do then the forces and the tractions amount to?
+///
+/// A load lies in a window of the surface, which nobody knows, and nowhere else; in it
+///
+///     f ~ N(0, (sigma^2 / alpha) C),  C^-1 = m w_u^2 (1 + (d/2)^2 (Q_y + Q_z))^2
+///
+/// of each component u, Q: differences of neighbouring values over their distance, squared, with 0
+/// beyond the window; d the least depth, m and w as linear_problem.hpp has them. That is a second
+/// order more than the functional of `TikhonovFamily`: rough loads are less likely, and bands of
+/// cells narrower by two fifths where they still hold Hertz' contacts. Nobody knows alpha either.
+/// A component c of the mixture is a window, an alpha and a tangential weight; with
+/// K C K' = U diag(gamma^2) U' in the window and beta = U'g / sigma
+///
+///     log p_c = prior + 1/2 sum log(alpha / (gamma^2 + alpha)) - 1/2 q
+///     q       = sum alpha / (gamma^2 + alpha) beta^2 + |g / sigma - U beta|^2
+///
+/// and a sum s'f of it is Gaussian. A noise whose level is known as from nu readings makes that
+/// Student's t with rows + nu degrees: -(rows + nu) / 2 log(nu + q) stands for -q / 2, and
+/// variances are (nu + q) / (nu + rows) times as large; nu = 0: the level is not known at all.
+///
+/// A priori each width of windows is as likely as another, each place of one width, and 1/w is
+/// half-Cauchy; alpha is so by its logarithm times alpha^`prior_power`. The sum over alphas, a
+/// factor 2 apart, is the integral to a hundredth of a band. How often the bands hold:
+/// docs/internals/numerics.md.
+///
+///     const LoadPrior prior(problem, {.depth = 1e-3});  // once
+///     const LoadMixture answer = prior.given(readings, {.rms = 0.01});
+///     answer.of(force_weights).interval(0.95);
+///     answer.mean();  // tractions [Pa], whose sums are the sums' means
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tactile_net/inverse/covariance.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
+#include "tactile_net/numeric/distribution.hpp"
+
+namespace tactile_net {
+
+/// What is known of the noise of a weighted reading.
+struct LoadNoise {
+  std::optional<double> rms{};  ///< > 0; absent: not known, and integrated over
+  /// Of freedom, > 0: as if the rms had been measured from so many readings. Infinity: it is
+  /// certain. Of 5, which hold it to a third of itself, bands hold a noise that is stated half as
+  /// large as it is.
+  double degrees = 5.0;
+};
+
+struct LoadPriorOptions {
+  double depth = 0.0;      ///< d [m], > 0: the taxels' least one
+  double narrowest = 2.5;  ///< window, in depths, > 0
+  /// Of alpha, >= 0. 0: each size of loads is as likely as another. 1/4: large ones are less
+  /// likely, which is for coarse arrays, between whose taxels they would hide; 1/2 is a
+  /// half-Cauchy of the load's size.
+  double prior_power = 0.0;
+};
+
+class LoadMixture;
+
+/// What is known of a load before anything is read. Copies share the tables.
+class LoadPrior {
+ public:
+  /// A singular value decomposition for each window, and of two components or three for each of
+  /// six tangential weights. Of a line windows of up to nine widths a quarter apart, of a skin
+  /// squares a third apart; and the whole surface.
+  ///
+  /// @throw std::invalid_argument  an option is out of range, no reading depends on the tractions
+  LoadPrior(const LinearProblem& problem, const LoadPriorOptions& options);
+
+  /// Number of windows.
+  [[nodiscard]] std::size_t count() const noexcept;
+  /// Multiplications of one frame's probabilities: of each window and weight rows^2 about.
+  [[nodiscard]] std::size_t multiplications() const noexcept;
+
+  /// What the readings leave of it.
+  /// @throw std::invalid_argument  readings have the wrong size or are not finite, or the noise is
+  ///                               out of range
+  [[nodiscard]] LoadMixture given(std::span<const double> readings, const LoadNoise& noise) const;
+
+  struct Tables;
+
+ private:
+  std::shared_ptr<const Tables> tables_;
+};
+
+/// What is known of a load after a frame. Keeps the prior's tables alive.
+class LoadMixture {
+ public:
+  /// The tractions' mean [Pa], components x values. O(values x readings) for each likely window.
+  [[nodiscard]] std::vector<double> mean() const;
+
+  /// Of the sum of weights times tractions.
+  /// @throw std::invalid_argument  there is not one weight per traction
+  [[nodiscard]] Distribution of(std::span<const double> weights) const;
+  [[nodiscard]] std::vector<Distribution> of_each(
+      std::span<const std::vector<double>> weights) const;
+  /// Of every traction: O(values x readings) for each likely component.
+  [[nodiscard]] std::vector<Distribution> of_tractions() const;
+  /// Of one sum over another, as a centre is of the moment over the force: exactly (Fieller 1954).
+  /// Absent: the denominator is less than five of its deviations away from 0.
+  /// @throw std::invalid_argument  there is not one weight per traction
+  [[nodiscard]] std::optional<Distribution> ratio(std::span<const double> numerator,
+                                                  std::span<const double> denominator) const;
+
+  /// The second moments about the mean, per unit of `noise_rms` squared.
+  /// @throw std::invalid_argument  noise_rms is not > 0
+  [[nodiscard]] RootCovariance covariance(double noise_rms) const;
+
+  /// tr H on average: how many of the readings' degrees of freedom the tractions use up.
+  [[nodiscard]] double degrees_of_freedom() const noexcept { return used_; }
+  /// How many components are likely: more than a millionth.
+  [[nodiscard]] std::size_t components() const noexcept;
+  /// Student's degrees of freedom of each; infinity: Gaussian.
+  [[nodiscard]] double student_degrees() const noexcept { return degrees_; }
+
+  /// The alpha with this probability below it, of the functional with these windows.
+  [[nodiscard]] double alpha_quantile(double p) const;
+
+ private:
+  friend class LoadPrior;
+
+  /// Of one window and one weight, what the frame makes of it.
+  struct Part;
+  explicit LoadMixture(std::shared_ptr<const LoadPrior::Tables> tables);
+  /// Of each component the probability, and the means and the covariance of sums, over sigma.
+  template <class Take>
+  void each(std::span<const std::vector<double>> weights, const Take& take) const;
+
+  std::shared_ptr<const LoadPrior::Tables> tables_;
+  std::shared_ptr<const std::vector<Part>> parts_;
+  double sigma_ = 1.0;
+  double degrees_ = 0.0;
+  double used_ = 0.0;
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,470 @@
+#include "tactile_net/inverse/load_mixture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "inverse/axis_waves.hpp"
+#include "inverse/checks.hpp"
+#include "inverse/stabiliser_weight.hpp"
+#include "inverse/weighting.hpp"
+#include "inverse/window_places.hpp"
+#include "numeric/decompositions.hpp"
+#include "numeric/require.hpp"
+#include "tactile_net/inverse/tangential_weight.hpp"
+
+namespace tactile_net {
+
+using Eigen::Index;
+
+namespace {
+
+/// Alphas that halve, of loads from a tenth of the noise up to what double precision still tells
+/// from it.
+constexpr Index mixture_alphas = 61;
+constexpr double most_alpha = 64.0;    // over the largest gamma squared
+constexpr double least_sigma = 1e-14;  // over the largest reading: below is rounding
+constexpr double unlikely = 1e-6;      // a probability that is left out
+constexpr std::array drag_weights = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+constexpr double deviations_from_zero = 5.0;  // of a ratio's denominator
+
+/// T of a window, f = T c with |c|^2 the stabiliser: waves that end where the window does, each
+/// over what (1 + (d/2)^2 Q) stretches it by.
+class WindowCoordinates {
+ public:
+  WindowCoordinates(const LinearProblem& problem, const WindowPlace& place, double depth)
+      : y_(waves(place.rows.count)), z_(waves(place.columns.count)) {
+    const auto share = [depth](double spacing) { return std::pow(0.5 * depth / spacing, 2); };
+    const auto rough = [](Index m, Index count) {
+      return roughness(static_cast<std::size_t>(m), static_cast<std::size_t>(count),
+                       Boundary::zero_beyond);
+    };
+    sizes_.resize(y_.cols() * z_.cols());
+    for (Index m = 0; m < y_.cols(); ++m)
+      for (Index n = 0; n < z_.cols(); ++n) {
+        double stretch = 1.0 + share(problem.grid.spacing_y) * rough(m, y_.cols());
+        if (!problem.is_line) stretch += share(problem.grid.spacing_z) * rough(n, z_.cols());
+        sizes_(m * z_.cols() + n) = 1.0 / (std::sqrt(problem.measure) * stretch);
+      }
+  }
+
+  /// Of one component.
+  [[nodiscard]] Index count() const noexcept { return sizes_.size(); }
+
+  /// T c of one component, column by column.
+  [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& c) const {
+    Eigen::MatrixXd f = sizes_.asDiagonal() * c;
+    for (Index i = 0; i < f.cols(); ++i) {
+      Eigen::Map<RowMajor> cells(f.col(i).data(), y_.cols(), z_.cols());
+      cells = (y_ * cells * z_.transpose()).eval();
+    }
+    return f;
+  }
+  /// T' f.
+  [[nodiscard]] Eigen::MatrixXd sums(const Eigen::Ref<const Eigen::MatrixXd>& f) const {
+    Eigen::MatrixXd c = f;
+    for (Index i = 0; i < c.cols(); ++i) {
+      Eigen::Map<RowMajor> cells(c.col(i).data(), y_.cols(), z_.cols());
+      cells = (y_.transpose() * cells * z_).eval();
+    }
+    return sizes_.asDiagonal() * c;
+  }
+
+ private:
+  static Eigen::MatrixXd waves(Index count) {
+    const auto n = static_cast<std::size_t>(count);
+    return axis_waves(n, n, Boundary::zero_beyond);
+  }
+
+  Eigen::MatrixXd y_, z_;
+  Eigen::VectorXd sizes_;
+};
+
+}  // namespace
+
+struct LoadPrior::Tables {
+  /// Where a load may lie, with whatever tangential weight.
+  struct Window {
+    std::vector<Index> columns{};  // of K: the window's values, of each component
+    WindowCoordinates coordinates;
+  };
+  /// Of a window and a weight.
+  struct Entry {
+    std::size_t window = 0;
+    double tangential_weight = 1.0;
+    Eigen::MatrixXd u{}, v{};
+    Eigen::MatrixXd roots{};   // T V, a row a value
+    Eigen::VectorXd hidden{};  // the squares of what no reading shows of each value
+    Eigen::VectorXd gamma{}, gamma2{};
+    Eigen::MatrixXd lost{};       // alpha / (gamma^2 + alpha): alphas x components
+    Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
+  };
+
+  Tables(const LinearProblem& problem, const LoadPriorOptions& options)
+      : weighting(problem),
+        components(static_cast<Index>(problem.components)),
+        block(static_cast<Index>(problem.grid.count())) {
+    const auto levels =
+        window_levels(problem.grid, options.narrowest * options.depth, problem.is_line);
+    const auto weights = problem.components == 1
+                             ? std::span<const double>(drag_weights).subspan(1, 1)
+                             : std::span<const double>(drag_weights);
+    for (auto level = levels.rbegin(); level != levels.rend(); ++level)  // the whole surface first
+      for (const WindowPlace& place : *level) {
+        Window window{.coordinates = {problem, place, options.depth}};
+        for (std::size_t u = 0; u < problem.components; ++u)
+          for (Index row = place.rows.first; row < place.rows.first + place.rows.count; ++row)
+            for (Index i = 0; i < place.columns.count; ++i)
+              window.columns.push_back(static_cast<Index>(u) * block +
+                                       row * static_cast<Index>(problem.grid.columns) +
+                                       place.columns.first + i);
+        windows.push_back(std::move(window));
+        const double log_place = -std::log(static_cast<double>(level->size()));
+        for (const double weight : weights)
+          add(problem, weight, options.prior_power,
+              problem.components == 1 ? log_place : log_place - negative_log_prior(weight));
+      }
+  }
+
+  /// Of the last window.
+  void add(const LinearProblem& problem, double weight, double prior_power, double log_prior) {
+    const Window& window = windows.back();
+    Entry entry{.window = windows.size() - 1, .tangential_weight = weight};
+    const Eigen::MatrixXd kernel = as_eigen(problem.kernel)(Eigen::indexing::all, window.columns);
+    const Svd parts =
+        long_singular_value_decomposition(sums(window, weight, kernel.transpose()).transpose());
+    entry.u = parts.u;
+    entry.v = parts.v;
+    entry.gamma = parts.values;
+    entry.gamma2 = parts.values.cwiseAbs2();
+    if (alphas.size() == 0) {
+      if (!(entry.gamma(0) > 0.0)) throw std::invalid_argument(nothing_is_read);
+      alphas.resize(mixture_alphas);
+      for (Index a = 0; a < mixture_alphas; ++a)
+        alphas(a) = entry.gamma2(0) * most_alpha * std::ldexp(1.0, -static_cast<int>(a));
+    }
+    const Index n = std::ssize(window.columns);
+    entry.roots = tractions(window, weight, entry.v);
+    entry.hidden = Eigen::VectorXd::Zero(n);
+    if (entry.v.cols() < n) {
+      const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(n, n) - entry.v * entry.v.transpose();
+      entry.hidden = tractions(window, weight, rest).rowwise().squaredNorm();
+    }
+    entry.lost.resize(mixture_alphas, entry.gamma.size());
+    entry.log_prior.resize(mixture_alphas);
+    for (Index a = 0; a < mixture_alphas; ++a) {
+      entry.lost.row(a) = alphas(a) / (entry.gamma2.array() + alphas(a));
+      entry.log_prior(a) = 0.5 * entry.lost.row(a).array().log().sum() + log_prior -
+                           prior_power * std::log(2.0) * static_cast<double>(a);
+    }
+    entries.push_back(std::move(entry));
+  }
+
+  /// T c of all components: the tangential ones are as much smaller as they weigh more.
+  [[nodiscard]] Eigen::MatrixXd tractions(const Window& window, double weight,
+                                          const Eigen::MatrixXd& c) const {
+    const Index n = window.coordinates.count();
+    Eigen::MatrixXd f(c.rows(), c.cols());
+    for (Index u = 0; u < components; ++u)
+      f.middleRows(u * n, n) = window.coordinates.tractions(c.middleRows(u * n, n)) /
+                               stabiliser_weight(static_cast<std::size_t>(u), weight);
+    return f;
+  }
+  /// T' f.
+  [[nodiscard]] Eigen::MatrixXd sums(const Window& window, double weight,
+                                     const Eigen::MatrixXd& f) const {
+    const Index n = window.coordinates.count();
+    Eigen::MatrixXd c(f.rows(), f.cols());
+    for (Index u = 0; u < components; ++u)
+      c.middleRows(u * n, n) = window.coordinates.sums(f.middleRows(u * n, n)) /
+                               stabiliser_weight(static_cast<std::size_t>(u), weight);
+    return c;
+  }
+
+  [[nodiscard]] Index tractions_count() const noexcept { return components * block; }
+
+  Weighting weighting;
+  Index components;
+  Index block;  // values of one component
+  Eigen::VectorXd alphas{};
+  std::vector<Window> windows{};  // the whole surface first
+  std::vector<Entry> entries{};   // window after window
+};
+
+/// What a frame makes of an entry.
+struct LoadMixture::Part {
+  const LoadPrior::Tables::Entry* entry = nullptr;
+  Eigen::VectorXd beta{};  // over sigma
+  struct Size {
+    double alpha = 0.0;
+    double probability = 0.0;
+    double scale2 = 1.0;  // of variances: (nu + q) / (nu + rows)
+  };
+  std::vector<Size> sizes{};  // those that are likely
+
+  /// What each component of the decomposition is filtered to.
+  [[nodiscard]] Eigen::VectorXd filtered(double alpha) const {
+    return entry->gamma.array() / (entry->gamma2.array() + alpha) * beta.array();
+  }
+};
+
+LoadPrior::LoadPrior(const LinearProblem& problem, const LoadPriorOptions& options) {
+  require_positive("depth", options.depth);
+  require_positive("narrowest", options.narrowest);
+  require(options.prior_power >= 0.0 && std::isfinite(options.prior_power), "prior_power",
+          "be >= 0 and finite", options.prior_power);
+  tables_ = std::make_shared<const Tables>(problem, options);
+}
+
+std::size_t LoadPrior::count() const noexcept { return tables_->windows.size(); }
+
+std::size_t LoadPrior::multiplications() const noexcept {
+  std::size_t all = 0;
+  for (const Tables::Entry& entry : tables_->entries)
+    all += static_cast<std::size_t>((2 * entry.u.rows() + entry.lost.rows()) * entry.u.cols());
+  return all;
+}
+
+LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& noise) const {
+  const Tables& tables = *tables_;
+  check_readings(readings, static_cast<std::size_t>(tables.weighting.size()));
+  if (noise.rms) require_positive("the noise's rms", *noise.rms);
+  require(noise.degrees > 0.0, "the noise's degrees", "be > 0", noise.degrees);
+
+  LoadMixture mixture(tables_);
+  Eigen::VectorXd g = tables.weighting(readings);
+  const double largest = g.cwiseAbs().maxCoeff();
+  mixture.sigma_ = std::max(noise.rms.value_or(largest), least_sigma * largest);
+  if (!(mixture.sigma_ > 0.0)) mixture.sigma_ = 1.0;  // nothing was read, of an unknown noise
+  g /= mixture.sigma_;
+  const auto rows = static_cast<double>(tables.weighting.rows());
+  const double known = noise.rms ? noise.degrees : 0.0;  // nu
+  mixture.degrees_ = known + rows;
+  const bool is_certain = std::isinf(known);
+
+  std::vector<LoadMixture::Part> parts;
+  Eigen::MatrixXd likely(mixture_alphas, std::ssize(tables.entries));  // logs first
+  Eigen::MatrixXd left(mixture_alphas, likely.cols());                 // q
+  for (const Tables::Entry& entry : tables.entries) {
+    const Index at = std::ssize(parts);
+    LoadMixture::Part& part = parts.emplace_back();
+    part.entry = &entry;
+    part.beta = entry.u.transpose() * g;
+    const double outside = (g - entry.u * part.beta).squaredNorm();
+    left.col(at) = (entry.lost * part.beta.cwiseAbs2()).array() + outside;
+    if (!noise.rms) left.col(at) = left.col(at).cwiseMax(least_sigma * least_sigma);
+    likely.col(at) = entry.log_prior;
+    if (is_certain)
+      likely.col(at) -= 0.5 * left.col(at);
+    else
+      likely.col(at).array() -= 0.5 * mixture.degrees_ * (known + left.col(at).array()).log();
+  }
+  likely = (likely.array() - likely.maxCoeff()).exp();
+  likely /= likely.sum();
+  likely = (likely.array() > unlikely).select(likely, 0.0);
+  likely /= likely.sum();
+
+  auto kept = std::make_shared<std::vector<LoadMixture::Part>>();
+  for (Index at = 0; at < likely.cols(); ++at) {
+    if (likely.col(at).maxCoeff() == 0.0) continue;
+    LoadMixture::Part& part = parts[static_cast<std::size_t>(at)];
+    for (Index a = 0; a < mixture_alphas; ++a) {
+      const double p = likely(a, at);
+      if (p == 0.0) continue;
+      part.sizes.push_back({.alpha = tables.alphas(a),
+                            .probability = p,
+                            .scale2 = is_certain ? 1.0 : (known + left(a, at)) / mixture.degrees_});
+      mixture.used_ += p * (1.0 - part.entry->lost.row(a).array()).sum();
+    }
+    kept->push_back(std::move(part));
+  }
+  mixture.parts_ = std::move(kept);
+  return mixture;
+}
+
+LoadMixture::LoadMixture(std::shared_ptr<const LoadPrior::Tables> tables)
+    : tables_(std::move(tables)) {}
+
+std::size_t LoadMixture::components() const noexcept {
+  std::size_t all = 0;
+  for (const Part& part : *parts_) all += part.sizes.size();
+  return all;
+}
+
+double LoadMixture::alpha_quantile(double p) const {
+  require(p > 0.0 && p < 1.0, "p", "lie between 0 and 1", p);
+  std::map<double, double> by_alpha;
+  for (const Part& part : *parts_)
+    for (const Part::Size& size : part.sizes) by_alpha[size.alpha] += size.probability;
+  double below = 0.0;
+  for (const auto& [alpha, probability] : by_alpha)
+    if ((below += probability) >= p) return alpha;
+  return by_alpha.rbegin()->first;
+}
+
+std::vector<double> LoadMixture::mean() const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(tables_->tractions_count());
+  for (const Part& part : *parts_) {
+    Eigen::VectorXd filtered = Eigen::VectorXd::Zero(part.beta.size());
+    for (const Part::Size& size : part.sizes)
+      filtered += size.probability * part.filtered(size.alpha);
+    all(tables_->windows[part.entry->window].columns) += part.entry->roots * filtered;
+  }
+  all *= sigma_;
+  return {all.begin(), all.end()};
+}
+
+template <class Take>
+void LoadMixture::each(std::span<const std::vector<double>> weights, const Take& take) const {
+  Eigen::MatrixXd sums(tables_->tractions_count(), std::ssize(weights));
+  for (Index k = 0; k < sums.cols(); ++k) {
+    const std::vector<double>& one = weights[static_cast<std::size_t>(k)];
+    check_weights(one, static_cast<std::size_t>(sums.rows()));
+    sums.col(k) = as_eigen(std::span(one));
+  }
+  for (const Part& part : *parts_) {
+    const LoadPrior::Tables::Entry& entry = *part.entry;
+    const auto& window = tables_->windows[entry.window];
+    const Eigen::MatrixXd inside = sums(window.columns, Eigen::indexing::all);
+    const Eigen::MatrixXd all = tables_->sums(window, entry.tangential_weight, inside);
+    const Eigen::MatrixXd known = entry.v.transpose() * all;
+    const Eigen::MatrixXd rest = all - entry.v * known;
+    const Eigen::MatrixXd hidden = rest.transpose() * rest;
+    for (const Part::Size& size : part.sizes) {
+      const Eigen::VectorXd means = known.transpose() * part.filtered(size.alpha);
+      const Eigen::VectorXd over = (entry.gamma2.array() + size.alpha).inverse();
+      const Eigen::MatrixXd covariance =
+          size.scale2 * (known.transpose() * over.asDiagonal() * known + hidden / size.alpha);
+      take(size.probability, means, covariance);
+    }
+  }
+}
+
+Distribution LoadMixture::of(std::span<const double> weights) const {
+  return of_each(std::array{std::vector<double>(weights.begin(), weights.end())}).front();
+}
+
+std::vector<Distribution> LoadMixture::of_each(std::span<const std::vector<double>> weights) const {
+  std::vector<std::vector<Distribution::Component>> all(weights.size());
+  each(weights, [&](double p, const Eigen::VectorXd& means, const Eigen::MatrixXd& covariance) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const auto at = static_cast<Index>(k);
+      all[k].push_back({.probability = p,
+                        .mean = sigma_ * means(at),
+                        .scale = sigma_ * std::sqrt(std::max(covariance(at, at), 0.0))});
+    }
+  });
+  std::vector<Distribution> result;
+  for (auto& one : all) result.emplace_back(std::move(one), degrees_);
+  return result;
+}
+
+std::vector<Distribution> LoadMixture::of_tractions() const {
+  std::vector<std::vector<Distribution::Component>> all(
+      static_cast<std::size_t>(tables_->tractions_count()));
+  std::vector<double> outside(all.size(), 1.0);  // the probability that no window holds it
+  for (const Part& part : *parts_) {
+    const LoadPrior::Tables::Entry& entry = *part.entry;
+    const std::vector<Index>& columns = tables_->windows[entry.window].columns;
+    const Eigen::MatrixXd squares = entry.roots.cwiseAbs2();
+    for (const Part::Size& size : part.sizes) {
+      const Eigen::VectorXd means = sigma_ * (entry.roots * part.filtered(size.alpha));
+      const Eigen::VectorXd variances =
+          size.scale2 * (squares * (entry.gamma2.array() + size.alpha).inverse().matrix() +
+                         entry.hidden / size.alpha);
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        const auto column = static_cast<std::size_t>(columns[i]);
+        const auto at = static_cast<Index>(i);
+        all[column].push_back({.probability = size.probability,
+                               .mean = means(at),
+                               .scale = sigma_ * std::sqrt(variances(at))});
+        outside[column] -= size.probability;
+      }
+    }
+  }
+  std::vector<Distribution> result;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (outside[i] > unlikely) all[i].push_back({.probability = outside[i]});
+    result.emplace_back(std::move(all[i]), degrees_);
+  }
+  return result;
+}
+
+std::optional<Distribution> LoadMixture::ratio(std::span<const double> numerator,
+                                               std::span<const double> denominator) const {
+  const std::array both{std::vector<double>(numerator.begin(), numerator.end()),
+                        std::vector<double>(denominator.begin(), denominator.end())};
+  std::vector<Distribution::Component> sums;
+  std::vector<Distribution::Component> denominators;
+  each(both, [&](double p, const Eigen::VectorXd& means, const Eigen::MatrixXd& covariance) {
+    const double scale = std::sqrt(std::max(covariance(0, 0), 0.0));
+    const double divisor_scale = std::sqrt(std::max(covariance(1, 1), 0.0));
+    denominators.push_back({.probability = p, .mean = means(1), .scale = divisor_scale});
+    sums.push_back({.probability = p,
+                    .mean = means(0),
+                    .scale = scale,
+                    .divisor = means(1),
+                    .divisor_scale = divisor_scale,
+                    .covariance = covariance(0, 1)});
+  });
+  const Distribution whole(denominators, degrees_);
+  if (!(std::abs(whole.mean()) > deviations_from_zero * whole.deviation())) return std::nullopt;
+  if (whole.mean() < 0.0)
+    for (Distribution::Component& one : sums) {
+      one.mean = -one.mean;
+      one.divisor = -one.divisor;
+    }
+  // A component in which the denominator changes its sign is one of the unlikely.
+  std::erase_if(sums, [](const auto& one) { return !(one.divisor > 0.0); });
+  return Distribution(std::move(sums), degrees_);
+}
+
+RootCovariance LoadMixture::covariance(double noise_rms) const {
+  require_positive("noise_rms", noise_rms);
+  const std::vector<double> mean = this->mean();
+  const Index n = tables_->tractions_count();
+  const Eigen::VectorXd f = as_eigen(std::span(mean)) / sigma_;
+  const double spread = std::isinf(degrees_) ? 1.0
+                        : degrees_ > 2.0     ? degrees_ / (degrees_ - 2.0)
+                                             : std::numeric_limits<double>::infinity();
+  std::vector<Eigen::VectorXd> columns;
+  const auto add = [&](const std::vector<Index>& places, const Eigen::VectorXd& inside) {
+    columns.emplace_back(Eigen::VectorXd::Zero(n));
+    columns.back()(places) = inside;
+  };
+  for (const Part& part : *parts_) {
+    const LoadPrior::Tables::Entry& entry = *part.entry;
+    const auto& window = tables_->windows[entry.window];
+    Eigen::VectorXd seen = Eigen::VectorXd::Zero(part.beta.size());
+    double hidden = 0.0;
+    for (const Part::Size& size : part.sizes) {
+      seen +=
+          (size.probability * spread * size.scale2 * (entry.gamma2.array() + size.alpha).inverse())
+              .matrix();
+      hidden += size.probability * spread * size.scale2 / size.alpha;
+      columns.emplace_back(-f);
+      columns.back()(window.columns) += entry.roots * part.filtered(size.alpha);
+      columns.back() *= std::sqrt(size.probability);
+    }
+    for (Index i = 0; i < seen.size(); ++i)
+      add(window.columns, entry.roots.col(i) * std::sqrt(seen(i)));
+    const Index own = entry.v.rows();
+    if (entry.v.cols() == own) continue;
+    const Eigen::MatrixXd rest =
+        tables_->tractions(window, entry.tangential_weight,
+                           Eigen::MatrixXd::Identity(own, own) - entry.v * entry.v.transpose());
+    for (Index i = 0; i < own; ++i) add(window.columns, rest.col(i) * std::sqrt(hidden));
+  }
+  Matrix root{static_cast<std::size_t>(n), columns.size(), {}};
+  root.values.resize(root.rows * root.columns);
+  Eigen::Map<RowMajor> s(root.values.data(), n, std::ssize(columns));
+  for (Index i = 0; i < s.cols(); ++i)
+    s.col(i) = columns[static_cast<std::size_t>(i)] * (sigma_ / noise_rms);
+  return {std::move(root), used_};
+}
+
+}  // namespace tactile_net

@@ -1,0 +1,433 @@
+// What the readings leave of a load: a mixture that is its model's posterior, and whose ranks of
+// the model's own draws are uniform.
+#include "tactile_net/inverse/load_mixture.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "inverse/window_places.hpp"
+#include "numeric/eigen.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
+#include "tactile_net/inverse/tangential_weight.hpp"
+#include "tactile_net/sensing/effects/noise.hpp"
+#include "tactile_net/sensing/exact.hpp"
+#include "tests/catch.hpp"
+#include "tests/inverse/pads.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+constexpr double certain = std::numeric_limits<double>::infinity();
+constexpr std::array weights_of_drag = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+
+LinearProblem line_of(std::size_t unknowns) {
+  SensorArray array = coarse_array;
+  if (unknowns == 2) array.reads = {Quantity::stress_x, Quantity::shear_xy};
+  return make_problem(array, pad,
+                      {.unknowns = unknowns,
+                       .smoothing_length = 1.0,
+                       .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5}});
+}
+
+/// Of the model, window by window, as matrices that are inverted.
+struct DenseModel {
+  LinearProblem problem;
+  LoadPriorOptions options;
+  struct Window {
+    Eigen::MatrixXd c;  // of all tractions
+    double log_prior;
+    WindowPlace place;
+    double weight;
+  };
+  std::vector<Window> windows{};
+  std::vector<double> alphas{};
+
+  DenseModel(LinearProblem of, LoadPriorOptions with) : problem(std::move(of)), options(with) {
+    const auto n = static_cast<Eigen::Index>(problem.grid.count());
+    const auto unknowns = static_cast<Eigen::Index>(problem.components);
+    const auto levels =
+        window_levels(problem.grid, options.narrowest * options.depth, problem.is_line);
+    for (const auto& level : levels)
+      for (const WindowPlace& place : level)
+        for (const double weight : weights_of_drag) {
+          if (unknowns == 1 && weight != 1.0) continue;
+          const Eigen::Index count = place.rows.count;
+          const double share = std::pow(0.5 * options.depth / problem.grid.spacing_y, 2);
+          Eigen::MatrixXd root = Eigen::MatrixXd::Identity(count, count);
+          for (Eigen::Index i = 0; i < count; ++i) {
+            root(i, i) += 2.0 * share;
+            if (i > 0) root(i, i - 1) -= share;
+            if (i + 1 < count) root(i, i + 1) -= share;
+          }
+          const Eigen::MatrixXd inside = (problem.measure * root * root).inverse();
+          Eigen::MatrixXd c = Eigen::MatrixXd::Zero(unknowns * n, unknowns * n);
+          for (Eigen::Index u = 0; u < unknowns; ++u)
+            c.block(u * n + place.rows.first, u * n + place.rows.first, count, count) =
+                u == 0 ? inside : Eigen::MatrixXd(inside / (weight * weight));
+          windows.push_back({c,
+                             -std::log(static_cast<double>(level.size())) -
+                                 (unknowns == 1 ? 0.0 : negative_log_prior(weight)),
+                             place, weight});
+        }
+    // As many as the class tries: halves, from 64 times the largest gamma squared on.
+    const auto k = kernel();
+    double largest = 0.0;
+    for (const Window& one : windows)
+      if (one.place.rows.count == n && one.weight == (unknowns == 1 ? 1.0 : 0.5))
+        largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k * one.c * k.transpose())
+                      .eigenvalues()
+                      .maxCoeff();
+    for (int a = 0; a < 61; ++a) alphas.push_back(64.0 * largest * std::ldexp(1.0, -a));
+  }
+
+  [[nodiscard]] Eigen::MatrixXd kernel() const { return as_eigen(problem.kernel); }
+
+  struct Found {
+    double mean = 0.0, deviation = 0.0, below = 0.0;  // `below`: probability of less than `at`
+  };
+  /// Of a sum of tractions. @param degrees  nu
+  [[nodiscard]] Found of(std::span<const double> weights, std::span<const double> readings,
+                         double rms, double degrees, double at) const {
+    const Eigen::MatrixXd k = kernel();
+    const Eigen::VectorXd g = as_eigen(readings) / rms;
+    const Eigen::VectorXd s = as_eigen(weights);
+    const auto rows = static_cast<double>(g.size());
+    const Eigen::Index m = g.size();
+    std::vector<double> logs, means, variances;
+    for (const Window& one : windows) {
+      const Eigen::MatrixXd spread = k * one.c * k.transpose();
+      const Eigen::VectorXd of_sum = k * (one.c * s);
+      const double own = s.dot(one.c * s);
+      for (std::size_t a = 0; a < 40; ++a) {  // beyond, these readings leave nothing
+        const double alpha = alphas[a];
+        const Eigen::LDLT<Eigen::MatrixXd> factor(spread + alpha * Eigen::MatrixXd::Identity(m, m));
+        const double q = alpha * g.dot(factor.solve(g));
+        const double log_determinant =
+            (factor.vectorD().array() / alpha).log().sum();  // of I + K C K' / alpha
+        double log_p =
+            one.log_prior - 0.5 * log_determinant + options.prior_power * std::log(alpha);
+        double scale = 1.0;
+        if (std::isinf(degrees)) {
+          log_p -= 0.5 * q;
+        } else {
+          log_p -= 0.5 * (rows + degrees) * std::log(degrees + q);
+          scale = (degrees + q) / (degrees + rows);
+        }
+        logs.push_back(log_p);
+        means.push_back(rms * of_sum.dot(factor.solve(g)));
+        variances.push_back(rms * rms * scale * (own - of_sum.dot(factor.solve(of_sum))) / alpha);
+      }
+    }
+    const double most = *std::max_element(logs.begin(), logs.end());
+    double sum = 0.0;
+    for (double& one : logs) sum += one = std::exp(one - most);
+    Found found;
+    for (std::size_t i = 0; i < logs.size(); ++i) found.mean += logs[i] / sum * means[i];
+    const double spread = std::isinf(degrees) ? 1.0 : (rows + degrees) / (rows + degrees - 2.0);
+    double square = 0.0;
+    for (std::size_t i = 0; i < logs.size(); ++i) {
+      square += logs[i] / sum * (spread * variances[i] + std::pow(means[i] - found.mean, 2));
+      const Distribution one(
+          std::vector<Distribution::Component>{
+              {.mean = means[i], .scale = std::sqrt(variances[i])}},
+          std::isinf(degrees) ? degrees : rows + degrees);
+      found.below += logs[i] / sum * one.cdf(at);
+    }
+    found.deviation = std::sqrt(square);
+    return found;
+  }
+};
+
+std::vector<double> weights_of_force(const LinearProblem& problem, std::size_t component = 0) {
+  const std::size_t n = problem.grid.count();
+  std::vector<double> weights(problem.components * n);
+  std::fill_n(weights.begin() + static_cast<std::ptrdiff_t>(component * n), n,
+              problem.grid.spacing_y);
+  return weights;
+}
+
+std::vector<double> weights_of_moment(const LinearProblem& problem) {
+  std::vector<double> weights = weights_of_force(problem);
+  for (std::size_t i = 0; i < problem.grid.count(); ++i) weights[i] *= problem.grid.y(i);
+  return weights;
+}
+
+std::vector<double> pressed(std::size_t unknowns, double centre = 1.3) {
+  SensorArray array = coarse_array;
+  if (unknowns == 2) array.reads = {Quantity::stress_x, Quantity::shear_xy};
+  const std::vector<Contact> contacts = {
+      RigidContact{.center = centre, .half_width = 1.0, .friction = unknowns == 2 ? 0.3 : 0.0}};
+  std::vector<double> readings = exact_readings(array, pad, contacts);
+  add_noise(readings, pad_noise, 1, 0);
+  return readings;
+}
+
+/// Draws of the model, and where the mixture has the truth.
+class Ranks {
+ public:
+  Ranks(std::size_t unknowns, LoadPriorOptions options, double degrees, unsigned seed)
+      : model_(line_of(unknowns), options),
+        prior_(model_.problem, options),
+        degrees_(degrees),
+        engine_(seed) {
+    for (const auto& one : model_.windows) {
+      roots_.emplace_back(one.c.rows(), one.c.cols());
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(one.c);
+      roots_.back() =
+          parts.eigenvectors() * parts.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+      chances_.push_back(std::exp(one.log_prior));
+    }
+  }
+
+  /// Ranks of force, centre, drag and some cells of so many frames.
+  void draw(int frames) {
+    const LinearProblem& problem = model_.problem;
+    const Eigen::MatrixXd k = model_.kernel();
+    std::discrete_distribution<std::size_t> windows(chances_.begin(), chances_.end());
+    std::uniform_int_distribution<std::size_t> sizes(0, model_.alphas.size() - 1);
+    std::chi_squared_distribution<double> level(std::isinf(degrees_) ? 1.0 : degrees_);
+    std::normal_distribution<double> white;
+    std::uniform_real_distribution<double> uniform;
+    std::vector<std::vector<double>> sums{weights_of_force(problem)};
+    if (problem.components == 2) sums.push_back(weights_of_force(problem, 1));
+    const std::vector<double> moment = weights_of_moment(problem);
+    for (int i = 0; i < frames; ++i) {
+      const std::size_t window = windows(engine_);
+      const double alpha = model_.alphas[sizes(engine_)];
+      const double rms =
+          pad_noise * (std::isinf(degrees_) ? 1.0 : std::sqrt(degrees_ / level(engine_)));
+      Eigen::VectorXd z(roots_[window].cols());
+      for (double& one : z) one = white(engine_);
+      const Eigen::VectorXd f = rms / std::sqrt(alpha) * (roots_[window] * z);
+      Eigen::VectorXd g = k * f;
+      for (double& one : g) one += rms * white(engine_);
+      const std::vector<double> readings(g.begin(), g.end());
+      const LoadMixture mixture = prior_.given(readings, {.rms = pad_noise, .degrees = degrees_});
+      const auto rank = [&](const Distribution& known, double truth) {
+        // What is certain has a rank anywhere in its jump.
+        const double below = known.cdf(std::nextafter(truth, -certain));
+        return below + uniform(engine_) * (known.cdf(truth) - below);
+      };
+      const auto of = mixture.of_each(sums);
+      const auto sum = [&](const std::vector<double>& weights) {
+        return as_eigen(std::span(weights)).dot(f);
+      };
+      force.push_back(rank(of[0], sum(sums[0])));
+      if (of.size() > 1) drag.push_back(rank(of[1], sum(sums[1])));
+      if (const auto known = mixture.ratio(moment, sums[0]))
+        centre.push_back(rank(*known, sum(moment) / sum(sums[0])));
+      const auto tractions = mixture.of_tractions();
+      for (const std::size_t cell : {std::size_t{3}, problem.grid.count() / 2})
+        cells.push_back(rank(tractions[cell], f(static_cast<Eigen::Index>(cell))));
+    }
+  }
+
+  std::vector<double> force{}, centre{}, drag{}, cells{};
+
+ private:
+  DenseModel model_;
+  LoadPrior prior_;
+  double degrees_;
+  std::mt19937 engine_;
+  std::vector<Eigen::MatrixXd> roots_{};
+  std::vector<double> chances_{};
+};
+
+/// sqrt(N) sup |ECDF - u|: above 1.63 in 1 % of uniform samples, above 1.95 in 1 of 1000.
+double kolmogorov(std::vector<double> ranks) {
+  std::sort(ranks.begin(), ranks.end());
+  const auto n = static_cast<double>(ranks.size());
+  double most = 0.0;
+  for (std::size_t i = 0; i < ranks.size(); ++i)
+    most = std::max(
+        {most, ranks[i] - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - ranks[i]});
+  return std::sqrt(n) * most;
+}
+
+/// Of a deviation: the mean square of the ranks' normal scores less 1, over its own deviation. What
+/// is rarer than 1 of 10 000 counts as that.
+double dispersion(const std::vector<double>& ranks) {
+  const boost::math::normal_distribution<double> normal;
+  double sum = 0.0;
+  for (const double rank : ranks)
+    sum += std::pow(boost::math::quantile(normal, std::clamp(rank, 1e-4, 1.0 - 1e-4)), 2) - 1.0;
+  return sum / std::sqrt(2.0 * static_cast<double>(ranks.size()));
+}
+
+void check_uniform(const std::vector<double>& ranks) {
+  CHECK(ranks.size() > 300);
+  CHECK(kolmogorov(ranks) < 1.95);
+  CHECK(std::abs(dispersion(ranks)) < 3.3);
+}
+
+}  // namespace
+
+TEST_CASE("the mixture is the posterior of its model, as dense inverses have it",
+          "[load_mixture]") {
+  const std::size_t unknowns = GENERATE(std::size_t{1}, std::size_t{2});
+  const double power = unknowns == 1 ? 0.5 : 0.0;
+  const LoadPriorOptions options{.depth = 1.0, .narrowest = 6.0, .prior_power = power};
+  const DenseModel model(line_of(unknowns), options);
+  const LoadPrior prior(model.problem, options);
+  CHECK(prior.count() * (unknowns == 1 ? 1 : 6) == model.windows.size());
+  const std::vector<double> readings = pressed(unknowns);
+  std::vector<std::vector<double>> sums{weights_of_force(model.problem)};
+  sums.emplace_back(model.problem.components * model.problem.grid.count());
+  sums.back()[20] = 1.0;
+  if (unknowns == 2) sums.push_back(weights_of_force(model.problem, 1));
+  for (const double degrees : {5.0, certain}) {
+    const LoadMixture mixture = prior.given(readings, {.rms = pad_noise, .degrees = degrees});
+    const auto found = mixture.of_each(sums);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      CAPTURE(unknowns, degrees, i);
+      const double at = found[i].mean() + 0.7 * found[i].deviation();
+      const auto dense = model.of(sums[i], readings, pad_noise, degrees, at);
+      CHECK_THAT(found[i].mean(), WithinRel(dense.mean, 1e-4) || WithinAbs(dense.mean, 1e-6));
+      CHECK_THAT(found[i].deviation(), WithinRel(dense.deviation, 1e-3));
+      CHECK_THAT(found[i].cdf(at), WithinAbs(dense.below, 1e-4));
+    }
+  }
+}
+
+TEST_CASE("ranks of the model's own draws are uniform", "[load_mixture]") {
+  const auto [unknowns, degrees, frames] = GENERATE(
+      table<std::size_t, double, int>({{1, certain, 1500}, {1, 5.0, 1500}, {2, certain, 800}}));
+  CAPTURE(unknowns, degrees);
+  Ranks ranks(unknowns, {.depth = 1.0, .narrowest = 3.5}, degrees, 4);
+  ranks.draw(frames);
+  check_uniform(ranks.force);
+  check_uniform(ranks.centre);
+  check_uniform(ranks.cells);
+  if (unknowns == 2) check_uniform(ranks.drag);
+}
+
+TEST_CASE("sums of the mean tractions are the sums' means", "[load_mixture]") {
+  const LinearProblem problem = line_of(2);
+  const LoadMixture mixture =
+      LoadPrior(problem, {.depth = 1.0}).given(pressed(2), {.rms = pad_noise});
+  const std::vector<double> mean = mixture.mean();
+  for (const auto& weights :
+       {weights_of_force(problem), weights_of_force(problem, 1), weights_of_moment(problem)}) {
+    const Distribution known = mixture.of(weights);
+    const double sum = as_eigen(std::span(weights)).dot(as_eigen(std::span(mean)));
+    CHECK_THAT(known.mean(), WithinAbs(sum, 1e-12));
+  }
+  const auto each = mixture.of_tractions();
+  const RootCovariance covariance = mixture.covariance(pad_noise);
+  const std::vector<double> deviations = covariance.deviations();
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    CHECK_THAT(each[i].mean(), WithinAbs(mean[i], 1e-12));
+    CHECK_THAT(each[i].deviation(), WithinAbs(deviations[i] * pad_noise, 1e-9));
+  }
+  const auto force = weights_of_force(problem);
+  CHECK_THAT(mixture.of(force).deviation(),
+             WithinRel(covariance.deviation(force) * pad_noise, 1e-9));
+  const auto centre = mixture.ratio(weights_of_moment(problem), force);
+  REQUIRE(centre);
+  CHECK_THAT(
+      centre->mean(),
+      WithinRel(mixture.of(weights_of_moment(problem)).mean() / mixture.of(force).mean(), 1e-12));
+  CHECK(mixture.degrees_of_freedom() > 2.0);
+  CHECK(mixture.degrees_of_freedom() < 18.0);
+  CHECK(mixture.student_degrees() == 23.0);
+  CHECK(mixture.alpha_quantile(0.25) <= mixture.alpha_quantile(0.75));
+}
+
+TEST_CASE("the unit of readings does not matter", "[load_mixture]") {
+  const LinearProblem problem = line_of(1);
+  const LoadPrior prior(problem, {.depth = 1.0});
+  const auto force = weights_of_force(problem);
+  const std::vector<double> readings = pressed(1);
+  for (const double unit : {1e6, 1e-9}) {
+    std::vector<double> other = readings;
+    for (double& one : other) one *= unit;
+    for (const bool is_known : {true, false}) {
+      LoadNoise noise, of_other;
+      if (is_known) {
+        noise.rms = pad_noise;
+        of_other.rms = pad_noise * unit;
+      }
+      const Distribution own = prior.given(readings, noise).of(force);
+      const Distribution scaled = prior.given(other, of_other).of(force);
+      for (const double p : {0.025, 0.5, 0.9})
+        CHECK_THAT(scaled.quantile(p), WithinRel(unit * own.quantile(p), 1e-9));
+    }
+  }
+}
+
+TEST_CASE("a mirrored frame has the mirrored answer", "[load_mixture]") {
+  const LinearProblem problem = line_of(1);
+  const LoadPrior prior(problem, {.depth = 1.0});
+  const std::vector<double> readings = pressed(1);
+  const std::vector<double> turned(readings.rbegin(), readings.rend());
+  const auto own = prior.given(readings, {.rms = pad_noise}).of_tractions();
+  const auto mirrored = prior.given(turned, {.rms = pad_noise}).of_tractions();
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Distribution& other = mirrored[own.size() - 1 - i];
+    CHECK_THAT(other.quantile(0.9), WithinAbs(own[i].quantile(0.9), 1e-7));
+    CHECK_THAT(other.mean(), WithinAbs(own[i].mean(), 1e-7));
+  }
+}
+
+TEST_CASE("what is less certain of the noise is less certain of the load", "[load_mixture]") {
+  const LinearProblem problem = line_of(1);
+  const LoadPrior prior(problem, {.depth = 1.0});
+  const auto force = weights_of_force(problem);
+  const std::vector<double> readings = pressed(1);
+  const auto width = [&](const LoadNoise& noise) {
+    const CentralInterval band = prior.given(readings, noise).of(force).interval();
+    return band.high - band.low;
+  };
+  // Many degrees are a certain noise; one that is stated a third as large widens five degrees'.
+  CHECK_THAT(width({.rms = pad_noise, .degrees = 1e9}),
+             WithinRel(width({.rms = pad_noise, .degrees = certain}), 1e-4));
+  CHECK(width({.rms = pad_noise / 3.0, .degrees = 5.0}) >
+        1.1 * width({.rms = pad_noise / 3.0, .degrees = certain}));
+  CHECK(width({}) > 0.0);
+}
+
+TEST_CASE("a contact in the middle leaves the ends certain", "[load_mixture]") {
+  const LinearProblem problem = line_of(1);
+  const LoadPrior prior(problem, {.depth = 1.0});
+  const auto at_end = [&](double centre) {
+    return prior.given(pressed(1, centre), {.rms = pad_noise}).of_tractions().back().deviation();
+  };
+  CHECK(at_end(8.5) > 5.0 * at_end(0.0));
+}
+
+TEST_CASE("a mixture takes any frame and no other size", "[load_mixture]") {
+  const LinearProblem problem = line_of(1);
+  const LoadPrior prior(problem, {.depth = 1.0});
+  const auto force = weights_of_force(problem);
+  for (const double size : {0.0, 1e-200, 1e150})
+    for (const bool is_known : {true, false}) {
+      CAPTURE(size, is_known);
+      LoadNoise noise;
+      if (is_known) noise.rms = pad_noise;
+      const LoadMixture mixture = prior.given(std::vector<double>(9, size), noise);
+      CHECK(std::isfinite(mixture.of(force).deviation()));
+      CHECK(mixture.of(force).deviation() > 0.0);
+    }
+  const LoadMixture nothing = prior.given(std::vector<double>(9), {.rms = pad_noise});
+  CHECK_FALSE(nothing.ratio(weights_of_moment(problem), force));
+  const std::vector<double> bad(9, std::numeric_limits<double>::quiet_NaN());
+  CHECK_THROWS_AS(prior.given(bad, {}), std::invalid_argument);
+  CHECK_THROWS_AS(prior.given(std::vector<double>(8), {}), std::invalid_argument);
+  CHECK_THROWS_AS(prior.given(pressed(1), {.rms = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(prior.given(pressed(1), {.rms = 1.0, .degrees = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(nothing.of(std::vector<double>(3)), std::invalid_argument);
+  CHECK_THROWS_AS(nothing.covariance(0.0), std::invalid_argument);
+  CHECK_THROWS_AS(nothing.alpha_quantile(1.0), std::invalid_argument);
+  CHECK_THROWS_AS(LoadPrior(problem, {.depth = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(LoadPrior(problem, {.depth = 1.0, .narrowest = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(LoadPrior(problem, {.depth = 1.0, .prior_power = -1.0}), std::invalid_argument);
+}
