@@ -318,6 +318,21 @@ std::vector<double> LoadMixture::mean() const {
   return {all.begin(), all.end()};
 }
 
+struct LoadMixture::Sums {
+  double probability;
+  const Part::Size& size;
+  Eigen::VectorXd means;
+  const Eigen::MatrixXd& known;  // what readings tell of each sum, a column each
+  const Eigen::MatrixXd& rest;   // and what none shows
+  Eigen::VectorXd over;          // 1 / (gamma^2 + alpha)
+
+  [[nodiscard]] double covariance(Index a, Index b) const {
+    return size.scale2 * (known.col(a).cwiseProduct(over).dot(known.col(b)) +
+                          rest.col(a).dot(rest.col(b)) / size.alpha);
+  }
+  [[nodiscard]] double scale(Index a) const { return std::sqrt(covariance(a, a)); }
+};
+
 template <class Take>
 void LoadMixture::each(std::span<const std::vector<double>> weights, const Take& take) const {
   Eigen::MatrixXd sums(tables_->tractions_count(), std::ssize(weights));
@@ -333,14 +348,13 @@ void LoadMixture::each(std::span<const std::vector<double>> weights, const Take&
     const Eigen::MatrixXd all = tables_->sums(window, entry.tangential_weight, inside);
     const Eigen::MatrixXd known = entry.v.transpose() * all;
     const Eigen::MatrixXd rest = all - entry.v * known;
-    const Eigen::MatrixXd hidden = rest.transpose() * rest;
-    for (const Part::Size& size : part.sizes) {
-      const Eigen::VectorXd means = known.transpose() * part.filtered(size.alpha);
-      const Eigen::VectorXd over = (entry.gamma2.array() + size.alpha).inverse();
-      const Eigen::MatrixXd covariance =
-          size.scale2 * (known.transpose() * over.asDiagonal() * known + hidden / size.alpha);
-      take(size.probability, means, covariance);
-    }
+    for (const Part::Size& size : part.sizes)
+      take(Sums{.probability = size.probability,
+                .size = size,
+                .means = known.transpose() * part.filtered(size.alpha),
+                .known = known,
+                .rest = rest,
+                .over = (entry.gamma2.array() + size.alpha).inverse()});
   }
 }
 
@@ -350,12 +364,12 @@ Distribution LoadMixture::of(std::span<const double> weights) const {
 
 std::vector<Distribution> LoadMixture::of_each(std::span<const std::vector<double>> weights) const {
   std::vector<std::vector<Distribution::Component>> all(weights.size());
-  each(weights, [&](double p, const Eigen::VectorXd& means, const Eigen::MatrixXd& covariance) {
+  each(weights, [&](const Sums& sums) {
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto at = static_cast<Index>(k);
-      all[k].push_back({.probability = p,
-                        .mean = sigma_ * means(at),
-                        .scale = sigma_ * std::sqrt(std::max(covariance(at, at), 0.0))});
+      all[k].push_back({.probability = sums.probability,
+                        .mean = sigma_ * sums.means(at),
+                        .scale = sigma_ * sums.scale(at)});
     }
   });
   std::vector<Distribution> result;
@@ -398,36 +412,35 @@ std::optional<Distribution> LoadMixture::ratio(std::span<const double> numerator
                                                std::span<const double> denominator) const {
   const std::array both{std::vector<double>(numerator.begin(), numerator.end()),
                         std::vector<double>(denominator.begin(), denominator.end())};
-  std::vector<Distribution::Component> sums;
+  std::vector<Distribution::Component> ratios;
   std::vector<Distribution::Component> denominators;
-  each(both, [&](double p, const Eigen::VectorXd& means, const Eigen::MatrixXd& covariance) {
-    const double scale = std::sqrt(std::max(covariance(0, 0), 0.0));
-    const double divisor_scale = std::sqrt(std::max(covariance(1, 1), 0.0));
-    denominators.push_back({.probability = p, .mean = means(1), .scale = divisor_scale});
-    sums.push_back({.probability = p,
-                    .mean = means(0),
-                    .scale = scale,
-                    .divisor = means(1),
-                    .divisor_scale = divisor_scale,
-                    .covariance = covariance(0, 1)});
+  each(both, [&](const Sums& sums) {
+    denominators.push_back(
+        {.probability = sums.probability, .mean = sums.means(1), .scale = sums.scale(1)});
+    ratios.push_back({.probability = sums.probability,
+                      .mean = sums.means(0),
+                      .scale = sums.scale(0),
+                      .divisor = sums.means(1),
+                      .divisor_scale = sums.scale(1),
+                      .covariance = sums.covariance(0, 1)});
   });
   const Distribution whole(denominators, degrees_);
   if (!(std::abs(whole.mean()) > deviations_from_zero * whole.deviation())) return std::nullopt;
   if (whole.mean() < 0.0)
-    for (Distribution::Component& one : sums) {
+    for (Distribution::Component& one : ratios) {
       one.mean = -one.mean;
       one.divisor = -one.divisor;
     }
   // A component in which the denominator changes its sign is one of the unlikely.
-  std::erase_if(sums, [](const auto& one) { return !(one.divisor > 0.0); });
-  return Distribution(std::move(sums), degrees_);
+  std::erase_if(ratios, [](const auto& one) { return !(one.divisor > 0.0); });
+  return Distribution(std::move(ratios), degrees_);
 }
 
-RootCovariance LoadMixture::covariance(double noise_rms) const {
+RootCovariance LoadMixture::covariance(std::span<const double> about, double noise_rms) const {
   require_positive("noise_rms", noise_rms);
-  const std::vector<double> mean = this->mean();
   const Index n = tables_->tractions_count();
-  const Eigen::VectorXd f = as_eigen(std::span(mean)) / sigma_;
+  check_tractions(about, static_cast<std::size_t>(n));
+  const Eigen::VectorXd f = as_eigen(about) / sigma_;
   const double spread = std::isinf(degrees_) ? 1.0
                         : degrees_ > 2.0     ? degrees_ / (degrees_ - 2.0)
                                              : std::numeric_limits<double>::infinity();

@@ -26,6 +26,28 @@ double gaussian_density(double z) {
 }
 double gaussian_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
+constexpr double most_terms_of_student = 400.0;
+constexpr double beyond_series = 6.0;  // where 1 - F is no longer told from F to nine digits
+
+/// Student's cdf of a whole number of degrees: a sum of degrees / 2 terms that do not cancel
+/// (Abramowitz and Stegun 1964, 26.7.3 and 26.7.4).
+double student_cdf(int degrees, double t) {
+  const double n = degrees;
+  const double cos2 = n / (n + t * t);
+  const bool odd = degrees % 2 == 1;
+  double sum = 0.0;
+  for (int k = degrees - 2; k >= 2; k -= 2)
+    sum = (1.0 + sum) * cos2 * static_cast<double>(k - 1) / static_cast<double>(k);
+  const double sine = std::abs(t) / std::sqrt(n + t * t);
+  double inside = sine * (1.0 + sum);  // P(|T| < |t|)
+  if (odd) {
+    inside = std::atan(std::abs(t) / std::sqrt(n));
+    if (degrees > 1) inside += sine * std::sqrt(cos2) * (1.0 + sum);
+    inside *= 2.0 / std::numbers::pi;
+  }
+  return 0.5 * (1.0 + std::copysign(inside, t));
+}
+
 /// The scale of numerator - x denominator.
 double scale_at(const Component& one, double x) {
   if (one.divisor_scale == 0.0) return one.scale;
@@ -120,13 +142,19 @@ void Distribution::find_moments() {
     const auto& [mean, size] = moments[i];
     const double own = one.divisor_scale > 0.0 ? spread * scale_at(one, mean_) : size;
     const double share = std::sqrt(one.probability) / denominator;
-    deviation_ = std::hypot(deviation_, share * own, share * (mean - mean_ * one.divisor));
+    // Two by two: std::hypot of three is none of infinity.
+    deviation_ =
+        std::hypot(deviation_, std::hypot(share * own, share * (mean - mean_ * one.divisor)));
   }
 }
 
 double Distribution::standard_cdf(double z) const {
   if (std::isinf(z)) return z > 0.0 ? 1.0 : 0.0;
-  return std::isinf(degrees_) ? gaussian_cdf(z) : boost::math::cdf(Student(degrees_), z);
+  if (std::isinf(degrees_)) return gaussian_cdf(z);
+  if (std::abs(z) < beyond_series && degrees_ <= most_terms_of_student &&
+      degrees_ == std::floor(degrees_))
+    return student_cdf(static_cast<int>(degrees_), z);
+  return boost::math::cdf(Student(degrees_), z);
 }
 
 double Distribution::cdf_of(const Component& one, double x) const {

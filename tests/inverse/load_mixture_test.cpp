@@ -322,7 +322,7 @@ TEST_CASE("sums of the mean tractions are the sums' means", "[load_mixture]") {
     CHECK_THAT(known.mean(), WithinAbs(sum, 1e-12));
   }
   const auto each = mixture.of_tractions();
-  const RootCovariance covariance = mixture.covariance(pad_noise);
+  const RootCovariance covariance = mixture.covariance(mean, pad_noise);
   const std::vector<double> deviations = covariance.deviations();
   for (std::size_t i = 0; i < mean.size(); ++i) {
     CHECK_THAT(each[i].mean(), WithinAbs(mean[i], 1e-12));
@@ -425,7 +425,8 @@ TEST_CASE("a mixture takes any frame and no other size", "[load_mixture]") {
   CHECK_THROWS_AS(prior.given(pressed(1), {.rms = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(prior.given(pressed(1), {.rms = 1.0, .degrees = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(nothing.of(std::vector<double>(3)), std::invalid_argument);
-  CHECK_THROWS_AS(nothing.covariance(0.0), std::invalid_argument);
+  CHECK_THROWS_AS(nothing.covariance(nothing.mean(), 0.0), std::invalid_argument);
+  CHECK_THROWS_AS(nothing.covariance(std::vector<double>(3), 1.0), std::invalid_argument);
   CHECK_THROWS_AS(nothing.alpha_quantile(1.0), std::invalid_argument);
   CHECK_THROWS_AS(LoadPrior(problem, {.depth = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(LoadPrior(problem, {.depth = 1.0, .narrowest = 0.0}), std::invalid_argument);

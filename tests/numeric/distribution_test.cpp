@@ -157,6 +157,16 @@ TEST_CASE("Student's of many degrees is a Gaussian", "[distribution]") {
   CHECK(std::isinf(Distribution(some_components(), 2.0).deviation()));
 }
 
+TEST_CASE("a whole number of degrees is no other case", "[distribution]") {
+  const Components one{{.mean = 0.0, .scale = 1.0}};
+  for (const double degrees : {1.0, 2.0, 3.0, 4.0, 13.0, 46.0, 399.0, 400.0, 401.0})
+    for (const double t : {-7.0, -6.0, -5.99, -2.0, -0.1, 0.0, 0.5, 3.0, 6.5}) {
+      CAPTURE(degrees, t);
+      CHECK_THAT(Distribution(one, degrees).cdf(t),
+                 WithinAbs(Distribution(one, degrees * (1.0 + 1e-13)).cdf(t), 1e-11));
+    }
+}
+
 TEST_CASE("what is certain is a jump", "[distribution]") {
   const Distribution one(Components{{.probability = 0.6, .mean = 0.0, .scale = 0.0},
                                     {.probability = 0.4, .mean = 1.0, .scale = 0.5}});

@@ -108,9 +108,10 @@ class LoadMixture {
   [[nodiscard]] std::optional<Distribution> ratio(std::span<const double> numerator,
                                                   std::span<const double> denominator) const;
 
-  /// The second moments about the mean, per unit of `noise_rms` squared.
-  /// @throw std::invalid_argument  noise_rms is not > 0
-  [[nodiscard]] RootCovariance covariance(double noise_rms) const;
+  /// The mean squares of the error of given tractions, per unit of `noise_rms` squared: about the
+  /// mean the covariance.
+  /// @throw std::invalid_argument  noise_rms is not > 0, there is not one traction per column
+  [[nodiscard]] RootCovariance covariance(std::span<const double> about, double noise_rms) const;
 
   /// tr H on average: how many of the readings' degrees of freedom the tractions use up.
   [[nodiscard]] double degrees_of_freedom() const noexcept { return used_; }
@@ -128,7 +129,9 @@ class LoadMixture {
   /// Of one window and one weight, what the frame makes of it.
   struct Part;
   explicit LoadMixture(std::shared_ptr<const LoadPrior::Tables> tables);
-  /// Of each component the probability, and the means and the covariance of sums, over sigma.
+  /// Of one component the means and covariances of several sums, over sigma and its square.
+  struct Sums;
+  /// Of each component.
   template <class Take>
   void each(std::span<const std::vector<double>> weights, const Take& take) const;
 
