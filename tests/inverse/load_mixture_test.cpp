@@ -19,6 +19,7 @@
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
+#include "tactile_net/skin/problem.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/pads.hpp"
 
@@ -60,18 +61,27 @@ struct DenseModel {
       for (const WindowPlace& place : level)
         for (const double weight : weights_of_drag) {
           if (unknowns == 1 && weight != 1.0) continue;
-          const Eigen::Index count = place.rows.count;
-          const double share = std::pow(0.5 * options.depth / problem.grid.spacing_y, 2);
-          Eigen::MatrixXd root = Eigen::MatrixXd::Identity(count, count);
+          const Eigen::Index across = place.columns.count;
+          const Eigen::Index count = place.rows.count * across;
+          const auto share = [&](double spacing) {
+            return std::pow(0.5 * options.depth / spacing, 2);
+          };
+          const double y = share(problem.grid.spacing_y);
+          const double z = problem.is_line ? 0.0 : share(problem.grid.spacing_z);
+          Eigen::MatrixXd root = Eigen::MatrixXd::Identity(count, count) * (1.0 + 2.0 * (y + z));
           for (Eigen::Index i = 0; i < count; ++i) {
-            root(i, i) += 2.0 * share;
-            if (i > 0) root(i, i - 1) -= share;
-            if (i + 1 < count) root(i, i + 1) -= share;
+            if (i + across < count) root(i, i + across) = root(i + across, i) = -y;
+            if (i % across + 1 < across) root(i, i + 1) = root(i + 1, i) = -z;
           }
           const Eigen::MatrixXd inside = (problem.measure * root * root).inverse();
+          std::vector<Eigen::Index> cells;
+          for (Eigen::Index i = 0; i < count; ++i)
+            cells.push_back((place.rows.first + i / across) *
+                                static_cast<Eigen::Index>(problem.grid.columns) +
+                            place.columns.first + i % across);
           Eigen::MatrixXd c = Eigen::MatrixXd::Zero(unknowns * n, unknowns * n);
           for (Eigen::Index u = 0; u < unknowns; ++u)
-            c.block(u * n + place.rows.first, u * n + place.rows.first, count, count) =
+            c.block(u * n, u * n, n, n)(cells, cells) =
                 u == 0 ? inside : Eigen::MatrixXd(inside / (weight * weight));
           windows.push_back({c,
                              -std::log(static_cast<double>(level.size())) -
@@ -82,7 +92,8 @@ struct DenseModel {
     const auto k = kernel();
     double largest = 0.0;
     for (const Window& one : windows)
-      if (one.place.rows.count == n && one.weight == (unknowns == 1 ? 1.0 : 0.5))
+      if (one.place.rows.count * one.place.columns.count == n &&
+          one.weight == (unknowns == 1 ? 1.0 : 0.5))
         largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k * one.c * k.transpose())
                       .eigenvalues()
                       .maxCoeff();
@@ -296,6 +307,32 @@ TEST_CASE("the mixture is the posterior of its model, as dense inverses have it"
       CHECK_THAT(found[i].cdf(at), WithinAbs(dense.below, 1e-4));
     }
   }
+}
+
+TEST_CASE("a skin's mixture is the posterior of squares of cells", "[load_mixture]") {
+  const SkinArray skin{.rows = 4,
+                       .columns = 3,
+                       .pitch_y = 1.0,
+                       .pitch_z = 1.2,
+                       .depths = {1.0},
+                       .reads = {Quantity::stress_x}};
+  const LinearProblem problem = make_problem(skin, pad, {.components = 1});
+  const LoadPriorOptions options{.depth = 1.0, .narrowest = 2.0};
+  const DenseModel model(problem, options);
+  const LoadPrior prior(problem, options);
+  CHECK(prior.count() == model.windows.size());
+  CHECK(prior.count() > 4);
+  std::vector<double> readings(problem.kernel.rows);
+  for (std::size_t i = 0; i < readings.size(); ++i)  // of one cell that presses
+    readings[i] = 0.1 * problem.kernel(i, problem.grid.count() / 2) + (i % 2 == 0 ? 1e-3 : -1e-3);
+  const std::vector<double> force(problem.grid.count(), problem.grid.area());
+  const LoadMixture mixture = prior.given(readings, {.rms = pad_noise});
+  const Distribution found = mixture.of(force);
+  const double at = found.mean() - 0.5 * found.deviation();
+  const auto dense = model.of(force, readings, pad_noise, 5.0, at);
+  CHECK_THAT(found.mean(), WithinRel(dense.mean, 1e-4));
+  CHECK_THAT(found.deviation(), WithinRel(dense.deviation, 1e-3));
+  CHECK_THAT(found.cdf(at), WithinAbs(dense.below, 1e-4));
 }
 
 TEST_CASE("ranks of the model's own draws are uniform", "[load_mixture]") {
