@@ -195,32 +195,35 @@ double Distribution::quantile(double p) const {
     if (here >= 0.0 && here - jump < 0.0) return bounded(place);
     (here < 0.0 ? low : high) = place;
   }
-  const auto [least, most] = std::minmax_element(components_.begin(), components_.end(),
-                                                 [](const Component& a, const Component& b) {
-                                                   return a.mean / a.divisor < b.mean / b.divisor;
-                                                 });
-  const double first = least->mean / least->divisor;
-  const double last = most->mean / most->divisor;
-  constexpr int most_steps = 1000;  // of doubling: to the ends of double precision
-  double step = 4.0 * size;
+  // Most quantiles that anybody asks for lie within a few deviations of the mean.
+  constexpr int most_steps = 1100;  // of doubling: to the ends of double precision
+  double step = std::isfinite(deviation_) && deviation_ > 0.0 ? deviation_ : size;
+  const double middle = std::clamp(mean_, low, high);
+  double at_low = std::isinf(low) ? 0.0 : unbounded(low);
+  double at_high = std::isinf(high) ? 0.0 : unbounded(high);
   if (std::isinf(low)) {
-    low = first - step;
-    for (int i = 0; i < most_steps && unbounded(low) >= 0.0; ++i) low -= step *= 2.0;
+    low = std::min(middle, high) - 2.0 * step;
+    for (int i = 0; i < most_steps && (at_low = unbounded(low)) >= 0.0; ++i) {
+      high = low;
+      at_high = at_low;
+      low -= step *= 2.0;
+    }
   }
-  step = 4.0 * size;
   if (std::isinf(high)) {
-    high = last + step;
-    for (int i = 0; i < most_steps && unbounded(high) < 0.0; ++i) high += step *= 2.0;
+    high = std::max(middle, low) + 2.0 * step;
+    for (int i = 0; i < most_steps && (at_high = unbounded(high)) < 0.0; ++i) {
+      low = high;
+      at_low = at_high;
+      high += step *= 2.0;
+    }
   }
-  const double at_low = unbounded(low);
-  const double at_high = unbounded(high);
   if (!(at_low < 0.0 && at_high > 0.0)) return bounded(at_high > 0.0 ? low : high);
   std::uintmax_t evaluations = 200;
   const auto bracket = boost::math::tools::toms748_solve(
       unbounded, low, high, at_low, at_high,
       [&](double a, double b) {
-        constexpr double precision = 1e-13;
-        return std::abs(b - a) <= precision * std::max(size, std::max(std::abs(a), std::abs(b)));
+        constexpr double precision = 1e-12;
+        return std::abs(b - a) <= precision * std::max(step, std::max(std::abs(a), std::abs(b)));
       },
       evaluations, StudentPolicy());
   return bounded(0.5 * (bracket.first + bracket.second));
