@@ -60,6 +60,7 @@ lab::FrameResult result_of(const lab::FrameAnswer& answer) {
           .condition = answer.condition,
           .remarks = answer.remarks,
           .constrained = answer.constrained,
+          .by_mixture = answer.mixture != nullptr,
           .data = answer.data};
 }
 
@@ -146,6 +147,34 @@ Bands SolvedRecording::bands(Watcher& watcher) const {
     bands.patches.push_back(answers_[i] ? std::optional(std::move(one.patches)) : std::nullopt);
   }
   return bands;
+}
+
+std::vector<double> SolvedRecording::quantiles(const std::string& what,
+                                               const std::vector<double>& probabilities,
+                                               Watcher& watcher) const {
+  const auto locked = lock_of(shared_);
+  if (what != "normal_force" && what != "tangential_force" && what != "centre")
+    throw std::invalid_argument("\"" + what +
+                                "\" has no distribution: ask for \"normal_force\", "
+                                "\"tangential_force\" or \"centre\"");
+  std::vector<double> all;
+  for (std::size_t i = 0; i < frames(); ++i) {
+    watcher.frame();
+    std::optional<Distribution> known;
+    if (answers_[i]) {
+      if (!is_line() || answers_[i]->mixture == nullptr)
+        throw std::invalid_argument(
+            "the answer is one alpha's, of which only deviations are known: state [noise], and "
+            "neither alpha nor answer = \"alpha\"");
+      const lab::SceneFrame frame(std::get<lab::SceneProblem>(problems_[i]), readings(i));
+      const lab::ResultantDistributions found = lab::resultant_distributions(frame);
+      known = what == "normal_force"       ? std::optional(found.normal)
+              : what == "tangential_force" ? found.tangential
+                                           : found.centre;
+    }
+    for (const double p : probabilities) all.push_back(known ? known->quantile(p) : unknown);
+  }
+  return all;
 }
 
 lab::RecordingOverview SolvedRecording::overview(Watcher& watcher) const {

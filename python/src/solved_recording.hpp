@@ -65,6 +65,14 @@ class SolvedRecording {
   /// Of a line: the more costly part, made when it is asked for. @pre has_bands()
   [[nodiscard]] Bands bands(Watcher& watcher) const;
 
+  /// Of a line, of every frame as many quantiles of "normal_force", "tangential_force" [N/m] or
+  /// "centre" [m], frames x count; NaN where a frame has no answer, or nothing presses.
+  /// @throw std::invalid_argument  `what` is none of these, a probability is not between 0 and 1,
+  ///                               the answer is one alpha's
+  [[nodiscard]] std::vector<double> quantiles(const std::string& what,
+                                              const std::vector<double>& probabilities,
+                                              Watcher& watcher) const;
+
   /// As `solve --json` writes it. @param name  of the recording
   [[nodiscard]] std::string json(const std::string& name, Watcher& watcher) const;
   /// What it amounts to beside others. @param name  of the recording

@@ -133,6 +133,17 @@ std::string patches_of(const SolvedRecording& self) {
   return report::contacts_json(frames, true);
 }
 
+Array quantiles_of(const SolvedRecording& self, const std::string& what,
+                   const std::vector<double>& probabilities) {
+  Watcher watcher;
+  std::vector<double> all;
+  {
+    const nb::gil_scoped_release released;
+    all = self.quantiles(what, probabilities, watcher);
+  }
+  return owned(std::move(all), {self.frames(), probabilities.size()});
+}
+
 /// A call of `SolvedRecording` that may take long: Ctrl-C ends it, other threads run on.
 template <auto call>
 auto watched(const SolvedRecording& self, const std::string& name) {
@@ -167,6 +178,7 @@ void bind_solving(nb::module_& module) {
       .def("data", &data)
       .def("notes", &SolvedRecording::notes, nb::call_guard<nb::gil_scoped_release>())
       .def("bands", &bands_of)
+      .def("quantiles", &quantiles_of, nb::arg("what"), nb::arg("probabilities"))
       .def(
           "fields",
           [](const SolvedRecording& self, const std::vector<std::string>& wrench) {

@@ -18,7 +18,7 @@ from ._controller import ContactEstimate, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
 from ._optional import part
-from ._recording import Recording, Solution
+from ._recording import Distribution, Recording, Solution
 from ._report import Report, report
 from ._result import MethodResult, Result, run
 from ._scene import Scene, Sites
@@ -62,6 +62,7 @@ __all__ = [
     "CutOffWarning",
     "Cylinder",
     "Diagnostic",
+    "Distribution",
     "Ellipsoid",
     "Estimator",
     "Finding",

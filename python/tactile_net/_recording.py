@@ -17,13 +17,34 @@ from ._optional import optional
 from ._progress import Progress, listening
 
 if TYPE_CHECKING:
-    from numpy.typing import DTypeLike, NDArray
+    from numpy.typing import ArrayLike, DTypeLike, NDArray
 
     from ._check import ReadingsCheck
     from ._layout import Layout
     from ._scene import Scene
 
-__all__ = ["Recording", "Solution"]
+__all__ = ["Distribution", "Recording", "Solution"]
+
+
+class Distribution:
+    """All that the readings of each frame leave possible of one number: `Solution.distribution`."""
+
+    def __init__(self, solved: Any, what: str):
+        self._solved = solved
+        self._what = what
+        self.quantile([0.5])  # refuses what has none
+
+    def quantile(self, p: ArrayLike) -> Floats:
+        """(T, P): the values with these probabilities below them. ValueError where one is not between 0 and 1."""
+        probabilities = [float(one) for one in np.atleast_1d(np.asarray(p, dtype=float))]
+        return np.asarray(self._solved.quantiles(self._what, probabilities))
+
+    def interval(self, level: float = 0.95) -> Floats:
+        """(T, 2): the central interval with this probability. ValueError where it is not between 0 and 1."""
+        return self.quantile([0.5 - 0.5 * level, 0.5 + 0.5 * level])
+
+    def __repr__(self) -> str:
+        return f"<Distribution of {self._what}>"
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -271,6 +292,18 @@ class Solution(Document):
     def centre_deviation(self) -> Floats:
         """(T,): one standard deviation [m]; nan as above."""
         return self._band(3)[:, 1]
+
+    def interval(self, what: str, level: float = 0.95) -> Floats:
+        """(T, 2): the central interval of "normal_force", "tangential_force" [N/m] or "centre" [m] that holds it with
+        this probability. nan where a frame has no answer or, of the centre, nothing presses.
+
+        ValueError where the answer is one alpha's: the scene states no [noise], or asks for an alpha.
+        """
+        return self.distribution(what).interval(level)
+
+    def distribution(self, what: str) -> Distribution:
+        """All that the readings leave possible of it, of every frame; as `interval`."""
+        return Distribution(self._solved(), what)
 
     @cached_property
     def patches(self) -> tuple[tuple[ContactPatch, ...], ...]:

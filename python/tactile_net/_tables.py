@@ -199,6 +199,7 @@ class Noise:
 
     rms: float | Mapping[str, float]
     seed: int | None = None
+    degrees: float | None = None
 
 
 @dataclasses.dataclass(kw_only=True)
@@ -207,6 +208,7 @@ class Reconstruct:
 
     methods: Sequence[str] | None = None
     alpha: float | str | None = None
+    answer: str | None = None
     surface: str | None = None
     spacing: float | None = None
     margin: float | None = None

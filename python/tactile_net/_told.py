@@ -21,6 +21,8 @@ class Uncertain(NamedTuple):
 
     value: float
     deviation: float
+    interval: Told | None = None
+    """`low` and `high`, between which it lies with the probability `level`; None: only the deviation is known."""
 
 
 class Told:
@@ -63,9 +65,14 @@ class Told:
         return self._values
 
 
+def _is_uncertain(names: Iterable[str]) -> bool:
+    return set(names) - {"interval"} == {"value", "deviation"}
+
+
 def _told(value: Any) -> Any:
     if isinstance(value, dict):
-        return Uncertain(**value) if value.keys() == {"value", "deviation"} else Told(value)
+        inside = {name: _told(one) for name, one in value.items()} if _is_uncertain(value) else {}
+        return Uncertain(**inside) if inside else Told(value)
     return tuple(map(_told, value)) if isinstance(value, list) else value
 
 
@@ -140,5 +147,5 @@ def _keys(part: dict[str, Any], prefix: str) -> Iterator[Key]:
         yield Key(prefix + name, value.get("unit", ""), value.get("description", ""))
         while "items" in value or "anyOf" in value:
             value = value.get("items") or value["anyOf"][0]
-        if value.get("properties", {}).keys() != {"value", "deviation"}:
+        if not _is_uncertain(value.get("properties", {})):
             yield from _keys(value, f"{prefix}{name}.")

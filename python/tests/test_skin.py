@@ -175,8 +175,8 @@ def test_a_solution_of_a_skin_is_in_balance(skin: tn.Skin) -> None:
     assert solution.friction[0] == pytest.approx(np.hypot(*solution.tangential_force[0]) / solution.normal_force[0])
     assert solution.contacts.tolist() == [1] and solution.ellipse.shape == (1, 3)
     ((contact,),) = solution.patches
-    assert contact.id == 1 and contact.ellipse is not None and contact.ellipse.radius == (solution.ellipse[0, 0], solution.ellipse_deviation[0, 0])
-    assert contact.normal == (solution.normal_force[0], solution.normal_force_deviation[0])
+    assert contact.id == 1 and contact.ellipse is not None and contact.ellipse.radius[:2] == (solution.ellipse[0, 0], solution.ellipse_deviation[0, 0])
+    assert contact.normal[:2] == (solution.normal_force[0], solution.normal_force_deviation[0])
     assert contact.cells == tuple(np.flatnonzero(solution.touching[0]))
     assert len(tn.run(scene).skin.patches) == 1
     assert solution.torsion_deviation.shape == solution.friction_deviation.shape == (1,)

@@ -85,7 +85,7 @@ def test_a_solution_knows_how_sure_it_is(two: tn.Scene) -> None:
     for frame, contacts in enumerate(solution.patches):
         (contact,) = contacts  # the only one is the whole, and keeps its number
         whole = solution.normal_force[frame], solution.normal_force_deviation[frame]
-        assert contact.id == 1 and contact.normal == pytest.approx(whole, rel=1e-9)
+        assert contact.id == 1 and contact.normal[:2] == pytest.approx(whole, rel=1e-9)
     tractions, full = two.solver()(recording.readings, full=True)
     assert np.array_equal(tractions, solution.tractions) and full.verdict.tolist() == solution.verdict.tolist()
     single, _ = two.solver()(recording.readings[0], full=True)
@@ -270,3 +270,29 @@ def test_what_has_no_matrix_says_so(scene: tn.Scene) -> None:
             solver.matrix
     with pytest.raises(ValueError, match=r"gradient must be of shape \(..., 1, 21\)"):
         scene.solver().vjp(np.zeros(20))
+
+
+def test_a_known_noise_gives_intervals_that_hold_the_force() -> None:
+    scene = tn.Scene(
+        sensor=tn.Sensor(count=17, pitch=1e-3, depth=1e-3, reads=["stress_x"]),
+        material=tn.Material(youngs_modulus=0.2e6, poisson_ratio=0.45),
+        contacts=[tn.Cylinder(center=1.3e-3, half_width=1.1e-3, force=20.0)],
+        noise=tn.Noise(rms=60.0),
+    )
+    solution = scene.simulate().solve()
+    force = solution.interval("normal_force")
+    assert force.shape == (1, 2) and force[0, 0] < 20.0 < force[0, 1]
+    known = solution.distribution("normal_force")
+    assert np.array_equal(known.interval(0.95), force)
+    assert np.all(np.diff(known.quantile([0.1, 0.5, 0.9])) > 0.0)
+    assert force[0, 0] < solution.interval("normal_force", 0.5)[0, 0]
+    assert solution.interval("centre")[0, 0] < solution.centre[0] < solution.interval("centre")[0, 1]
+    assert np.isnan(solution.interval("tangential_force")).all()
+    with pytest.raises(ValueError, match="no distribution"):
+        solution.interval("torsion")
+    with pytest.raises(ValueError, match="between 0 and 1"):
+        solution.interval("normal_force", 1.0)
+    by_alpha = scene.replace({"reconstruct.answer": "alpha"}).simulate().solve()
+    assert by_alpha.has_bands
+    with pytest.raises(ValueError, match="one alpha"):
+        by_alpha.interval("normal_force")

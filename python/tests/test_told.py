@@ -15,7 +15,7 @@ def names(value: Any, prefix: str = "") -> Iterator[str]:
     if isinstance(value, list):
         for one in value:
             yield from names(one, prefix)
-    elif isinstance(value, dict) and value.keys() != {"value", "deviation"}:
+    elif isinstance(value, dict) and value.keys() - {"interval"} != {"value", "deviation"}:
         for name, one in value.items():
             yield prefix + name
             yield from names(one, f"{prefix}{name}.")
@@ -51,8 +51,11 @@ def test_told_has_what_json_has(of_either: tn.Scene) -> None:
     told, answer = result.told, result.to_dict()["reconstructions"][0]
     first = told.reconstructions[0]
     assert first.verdict == answer["verdict"] and first.alpha == answer["alpha"]
-    assert first.resultant.normal == tn.Uncertain(**answer["resultant"]["normal"])
+    normal = answer["resultant"]["normal"]
+    assert first.resultant.normal[:2] == (normal["value"], normal["deviation"])
     assert first.resultant.normal.deviation > 0.0
+    if "interval" in normal:
+        assert first.resultant.normal.interval.low == normal["interval"]["low"]
     assert first.to_dict() == answer and first == pickle.loads(pickle.dumps(first))
     with pytest.raises(AttributeError, match="no 'forse': method, verdict, alpha"):
         _ = first.forse

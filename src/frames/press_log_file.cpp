@@ -237,7 +237,7 @@ class Reader {
     const Stated friction =
         stated(row, "friction", sensor_.is_skin ? not_negative : any_number, {});
     const std::optional<double> direction =
-        sensor_.is_skin ? number(row, "direction", any_number, degrees) : std::nullopt;
+        sensor_.is_skin ? number(row, "direction", any_number, angle_degrees) : std::nullopt;
     if (direction && !friction.value)
       problem(row.line, "direction is given without friction", "give both, or neither");
     if (!friction.value) return;

@@ -6,13 +6,13 @@
 
 #include "lab/border.hpp"
 #include "lab/lines_and_skins.hpp"
+#include "lab/own_tractions.hpp"
 #include "lab/recording_method.hpp"
 #include "numeric/finite.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/missing.hpp"
 
 namespace tactile_net::lab {
-
 const SceneFrame& LineFrameMethod::analysed() const {
   if (frame_.analysed != nullptr) return *frame_.analysed;
   if (!own_) own_.emplace(frame_.problem, frame_.readings);
@@ -35,11 +35,18 @@ void LineFrameMethod::solve(FrameAnswer& answer) {
     result_ = {.alpha = known.alpha,
                .condition = known.condition,
                .remarks = known.remarks,
-               .constrained = known.constrained};
+               .constrained = known.constrained,
+               .by_mixture = known.mixture != nullptr};
     std::erase_if(result_.remarks, [](const Remark& one) {  // which are said anew
       return std::holds_alternative<remark::LowerBound>(one) ||
              std::holds_alternative<remark::Clipped>(one);
     });
+  } else if (frame_.takes_mixture && frame_.problem.answers_by_mixture() &&
+             !frame_.problem.constraints()) {
+    result_ = {.alpha = answer.alpha, .by_mixture = true};
+    answer.tractions = OwnTractions(frame_.problem).of(analysed().mixture()->mean());
+    answer.verdict = Verdict::ok;  // alpha's is not of it
+    if (!all_finite(answer.tractions)) throw FrameOverflow();
   } else {
     std::vector<double> f(frame_.solver->tractions());
     result_ = frame_.has_bands ? frame_.solver->solve_by(analysed(), answer.alpha, f)
@@ -52,14 +59,26 @@ void LineFrameMethod::solve(FrameAnswer& answer) {
       result_.alpha = answer.alpha;
     else if (result_.alpha)
       answer.alpha = *result_.alpha;
+    result_.by_mixture = frame_.has_bands && frame_.takes_mixture && result_.constrained &&
+                         frame_.problem.answers_by_mixture();
   }
+  if (result_.by_mixture) answer.mixture = analysed().mixture();
   answer.solved = answer.verdict;
   answer.condition = result_.condition;
   answer.constrained = result_.constrained;
   answer.remarks = result_.remarks;
 }
 
+double LineFrameMethod::residual(std::span<const double> tractions) const {
+  const SceneProblem& of_mixture = frame_.problem.of_mixture();
+  if (!is_mean() || &of_mixture == &frame_.problem)
+    return frame_.problem.residual(frame_.readings, tractions);
+  // What presses between the taxels and beyond them explains readings, too.
+  return of_mixture.residual(frame_.readings, analysed().mixture()->mean());
+}
+
 std::optional<double> LineFrameMethod::rounding(const FrameAnswer& answer) const {
+  if (is_mean()) return std::nullopt;
   if (!answer.condition)
     return frame_.solver != nullptr ? frame_.solver->error_bound(frame_.readings, answer.tractions)
                                     : std::nullopt;
@@ -95,6 +114,8 @@ Uncertain LineFrameMethod::add_bands(FrameAnswer& answer) {
   answer.noise = bands.noise;
   answer.offsets = bands.offsets;
   answer.deviations = bands.deviation;
+  answer.low = bands.low;
+  answer.high = bands.high;
   answer.bands = std::move(bands);
   return answer.bands->resultant.normal;
 }
@@ -151,6 +172,9 @@ class LineRecordingMethod final : public RecordingMethod {
                       std::unique_ptr<FrameSolver> solver)
       : RecordingMethod(problem), line_(problem), method_(method), solver_(std::move(solver)) {}
 
+  /// Frames share an alpha: they are answered by it.
+  void share() { shares_ = true; }
+
   /// Knows what earlier frames showed of contacts.
   void remember() { memory_.emplace(); }
 
@@ -160,7 +184,9 @@ class LineRecordingMethod final : public RecordingMethod {
   bool takes_threads() const override { return false; }
   std::shared_ptr<RecordingMethod> without(std::span<const std::size_t> taxels) const override {
     const SceneProblem rest = line_.without(taxels);
-    return std::make_shared<LineRecordingMethod>(rest, method_, make_solver(rest, method_));
+    auto other = std::make_shared<LineRecordingMethod>(rest, method_, make_solver(rest, method_));
+    if (shares_) other->share();
+    return other;
   }
   FrameAnswer answer(std::span<const double> readings,
                      std::optional<std::size_t> repeats) override {
@@ -170,6 +196,7 @@ class LineRecordingMethod final : public RecordingMethod {
                            .readings = readings,
                            .solver = solver_.get(),
                            .has_bands = traits(method_).has_bands,
+                           .takes_mixture = method_ == Method::tikhonov && !shares_,
                            .memory = memory_ ? &*memory_ : nullptr,
                            .repeats = repeats});
     FrameAnswer found = lab::answer(frame, Bands::later);
@@ -183,6 +210,7 @@ class LineRecordingMethod final : public RecordingMethod {
   Method method_;
   std::unique_ptr<FrameSolver> solver_;
   std::optional<DataMemory> memory_{};
+  bool shares_ = false;
 };
 
 }  // namespace
@@ -194,6 +222,7 @@ std::shared_ptr<RecordingMethod> recording_method(const SceneProblem& problem, M
       share_alpha ? make_sharing_solver(problem, method, *share_alpha)
                   : make_solver(problem, method));
   made->remember();
+  if (share_alpha) made->share();
   return made;
 }
 

@@ -19,6 +19,7 @@ struct LineFrame {
   FrameSolver* solver = nullptr;         ///< of the problem
   std::optional<ChosenAlpha> alpha{};    ///< that the solver was made for; absent: it knows
   bool has_bands = true;                 ///< `MethodTraits::has_bands`
+  bool takes_mixture = true;             ///< where the problem has one: no alpha is asked for
   DataMemory* memory = nullptr;          ///< of the problem's judge; null: of no frame
   std::optional<std::size_t> repeats{};  ///< the taxel that does (repeating_taxels.hpp)
   const FrameAnswer* known = nullptr;    ///< of a frame that has been solved; null: it has not
@@ -31,11 +32,10 @@ class LineFrameMethod final : public FrameMethod {
   ChosenAlpha alpha() override;
   void solve(FrameAnswer& answer) override;
 
-  double residual(std::span<const double> tractions) const override {
-    return frame_.problem.residual(frame_.readings, tractions);
-  }
+  double residual(std::span<const double> tractions) const override;
   double size_of_readings() const override {
-    return residual(std::vector<double>(frame_.problem.tractions()));
+    return frame_.problem.residual(frame_.readings,
+                                   std::vector<double>(frame_.problem.tractions()));
   }
   std::size_t rows() const override { return analysed().analysed().rows; }
   std::optional<double> rounding(const FrameAnswer& answer) const override;
@@ -55,6 +55,8 @@ class LineFrameMethod final : public FrameMethod {
 
  private:
   [[nodiscard]] const SceneFrame& analysed() const;
+  /// Whether tractions are the mean of the frame's mixture.
+  [[nodiscard]] bool is_mean() const { return result_.by_mixture && !result_.constrained; }
 
   LineFrame frame_;
   mutable std::optional<SceneFrame> own_{};

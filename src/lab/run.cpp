@@ -42,14 +42,13 @@ struct Run {
 };
 
 /// Median time of a frame over about 20 ms.
-double frame_seconds(FrameSolver& solver, const Run& run) {
+double frame_seconds(const std::function<void()>& solve, const Run& run) {
   const Stopwatch whole(run.options.clock);
   if (!whole.runs()) return not_timed;
-  std::vector<double> f(solver.tractions());
   std::vector<double> times;
   while (times.size() < 5 || (whole.elapsed() < 0.02 && times.size() < 1000)) {
     const Stopwatch frame(run.options.clock);
-    (void)solver.solve(run.frame.readings(), f);
+    solve();
     times.push_back(frame.elapsed());
   }
   const auto middle = times.begin() + std::ssize(times) / 2;
@@ -111,7 +110,8 @@ MethodResult reconstruct(Method method, const Run& run) {
                              .readings = run.frame.readings(),
                              .analysed = &run.frame,
                              .solver = solver.get(),
-                             .alpha = alpha});
+                             .alpha = alpha,
+                             .takes_mixture = method == Method::tikhonov});
       result.answer = answer(frame);
       if (result.answer.bands && run.work.does(Computation::hidden_modes) &&
           run.problem.hidden().dimension > 0)
@@ -120,7 +120,16 @@ MethodResult reconstruct(Method method, const Run& run) {
       result.answer = solve_alone(*solver, run);
     }
     measure(result, run.experiment, run.problem.surface());
-    result.frame_seconds = frame_seconds(*solver, run);
+    std::vector<double> f(solver->tractions());
+    const bool is_mean = result.answer.mixture && !run.problem.constraints();
+    result.frame_seconds = frame_seconds(
+        [&] {
+          if (is_mean)
+            f = SceneFrame(run.problem, run.frame.readings()).mixture()->mean();
+          else
+            (void)solver->solve(run.frame.readings(), f);
+        },
+        run);
     if (!traits(method).takes_constraints) note_constraints(result, run);
   } catch (const std::domain_error& error) {
     result.refusal = error.what();

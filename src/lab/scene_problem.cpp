@@ -27,6 +27,13 @@ constexpr std::size_t one_decomposition = 256;
 constexpr double narrowest_of_dense = 3.5;
 constexpr double narrowest_of_coarse = 1.0;
 
+/// Distance of taxels, in depths, from which loads may hide between them.
+constexpr double pitch_that_hides = 1.5;
+constexpr double power_of_hidden = 0.25;
+
+/// Of a grid in place of taxels: pressure differs that much where one of them has its line load.
+constexpr double finest_of_depth = 0.25;
+
 /// Tractions over taxels up to which windows of them take less than a second.
 constexpr std::size_t most_of_windows = 384;
 
@@ -69,6 +76,8 @@ struct SceneProblem::Parts {
   std::pair<double, double> covariance_of;  // its alpha and prior
   std::unique_ptr<SceneProblem> reaching_beyond;
   std::optional<LoadWindows> load_windows;
+  std::unique_ptr<SceneProblem> of_mixture;
+  std::optional<LoadPrior> load_prior;
   std::map<double, SceneProblem> weighed;  // by tangential weight
 };
 
@@ -244,6 +253,37 @@ const LoadWindows& SceneProblem::load_windows() const {
   return *parts_->load_windows;
 }
 
+bool SceneProblem::answers_by_mixture() const {
+  const ReconstructOptions& options = parts_->scene.reconstruct;
+  if (options.answer == AnswerKind::alpha || !stated_noise() || !has_load_windows()) return false;
+  if (options.methods != std::vector{Method::tikhonov}) return false;
+  return options.answer == AnswerKind::mixture || !(options.alpha || options.alpha_rule);
+}
+
+const SceneProblem& SceneProblem::of_mixture() const {
+  if (surface().basis == SurfaceBasis::hats) return *this;
+  if (!parts_->of_mixture) {
+    Scene scene = parts_->scene;
+    scene.reconstruct.surface = {
+        .basis = SurfaceBasis::hats,
+        .spacing = std::min(scene.sensor.pitch, finest_of_depth * least_depth(scene.sensor))};
+    parts_->of_mixture = std::make_unique<SceneProblem>(std::move(scene));
+  }
+  return *parts_->of_mixture;
+}
+
+const LoadPrior& SceneProblem::load_prior() const {
+  if (!parts_->load_prior) {
+    const SensorArray& array = parts_->scene.sensor;
+    const double depth = least_depth(array);
+    const bool hides = array.pitch > pitch_that_hides * depth;
+    parts_->load_prior.emplace(
+        of_mixture().problem(),
+        LoadPriorOptions{.depth = depth, .prior_power = hides ? power_of_hidden : 0.0});
+  }
+  return *parts_->load_prior;
+}
+
 namespace {
 
 constexpr double negligible = 0.01;  // a probability
@@ -325,6 +365,13 @@ const SceneFrame& SceneFrame::reaching_beyond() const {
         std::make_shared<const SceneFrame>(SceneFrame(beyond, readings_, std::move(weights)));
   }
   return *reaching_beyond_;
+}
+
+const std::shared_ptr<const LoadMixture>& SceneFrame::mixture() const {
+  if (!mixture_)
+    mixture_ = std::make_shared<const LoadMixture>(given_.load_prior().given(
+        readings_, {.rms = given_.stated_noise(), .degrees = given_.scene().noise->degrees}));
+  return mixture_;
 }
 
 const AlphaSweep& SceneFrame::sweep() const {

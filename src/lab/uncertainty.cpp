@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "lab/own_tractions.hpp"
+
 namespace tactile_net::lab {
 namespace {
 
@@ -64,15 +66,25 @@ std::vector<ContactPatch> without_margins(std::vector<ContactPatch> patches, con
 }
 
 /// The variance of place that smoothing may have added to pressure: of a stretch of the array that
-/// stands for one degree of freedom of it.
-double smoothed_variance(const SceneProblem& scene, double alpha) {
+/// stands for one of the degrees of freedom.
+double smoothed_variance(const SceneProblem& scene, double degrees) {
   const Surface& surface = scene.surface();
-  const double degrees = scene.is_large() ? scene.sections().degrees_of_freedom(alpha)
-                                          : scene.family().degrees_of_freedom(alpha);
   const double stretches = degrees / static_cast<double>(scene.options().unknowns);
   const double array = surface.spacing * static_cast<double>(surface.count - 2 * surface.margin);
   const double each = array / std::max(stretches, 1.0);
   return each * each / 12.0;
+}
+
+void add_intervals(UncertainResultant& resultant, const ResultantDistributions& known) {
+  resultant.normal.interval = known.normal.interval();
+  if (resultant.tangential && known.tangential)
+    resultant.tangential->interval = known.tangential->interval();
+  if (resultant.centre && known.centre) resultant.centre->interval = known.centre->interval();
+  if (resultant.angle && known.slope) {
+    const CentralInterval slope = known.slope->interval();
+    resultant.angle->interval = CentralInterval{
+        .level = slope.level, .low = std::atan(slope.low), .high = std::atan(slope.high)};
+  }
 }
 
 /// Of the error of any tractions by one functional, whose minimiser lies apart from them.
@@ -105,10 +117,53 @@ std::shared_ptr<const Covariance> over_weights(const SceneFrame& frame, std::siz
   return std::make_shared<const MixtureCovariance>(std::move(terms));
 }
 
+/// What the frame's mixture says of tractions, of what they amount to, and of the readings.
+FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const double> tractions,
+                                        const FrameResult& result) {
+  const SceneProblem& scene = frame.given();
+  const LinearProblem& problem = scene.of_mixture().problem();
+  const OwnTractions own(scene);
+  const LoadMixture& mixture = *frame.mixture();
+  const std::vector<double> mean = mixture.mean();
+  const double rms = *scene.stated_noise();
+  FrameUncertainty bands;
+  if (scene.options().unknown_offsets) bands.offsets = offsets(problem, frame.readings(), mean);
+  bands.noise = estimate_noise(problem, frame.readings(), mean, mixture.degrees_of_freedom(),
+                               scene.stated_noise());
+  bands.holds_model_error = true;  // as noise that is larger than stated
+  const RootCovariance covariance = mixture.covariance(mean, rms);
+  bands.resultant = resultant_of(own.grid(), mean, covariance, rms);
+  add_intervals(bands.resultant, resultant_distributions(frame));
+
+  // Of constrained tractions deviations are about them.
+  const bool bound = result.constrained.has_value();
+  const std::vector<double> f = bound ? own.on_grid(tractions) : mean;
+  std::optional<RootCovariance> about_bound;
+  if (bound) about_bound.emplace(mixture.covariance(f, rms));
+  const Covariance& about = bound ? *about_bound : covariance;
+  bands.nearest_to_slipping = nearest_to_slipping(own.grid(), f, about, rms, bands.resultant);
+  bands.patches = own.of(
+      patches_of(own.grid(), f, about, rms, bands.resultant,
+                 {.friction_limit = scene.scene().reconstruct.friction_limit,
+                  .smoothed_variance = smoothed_variance(scene, mixture.degrees_of_freedom())}));
+  const std::vector<Distribution> each =
+      own.same() ? mixture.of_tractions() : mixture.of_each(own.rows());
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    bands.deviation.push_back(bound ? std::hypot(each[i].deviation(), each[i].mean() - tractions[i])
+                                    : each[i].deviation());
+    const bool pushes = bound && i < scene.surface().count;
+    const CentralInterval interval = (pushes ? each[i].at_least(0.0) : each[i]).interval();
+    bands.low.push_back(interval.low);
+    bands.high.push_back(interval.high);
+  }
+  return bands;
+}
+
 }  // namespace
 
 FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tractions,
                              const FrameResult& result) {
+  if (result.by_mixture) return uncertainty_of_mixture(frame, tractions, result);
   const SceneProblem& scene = frame.problem();
   const double alpha = result.alpha->value;
   FrameUncertainty bands;
@@ -132,11 +187,13 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
                         const Surface& surface) {
     bands.resultant = resultant_of(surface, f, covariance, rms);
     bands.nearest_to_slipping = nearest_to_slipping(surface, f, covariance, rms, bands.resultant);
-    bands.patches =
-        without_margins(patches_of(surface, f, covariance, rms, bands.resultant,
-                                   {.friction_limit = scene.scene().reconstruct.friction_limit,
-                                    .smoothed_variance = smoothed_variance(scene, alpha)}),
-                        scene.surface(), surface);
+    bands.patches = without_margins(
+        patches_of(surface, f, covariance, rms, bands.resultant,
+                   {.friction_limit = scene.scene().reconstruct.friction_limit,
+                    .smoothed_variance = smoothed_variance(
+                        scene, scene.is_large() ? scene.sections().degrees_of_freedom(alpha)
+                                                : scene.family().degrees_of_freedom(alpha))}),
+        scene.surface(), surface);
     bands.deviation = without_margins(covariance.deviations(), scene.surface(), surface);
     for (double& value : bands.deviation) value *= rms;
   };
@@ -159,6 +216,24 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
     fill(scene.covariance(alpha, prior_of(frame, alpha)), tractions, scene.surface());
   }
   return bands;
+}
+
+ResultantDistributions resultant_distributions(const SceneFrame& frame) {
+  const LoadMixture& mixture = *frame.mixture();
+  const SceneProblem& problem = frame.given().of_mixture();
+  const Surface& grid = problem.surface();
+  const bool two = problem.options().unknowns == 2;
+  std::vector<double> force(problem.tractions()), drag = force, moment = force;
+  for (std::size_t i = 0; i < grid.count; ++i) {
+    force[i] = grid.spacing;
+    moment[i] = grid.spacing * grid.position(i);
+    if (two) drag[grid.count + i] = grid.spacing;
+  }
+  ResultantDistributions known{.normal = mixture.of(force), .centre = mixture.ratio(moment, force)};
+  if (!two) return known;
+  known.tangential = mixture.of(drag);
+  known.slope = mixture.ratio(drag, force);
+  return known;
 }
 
 std::optional<remark::ModelError> model_error(const NoiseEstimate& noise, bool held) noexcept {

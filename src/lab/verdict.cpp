@@ -124,7 +124,11 @@ Verdict overall(Verdict answer, const std::optional<DataVerdict>& data,
     return Verdict::no_contact;
   if (answer != Verdict::ok) return answer;
   if (!data->consistent()) return Verdict::doubted;
-  const bool told = !force || std::abs(force->value) > force->deviation;
+  const auto tells = [](const Uncertain& one) {
+    return one.interval ? std::abs(one.value) > one.interval->high - one.interval->low
+                        : std::abs(one.value) > one.deviation;
+  };
+  const bool told = !force || tells(*force);
   return told || data->noise_alone || !data->noise_known ? Verdict::ok : Verdict::undetermined;
 }
 

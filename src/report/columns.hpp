@@ -1,6 +1,6 @@
 /// @file
 /// Private. From a type's fields that are numbers, of lines or of skins, the header and the rows of
-/// CSV and of tables. A value with its deviation is two columns.
+/// CSV and of tables. A value with its deviation is two columns, with its interval four.
 #pragma once
 
 #include <array>
@@ -23,35 +23,45 @@ namespace tactile_net::report {
 /// A place on a skin, y and z.
 using UncertainPlace = std::optional<std::array<Uncertain, 2>>;
 
-/// @param name  of a column: (key, measure) -> text
+/// @param intervals  of values that have a deviation
+/// @param name       of a column: (key, measure) -> text
 template <Described T>
 [[nodiscard]] std::vector<std::string> columns_of(
-    bool skin, const std::function<std::string(std::string_view, Measure)>& name =
-                   [](std::string_view key, Measure) { return std::string(key); }) {
+    bool skin, bool intervals = false,
+    const std::function<std::string(std::string_view, Measure)>& name =
+        [](std::string_view key, Measure) { return std::string(key); }) {
   std::vector<std::string> names;
+  const auto add = [&](const std::string& column) {
+    names.insert(names.end(), {column, column + "_deviation"});
+    if (intervals) names.insert(names.end(), {column + "_low", column + "_high"});
+  };
   for_each_field<T>([&]<class Access>(const Field<Access>& one) {
     if (!is_of(one.of, skin)) return;
     using Value = FieldValue<T, Access>;
     const std::string column = name(one.key, one.measure);
-    if constexpr (std::is_convertible_v<Value, std::optional<Uncertain>>)
-      names.insert(names.end(), {column, column + "_deviation"});
-    else if constexpr (std::is_same_v<Value, UncertainPlace>)
-      names.insert(names.end(), {column + "_y", column + "_y_deviation", column + "_z",
-                                 column + "_z_deviation"});
-    else
+    if constexpr (std::is_convertible_v<Value, std::optional<Uncertain>>) {
+      add(column);
+    } else if constexpr (std::is_same_v<Value, UncertainPlace>) {
+      add(column + "_y");
+      add(column + "_z");
+    } else {
       names.push_back(column);
+    }
   });
   return names;
 }
 
 /// Yes and no are 1 and 0; NaN where there is none.
 template <Described T>
-[[nodiscard]] std::vector<double> values_of(const T& row, bool skin) {
+[[nodiscard]] std::vector<double> values_of(const T& row, bool skin, bool intervals = false) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> values;
   const auto add = [&](const std::optional<Uncertain>& known) {
     values.push_back(known ? known->value : none);
     values.push_back(known ? known->deviation : none);
+    if (!intervals) return;
+    values.push_back(known && known->interval ? known->interval->low : none);
+    values.push_back(known && known->interval ? known->interval->high : none);
   };
   for_each_field<T>([&]<class Access>(const Field<Access>& one) {
     if (!is_of(one.of, skin)) return;

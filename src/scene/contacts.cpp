@@ -46,7 +46,7 @@ struct ContactKey {
 constexpr Unit no_unit(const Units&) { return {}; }
 constexpr Unit length_unit(const Units& units) { return units.length; }
 constexpr Unit force_unit(const Units& units) { return units.force; }
-constexpr Unit angle_unit(const Units&) { return degrees; }
+constexpr Unit angle_unit(const Units&) { return angle_degrees; }
 constexpr Unit moment_unit(const Units& units) {
   return {"", units.force.multiplier * units.length.multiplier,
           units.force.divisor * units.length.divisor};

@@ -8,6 +8,6 @@
 
 namespace tactile_net {
 
-inline constexpr Unit degrees{"deg", std::numbers::pi, 180.0};
+inline constexpr Unit angle_degrees{"deg", std::numbers::pi, 180.0};
 
 }  // namespace tactile_net

@@ -165,6 +165,25 @@ bool uses(const std::vector<NamedMethod>& methods, Method method) {
                                        [=](const NamedMethod& n) { return n.method == method; });
 }
 
+/// After the methods are known.
+void read_answer(Table& table, const std::vector<NamedMethod>& methods, Scene& scene) {
+  constexpr std::array kinds = {AnswerKind::mixture, AnswerKind::alpha};
+  const auto value = table.value("answer");
+  if (!value) return;
+  const auto index = value->one_of("answer", names_of(kinds));
+  if (!index) return;
+  scene.reconstruct.answer = kinds[*index];
+  if (kinds[*index] == AnswerKind::alpha) return;
+  if (methods.size() > 1 || !uses(methods, Method::tikhonov))
+    value->problem(
+        "is of the method \"tikhonov\" alone, and this scene names others, which are "
+        "of one alpha",
+        "methods = [\"tikhonov\"], or answer = \"alpha\"");
+  else if (!is_noisy(scene))
+    value->misfit("needs to know the noise",
+                  "under [noise], rms = 1e-4, or one for each quantity; or answer = \"alpha\"");
+}
+
 void read_line_constraints(Table& table, const Read& read, const std::vector<NamedMethod>& methods,
                            Scene& scene) {
   ReconstructOptions& options = scene.reconstruct;
@@ -389,6 +408,7 @@ void read_reconstruct(std::optional<Table> table, const std::optional<Value>&, c
   if (const auto limit = table->value("noise_gain_limit"))
     options.noise_gain_limit = limit->number(at_least_one).value_or(options.noise_gain_limit);
   read_line_constraints(*table, read, methods, scene);
+  read_answer(*table, methods, scene);
   read_surface(*table, read, uses_dft, scene);
   if (options.offset) check_offset(*table->value("offset"), scene, read, uses_dft);
   check_methods(methods, scene, read);

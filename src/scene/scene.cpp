@@ -44,6 +44,10 @@ std::string_view name(ForwardModel model) noexcept { return name_in<forward_mode
 
 std::string_view name(Method method) noexcept { return name_in<Enumerators<Method>::all>(method); }
 
+std::string_view name(AnswerKind kind) noexcept {
+  return name_in<Enumerators<AnswerKind>::all>(kind);
+}
+
 std::optional<Method> method_named(std::string_view text) noexcept {
   return named_in<Enumerators<Method>::all>(text);
 }

@@ -193,6 +193,8 @@ class EffectReader : private EffectValues {
       result.rms = numbers_per_quantity(*rms, result.weights_rows ? positive : not_negative);
     }
     result.seed = seed(table);
+    if (const auto freedom = table.value("degrees"))
+      result.degrees = freedom->number(positive).value_or(result.degrees);
     table.finish();
     return result;
   }

@@ -43,7 +43,7 @@ def keys(part, prefix="", without=()):
             inside = inner(value)
             choice = "".join(f" `{word}`" for word in words(inside))
             yield prefix + key, value.get("unit", ""), value["description"] + choice
-            if set(inside.get("properties", {})) != {"value", "deviation"}:  # every such number has these
+            if set(inside.get("properties", {})) - {"interval"} != {"value", "deviation"}:  # every such number has these
                 yield from keys(inside, f"{prefix}{key}.")
 
 
@@ -121,7 +121,7 @@ def python_type(value):
         inside = python_type(value["items"])
         return f"tuple[{', '.join([inside] * size) if size else inside + ', ...'}]" + unknown
     if "object" in kinds:
-        return ("Uncertain" if set(value["properties"]) == {"value", "deviation"} else "Told") + unknown
+        return ("Uncertain" if set(value["properties"]) - {"interval"} == {"value", "deviation"} else "Told") + unknown
     return TYPES[kinds[0]] + unknown
 
 

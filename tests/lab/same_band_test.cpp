@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactile_net/frames/frame_of.hpp"
+#include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/grasp.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
@@ -27,13 +28,9 @@ std::vector<double> force_numbers(const FingertipForce& force) {
   return all;
 }
 
-/// As `solve --uncertainty` has it: a solver of the frame's problem, then the band.
+/// As `solve --uncertainty` has it.
 FrameUncertainty by_solve(const SceneFrame& frame) {
-  const auto solver = make_solver(frame.problem(), Method::tikhonov);
-  std::vector<double> f(solver->tractions());
-  const FrameResult result = solver->solve(frame.readings(), f);
-  REQUIRE(result.status == FrameStatus::ok);
-  return uncertainty(frame, f, result);
+  return *solve(frame.given(), frame.readings()).bands;
 }
 
 /// A hand of one finger whose pad is wide enough for any array.
@@ -109,6 +106,8 @@ TEST_CASE("a simulated frame has the same band from run, solve and grasp", "[lab
   const SceneFrame frame(SceneProblem(scene), simulate(scene).readings);
   const FrameUncertainty solved = by_solve(frame);
   scene.reconstruct.methods = {Method::tikhonov};
+  if (!frame.given().answers_by_mixture())  // the scene names other methods
+    scene.reconstruct.answer = AnswerKind::alpha;
   NoSimulator simulator;
   const Experiment experiment = lab::run(scene, simulator);
   REQUIRE(experiment.results.size() == 1);

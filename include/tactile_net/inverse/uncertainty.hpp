@@ -17,6 +17,7 @@
 
 #include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
+#include "tactile_net/numeric/distribution.hpp"
 #include "tactile_net/numeric/fields.hpp"
 #include "tactile_net/sensing/surface.hpp"
 
@@ -60,10 +61,17 @@ struct NoiseEstimate {
 struct Uncertain {
   double value = 0.0;
   double deviation = 0.0;
+  /// Of its distribution, where that is known (load_mixture.hpp): no Gaussian's, and not always
+  /// with the value in its middle.
+  std::optional<CentralInterval> interval{};
 
-  static constexpr auto described =
-      std::tuple{field("value", &Uncertain::value, "What was found."),
-                 field("deviation", &Uncertain::deviation, "One standard deviation of it.")};
+  static constexpr auto described = std::tuple{
+      field("value", &Uncertain::value, "What was found."),
+      field("deviation", &Uncertain::deviation, "One standard deviation of it."),
+      field(
+          "interval", [](const Uncertain& one) { return IfAny<CentralInterval>{one.interval}; },
+          "What it lies in, by the quantiles of all that the readings leave possible; "
+          "absent: only the deviation is known.")};
 };
 
 /// The contact's force, by first-order propagation of the covariance.

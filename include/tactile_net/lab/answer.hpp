@@ -6,6 +6,7 @@
 ///     if (answer.verdict == lab::Verdict::ok) use(answer.tractions);
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -37,7 +38,9 @@ using AnyProblem = std::variant<SceneProblem, SkinSceneProblem>;
 struct FrameAnswer {
   std::vector<double> tractions{};   ///< components x places on the surface [Pa]
   std::vector<double> deviations{};  ///< of each, one standard deviation [Pa]; empty: not known
-  ChosenAlpha alpha{};               ///< of value 0 where the method has none
+  /// Of each, the ends of its 95 % interval [Pa]; empty: only the deviation is known.
+  std::vector<double> low{}, high{};
+  ChosenAlpha alpha{};  ///< of value 0 where the method has none
   Verdict verdict = Verdict::ok;
   Verdict solved = Verdict::ok;          ///< before readings and bands were judged
   std::optional<Condition> condition{};  ///< of the system that was solved
@@ -51,6 +54,9 @@ struct FrameAnswer {
   Remarks remarks{};
 
   // Of a line.
+  /// All that the readings leave possible, which forces, centre, intervals and, without
+  /// constraints, the tractions are of; null: they are the minimiser's of one alpha.
+  std::shared_ptr<const LoadMixture> mixture{};
   std::optional<ConstrainedSolution> constrained{};  ///< where the scene has constraints
   std::optional<FrameUncertainty> bands{};           ///< with the contact's resultant
 

@@ -369,6 +369,13 @@ struct Fields<lab::AnswerTold> {
                                              : std::nullopt;
           },
           "The rule that chose alpha, or given."),
+      field(
+          "answer",
+          [](const A& told) {
+            return IfAny<AnswerKind>{
+                told.answer.mixture != nullptr ? std::optional(AnswerKind::mixture) : std::nullopt};
+          },
+          "What forces and bands are of: mixture; absent: of the one alpha."),
       field("tangential_weight", &A::tangential_weight,
             "Of the tangential tractions' stabiliser over the normal one's; null: only one "
             "component was solved for, or there is no alpha."),
@@ -397,6 +404,24 @@ struct Fields<lab::AnswerTold> {
           },
           "One standard deviation of each, of noise and of what alpha smooths away; null: not "
           "known."),
+      field(
+          "low",
+          [](const A& told) {
+            return IfAny<lab::ByComponent<std::vector<double>>>{
+                told.answer.low.empty()
+                    ? std::nullopt
+                    : std::optional(lab::by_component(told.answer.low, told.places))};
+          },
+          "The lower end of each traction's 95 % interval; absent: only deviations are known."),
+      field(
+          "high",
+          [](const A& told) {
+            return IfAny<lab::ByComponent<std::vector<double>>>{
+                told.answer.high.empty()
+                    ? std::nullopt
+                    : std::optional(lab::by_component(told.answer.high, told.places))};
+          },
+          "The upper end."),
       field(
           "cells", [](const A& told) { return told.answer.cells; },
           "The cells that touch: row * columns + column.", Of::skins),

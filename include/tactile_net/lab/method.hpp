@@ -31,6 +31,7 @@ struct FrameResult {
   std::optional<Condition> condition{};  ///< of the system that was solved
   Remarks remarks{};
   std::optional<ConstrainedSolution> constrained{};
+  bool by_mixture = false;  ///< forces and bands are `SceneFrame::mixture`'s
   /// Of the readings, where somebody has asked `data_verdict` (data_verdict.hpp): no solver does.
   std::optional<DataVerdict> data{};
 };

@@ -20,6 +20,7 @@
 #include "tactile_net/inverse/fft_tikhonov.hpp"
 #include "tactile_net/inverse/identifiability.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
+#include "tactile_net/inverse/load_mixture.hpp"
 #include "tactile_net/inverse/load_windows.hpp"
 #include "tactile_net/inverse/long_array_family.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
@@ -128,6 +129,18 @@ class SceneProblem {
   /// Of `reaching_beyond`, from the least depth on, of dense arrays three and a half of it.
   [[nodiscard]] const LoadWindows& load_windows() const;
 
+  /// Whether the answer is what the readings leave on average of all windows, and not the minimiser
+  /// of one alpha: where there are windows and the noise is known, the scene neither asks for an
+  /// alpha nor for answers of one, and tikhonov is its only method. Under constraints the tractions
+  /// are the minimiser's all the same, and the mixture's are forces, centre and intervals.
+  [[nodiscard]] bool answers_by_mixture() const;
+  /// The same on the grid that the mixture is of: of line loads over taxels one that reaches beyond
+  /// them, a quarter of the least depth apart at most, else this one itself.
+  [[nodiscard]] const SceneProblem& of_mixture() const;
+  /// Of `of_mixture`: windows from two and a half depths on; where taxels lie further apart
+  /// than one and a half, large loads are less likely.
+  [[nodiscard]] const LoadPrior& load_prior() const;
+
  private:
   struct Parts;
   std::shared_ptr<Parts> parts_;
@@ -168,6 +181,10 @@ class SceneFrame {
   /// The same readings, of `problem().reaching_beyond()`.
   [[nodiscard]] const SceneFrame& reaching_beyond() const;
 
+  /// All that the readings leave possible, on `of_mixture`'s grid, whatever weight this frame
+  /// has. @pre  `problem().answers_by_mixture()`
+  [[nodiscard]] const std::shared_ptr<const LoadMixture>& mixture() const;
+
   /// Every rule for alpha.
   [[nodiscard]] const AlphaSweep& sweep() const;
 
@@ -196,6 +213,7 @@ class SceneFrame {
   mutable std::optional<AlphaSweep> sweep_;
   mutable std::optional<AlphaChoice> prior_;
   mutable std::shared_ptr<const SceneFrame> reaching_beyond_;
+  mutable std::shared_ptr<const LoadMixture> mixture_;
 };
 
 }  // namespace tactile_net::lab

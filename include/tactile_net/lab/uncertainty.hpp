@@ -22,8 +22,11 @@ struct FrameUncertainty {
   std::optional<UncertainResultant> nearest_to_slipping{};  ///< as `tactile_net` has it
   std::vector<ContactPatch> patches{};  ///< each contact by itself, as `patches_of` finds them
   std::vector<double> deviation{};      ///< of every traction [Pa], one standard deviation
-  bool holds_model_error = false;       ///< it counts for noise in them
-  std::vector<double> offsets{};        ///< of each channel's readings; none where they are known
+  /// Of every traction, the ends of its 95 % interval [Pa], under constraints those of what may not
+  /// pull; empty: they are not known.
+  std::vector<double> low{}, high{};
+  bool holds_model_error = false;  ///< it counts for noise in them
+  std::vector<double> offsets{};   ///< of each channel's readings; none where they are known
 };
 
 /// By `LoadWindows` where the problem has them; of line loads over taxels with what may press
@@ -38,6 +41,10 @@ struct FrameUncertainty {
 /// not know that noise which cannot pull can only push: its two deviations hold the force of a
 /// third to nine tenths of contacts (docs/internals/numerics.md).
 ///
+/// Of a frame that is answered by its mixture (`SceneFrame::mixture`) all of it is the mixture's:
+/// under constraints forces and centre too, and the tractions' deviations are about the constrained
+/// ones. Deviations are its second moments, and intervals its quantiles.
+///
 /// Of an estimated tangential weight they are the mean squares over all that the readings leave
 /// likely, each as likely as they make it.
 ///
@@ -47,6 +54,17 @@ struct FrameUncertainty {
 [[nodiscard]] FrameUncertainty uncertainty(const SceneFrame& frame,
                                            std::span<const double> tractions,
                                            const FrameResult& result);
+
+/// What a frame's mixture knows of what all tractions amount to.
+struct ResultantDistributions {
+  Distribution normal{};                     ///< [N/m]
+  std::optional<Distribution> tangential{};  ///< [N/m]; absent with one unknown
+  /// Of the force's place [m], and of tangential over normal force; absent where the normal force
+  /// is less than five deviations away from 0.
+  std::optional<Distribution> centre{}, slope{};
+};
+/// @pre  `frame.problem().answers_by_mixture()`
+[[nodiscard]] ResultantDistributions resultant_distributions(const SceneFrame& frame);
 
 /// Where the residual is larger than the noise stated explains.
 /// @param held  whether the bands hold it as if it were noise

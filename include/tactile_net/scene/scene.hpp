@@ -39,8 +39,20 @@ struct Enumerators<Method> {
       {Method::network, "network", "The same by an analog circuit, in the simulator."}};
 };
 
+/// What the tractions are.
+enum class AnswerKind { mixture, alpha };
+
+template <>
+struct Enumerators<AnswerKind> {
+  static constexpr Enumerator<AnswerKind> all[] = {
+      {AnswerKind::mixture, "mixture",
+       "The mean of all that the readings leave possible, with its quantiles as bands."},
+      {AnswerKind::alpha, "alpha", "The minimiser of the functional of one alpha."}};
+};
+
 [[nodiscard]] std::string_view name(ForwardModel model) noexcept;
 [[nodiscard]] std::string_view name(Method method) noexcept;
+[[nodiscard]] std::string_view name(AnswerKind kind) noexcept;
 [[nodiscard]] std::optional<Method> method_named(std::string_view name) noexcept;
 
 /// What the reconstructions of lines and of skins have in common.
@@ -63,6 +75,8 @@ struct ReconstructOptions : SharedReconstructOptions {
   double smoothing_length = 0.0;     ///< l [m]; default: the first depth
   double noise_gain_limit = 1e8;     ///< dft: largest noise gain that is accepted
   bool alpha_on_active_set = false;  ///< a rule chooses alpha for what constraints leave free
+  /// Absent: the mixture where it is known (lab/scene_problem.hpp) and no alpha is asked for.
+  std::optional<AnswerKind> answer{};
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
 };
 

@@ -1,5 +1,6 @@
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -11,15 +12,26 @@
 namespace tactile_net::report {
 namespace {
 
+/// Whether frames may have them: one that is answered by an alpha all the same has none.
+bool has_intervals(const lab::SceneProblem& problem) { return problem.answers_by_mixture(); }
+
 std::vector<std::string> line_columns(const lab::SceneProblem& problem) {
+  const bool intervals = has_intervals(problem);
   // The bare names of the tractions are these; the forces have names of their own.
   std::vector<std::string> columns =
-      columns_of<ResultantRow>(false, [](std::string_view key, Measure measure) {
+      columns_of<ResultantRow>(false, intervals, [](std::string_view key, Measure measure) {
         return std::string(key) + (measure == Measure::load ? "_force" : "");
       });
-  for (std::string& traction :
-       frames::traction_columns(problem.surface().count, problem.options().unknowns > 1))
-    columns.push_back(traction.insert(traction.find('_'), "_deviation"));
+  const auto add = [&](const char* what) {
+    for (std::string& traction :
+         frames::traction_columns(problem.surface().count, problem.options().unknowns > 1))
+      columns.push_back(traction.insert(traction.find('_'), what));
+  };
+  add("_deviation");
+  if (intervals) {
+    add("_low");
+    add("_high");
+  }
   if (problem.options().unknown_offsets)
     for (const Channel& channel : channels(problem.scene().sensor))
       columns.push_back("offset_" + channel.name);
@@ -28,14 +40,22 @@ std::vector<std::string> line_columns(const lab::SceneProblem& problem) {
   return columns;
 }
 
-std::vector<double> line_values(const lab::FrameAnswer& answer) {
+std::vector<double> line_values(const lab::SceneProblem& problem, const lab::FrameAnswer& answer) {
+  const bool intervals = has_intervals(problem);
   const lab::FrameUncertainty& uncertainty = *answer.bands;
   ResultantRow row{lab::resultant_told(answer)};
   row.angle = uncertainty.resultant.angle;
   row.residual = uncertainty.noise.residual_rms;
   row.model = uncertainty.noise.model_rms;
-  std::vector<double> values = values_of(row, false);
+  std::vector<double> values = values_of(row, false, intervals);
   values.insert(values.end(), uncertainty.deviation.begin(), uncertainty.deviation.end());
+  if (intervals)
+    for (const auto* ends : {&uncertainty.low, &uncertainty.high}) {
+      values.insert(values.end(), ends->begin(), ends->end());
+      if (ends->empty())
+        values.insert(values.end(), uncertainty.deviation.size(),
+                      std::numeric_limits<double>::quiet_NaN());
+    }
   values.insert(values.end(), uncertainty.offsets.begin(), uncertainty.offsets.end());
   for (const double value : values_of(trust_row(answer.data, answer.alpha.value), false))
     values.push_back(value);
@@ -61,7 +81,7 @@ std::vector<double> uncertainty_values(const lab::AnyProblem& problem,
                                        const lab::FrameAnswer& answer) {
   if (const auto* skin = std::get_if<lab::SkinSceneProblem>(&problem))
     return uncertainty_values(answer, skin->scene());
-  return line_values(answer);
+  return line_values(std::get<lab::SceneProblem>(problem), answer);
 }
 
 }  // namespace tactile_net::report

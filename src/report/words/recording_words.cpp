@@ -46,8 +46,7 @@ std::string tangential_in_words(const Scene& scene, const FrameGroup& group) {
 std::string centre_in_words(const Scene& scene, const FrameGroup& group) {
   if (group.answer.bands)
     return group.answer.bands->resultant.centre
-               ? in_unit(scene, Dimension::length, group.answer.bands->resultant.centre->value,
-                         group.answer.bands->resultant.centre->deviation)
+               ? in_unit(scene.units, Dimension::length, *group.answer.bands->resultant.centre)
                : std::string{};
   const auto centre = group.resultant.centre();
   return centre ? length_in_words(scene.units, *centre) : std::string{};

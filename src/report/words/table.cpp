@@ -136,8 +136,8 @@ std::string other_conditions_in_words(const lab::Experiment& experiment) {
 
 std::string resultant_in_words(const Scene& scene, const UncertainResultant& resultant) {
   const auto number = [&](Dimension dimension, const Uncertain& value) {
-    return scene.units ? in_unit(scene, dimension, value.value, value.deviation)
-                       : brief(value.value) + " +- " + brief(value.deviation);
+    return scene.units || value.interval ? in_unit(scene.units, dimension, value)
+                                         : brief(value.value) + " +- " + brief(value.deviation);
   };
   std::string text = "normal force " + number(Dimension::force, resultant.normal);
   if (resultant.tangential)

@@ -13,7 +13,8 @@ namespace tactile_net::report {
 [[nodiscard]] std::vector<std::string> traction_columns(const lab::AnyProblem& problem);
 
 /// Of a line forces, centre and angle, each with its deviation, the misfit, the deviation of every
-/// traction, the offset of every channel where these are not known, the worst doubt about the
+/// traction, where answers are mixtures the ends of all intervals beside deviations (`_low`,
+/// `_high`), the offset of every channel where these are not known, the worst doubt about the
 /// readings (`data`: 0 none, else 1 + DataDoubt), alpha, and the verdict, which is a word. Of a
 /// skin as skin_csv.hpp has it.
 [[nodiscard]] std::vector<std::string> uncertainty_columns(const lab::AnyProblem& problem);

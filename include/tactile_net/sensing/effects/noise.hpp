@@ -17,6 +17,9 @@ struct NoiseModel {
   PerQuantity<double> rms;    ///< one for every quantity that is read [unit of the reading], >= 0
   bool weights_rows = false;  ///< `rms` was given as a table
   std::uint64_t seed = 1;
+  /// Of freedom that the rms is known with, > 0: as if measured from so many readings. Infinity: it
+  /// is certain. Who reads noisy readings asks (inverse/load_mixture.hpp), not who simulates them.
+  double degrees = 5.0;
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const NoiseModel& noise,

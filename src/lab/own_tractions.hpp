@@ -1,0 +1,103 @@
+/// @file
+/// The tractions that a line is asked for, of those on the grid that its mixture is of. Private.
+///
+/// On a grid they are the same. Line loads over taxels D f_i are each what lies around their taxel,
+/// weighed by a hat as wide as the pitch, over D: so that sums over the taxels are those of what
+/// presses above them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "tactile_net/lab/scene_problem.hpp"
+
+namespace tactile_net::lab {
+
+class OwnTractions {
+ public:
+  explicit OwnTractions(const SceneProblem& problem)
+      : own_(problem.surface()),
+        grid_(problem.of_mixture().surface()),
+        unknowns_(problem.options().unknowns),
+        same_(&problem.of_mixture() == &problem) {}
+
+  /// Whether the grid is the own surface.
+  [[nodiscard]] bool same() const noexcept { return same_; }
+  [[nodiscard]] const Surface& grid() const noexcept { return grid_; }
+
+  /// Of each own traction the weights of all on the grid.
+  [[nodiscard]] std::vector<std::vector<double>> rows() const {
+    std::vector<std::vector<double>> all;
+    for (std::size_t u = 0; u < unknowns_; ++u)
+      for (std::size_t i = 0; i < own_.count; ++i) {
+        std::vector<double>& row = all.emplace_back(unknowns_ * grid_.count);
+        hats(i, [&](std::size_t at, double share) {
+          row[u * grid_.count + at] = share * grid_.spacing / own_.spacing;
+        });
+      }
+    return all;
+  }
+
+  /// Of tractions on the grid the own ones.
+  [[nodiscard]] std::vector<double> of(const std::vector<double>& all) const {
+    if (same_) return all;
+    std::vector<double> own;
+    for (const std::vector<double>& row : rows()) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < row.size(); ++i) sum += row[i] * all[i];
+      own.push_back(sum);
+    }
+    return own;
+  }
+
+  /// Own tractions on the grid, linear from one to the next, with nothing beyond.
+  [[nodiscard]] std::vector<double> on_grid(std::span<const double> own) const {
+    std::vector<double> all(unknowns_ * grid_.count);
+    for (std::size_t u = 0; u < unknowns_; ++u)
+      for (std::size_t i = 0; i < own_.count; ++i)
+        hats(i, [&](std::size_t at, double share) {
+          all[u * grid_.count + at] += share * own[u * own_.count + i];
+        });
+    return all;
+  }
+
+  /// Of contacts on the grid those that own tractions have a share in.
+  [[nodiscard]] std::vector<ContactPatch> of(std::vector<ContactPatch> patches) const {
+    if (same_) return patches;
+    for (ContactPatch& patch : patches) {
+      std::vector<std::size_t> cells;
+      for (const std::size_t cell : patch.cells) {
+        const std::size_t from_first = cell + grid_.stride / 2;  // to the nearest taxel
+        if (from_first < grid_.margin) continue;
+        const std::size_t taxel = (from_first - grid_.margin) / grid_.stride;
+        if (taxel < own_.count && (cells.empty() || cells.back() != taxel)) cells.push_back(taxel);
+      }
+      patch.cells = std::move(cells);
+    }
+    std::erase_if(patches, [](const ContactPatch& patch) { return patch.cells.empty(); });
+    return patches;
+  }
+
+ private:
+  /// Calls `use` with each place on the grid in the hat around an own traction, and its share.
+  void hats(std::size_t i, const auto& use) const {
+    if (same_) return use(i, 1.0);
+    const auto reach = static_cast<std::ptrdiff_t>(grid_.stride);
+    const auto middle = static_cast<std::ptrdiff_t>(grid_.margin + i * grid_.stride);
+    for (std::ptrdiff_t off = 1 - reach; off < reach; ++off) {
+      const std::ptrdiff_t at = middle + off;
+      if (at < 0 || at >= static_cast<std::ptrdiff_t>(grid_.count)) continue;
+      use(static_cast<std::size_t>(at),
+          1.0 - static_cast<double>(std::abs(off)) / static_cast<double>(reach));
+    }
+  }
+
+  const Surface& own_;
+  const Surface& grid_;
+  std::size_t unknowns_;
+  bool same_;
+};
+
+}  // namespace tactile_net::lab

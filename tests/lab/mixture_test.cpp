@@ -1,0 +1,169 @@
+// Lines answered by what their readings leave possible: from a scene's text to intervals.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/answer.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
+#include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/report/csv/uncertainty_csv.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+#include "tests/lab/scene_parts.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+Scene coarse_pad(const std::string& reconstruct = {}, const std::string& noise = "rms = 2e-3\n",
+                 const std::string& sensor = "count = 13\npitch = 1.0\n") {
+  return parse_scene("[sensor]\n" + sensor +
+                         "depth = 1.0\nreads = [\"stress_x\", \"shear_xy\"]\n[material]\n"
+                         "youngs_modulus = 1.0\npoisson_ratio = 0.45\n[[contact]]\n"
+                         "shape = \"cylinder\"\ncenter = 1.3\nhalf_width = 1.2\nforce = 0.5\n"
+                         "friction = 0.4\n" +
+                         (noise.empty() ? "" : "[noise]\n" + noise) + "[reconstruct]\n" +
+                         reconstruct,
+                     "pad.toml");
+}
+
+FrameAnswer answered(const Scene& scene) {
+  return solve(SceneProblem(scene), simulate(scene).readings);
+}
+
+double sum(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+}  // namespace
+
+TEST_CASE("a line with its noise stated is answered by its mixture, whose sums are the forces",
+          "[lab][mixture]") {
+  const Scene scene = coarse_pad();
+  const FrameAnswer answer = answered(scene);
+  REQUIRE(answer.mixture);
+  CHECK(answer.verdict == Verdict::ok);
+  const Surface places = surface(scene);
+  const UncertainResultant& found = answer.bands->resultant;
+  CHECK_THAT(found.normal.value,
+             WithinRel(places.spacing * sum(component(answer.tractions, places.count, 0)), 1e-12));
+  CHECK_THAT(found.tangential->value,
+             WithinRel(places.spacing * sum(component(answer.tractions, places.count, 1)), 1e-12));
+  for (const Uncertain& one : {found.normal, *found.tangential, *found.centre, *found.angle}) {
+    REQUIRE(one.interval);
+    CHECK(one.interval->level == 0.95);
+    CHECK(one.interval->low < one.value);
+    CHECK(one.interval->high > one.value);
+    // Near a Gaussian's: 3.9 deviations wide.
+    CHECK(one.interval->high - one.interval->low < 5.0 * one.deviation);
+    CHECK(one.interval->high - one.interval->low > 2.0 * one.deviation);
+  }
+  CHECK(found.normal.interval->low < 0.5);
+  CHECK(found.normal.interval->high > 0.5);
+  CHECK(answer.low.size() == answer.tractions.size());
+  for (std::size_t i = 0; i < answer.tractions.size(); ++i) CHECK(answer.low[i] <= answer.high[i]);
+}
+
+TEST_CASE("one alpha answers where it is asked for, and where nobody knows the noise",
+          "[lab][mixture]") {
+  CHECK(answered(coarse_pad("answer = \"mixture\"\nalpha = 1e-3\n")).mixture);
+  for (const Scene& scene : {coarse_pad("answer = \"alpha\"\n"), coarse_pad("alpha = 1e-3\n"),
+                             coarse_pad("alpha = \"gml\"\n"), coarse_pad("", ""),
+                             coarse_pad("methods = [\"tikhonov\", \"closed_form\"]\n")}) {
+    CHECK_FALSE(SceneProblem(scene).answers_by_mixture());
+    const FrameAnswer answer = answered(scene);
+    CHECK_FALSE(answer.mixture);
+    CHECK_FALSE(answer.bands->resultant.normal.interval);
+    CHECK(answer.low.empty());
+  }
+}
+
+TEST_CASE("under constraints the tractions are the minimiser's and the forces the mixture's",
+          "[lab][mixture]") {
+  const FrameAnswer free = answered(coarse_pad());
+  const FrameAnswer bound = answered(coarse_pad("nonnegative = true\n"));
+  const FrameAnswer by_alpha = answered(coarse_pad("nonnegative = true\nanswer = \"alpha\"\n"));
+  REQUIRE(bound.mixture);
+  CHECK(bound.tractions == by_alpha.tractions);
+  CHECK(bound.bands->resultant.normal.value == free.bands->resultant.normal.value);
+  CHECK(bound.bands->resultant.normal.interval->high ==
+        free.bands->resultant.normal.interval->high);
+  const std::size_t places = bound.tractions.size() / 2;
+  const auto low = component(bound.low, places, 0);
+  CHECK(*std::min_element(low.begin(), low.end()) == 0.0);
+  const auto free_low = component(free.low, places, 0);
+  CHECK(*std::min_element(free_low.begin(), free_low.end()) < 0.0);
+}
+
+TEST_CASE("a noise that is known less well leaves wider intervals", "[lab][mixture]") {
+  const auto width = [](const std::string& noise) {
+    const CentralInterval found = *answered(coarse_pad("", noise)).bands->resultant.normal.interval;
+    return found.high - found.low;
+  };
+  CHECK(width("rms = 5e-4\nseed = 3\ndegrees = 2\n") <
+        width("rms = 4e-3\nseed = 3\ndegrees = 2\n"));
+  CHECK(width("rms = 2e-3\ndegrees = 1e6\n") != width("rms = 2e-3\ndegrees = 2\n"));
+}
+
+TEST_CASE("loads beyond the taxels of a dense line are the mixture's too", "[lab][mixture]") {
+  const std::string dense = "count = 25\npitch = 0.5\n";
+  Scene scene = coarse_pad("", "rms = 2e-3\n", dense);
+  std::get<RigidContact>(scene.contacts.front()).center = 5.8;  // the last taxel is at 6
+  const FrameAnswer answer = answered(scene);
+  REQUIRE(answer.mixture);
+  CHECK(answer.tractions.size() == 50);
+  const double above_taxels = 0.5 * sum(component(answer.tractions, 25, 0));
+  const Uncertain& force = answer.bands->resultant.normal;
+  CHECK(force.value > above_taxels);
+  CHECK(std::abs(force.value - 0.5) < std::abs(above_taxels - 0.5));
+  CHECK(force.interval->low < 0.5);
+  CHECK(force.interval->high > 0.5);
+}
+
+TEST_CASE("a frame of a recording has the answer of the frame alone", "[lab][mixture]") {
+  const Scene scene = coarse_pad();
+  std::vector<double> readings = simulate(scene).readings;
+  const AnyProblem problem = any_problem(scene);
+  const FrameAnswer alone = answered(scene);
+  RecordingSolver solver(problem, Method::tikhonov);
+  const auto frame = solver.solve(readings, {});
+  REQUIRE(frame);
+  CHECK(frame->tractions == alone.tractions);
+  const FrameAnswer whole = with_bands(problem, readings, *frame);
+  CHECK(whole.bands->resultant.normal.interval->low == alone.bands->resultant.normal.interval->low);
+  CHECK(whole.verdict == alone.verdict);
+  // An alpha that frames share is asked for.
+  RecordingSolver sharing(problem, Method::tikhonov, {.share_alpha = 4});
+  CHECK_FALSE(sharing.solve(readings, {})->mixture);
+}
+
+TEST_CASE("CSV and JSON have the intervals that an answer has", "[lab][mixture]") {
+  const Scene scene = coarse_pad();
+  const AnyProblem problem = any_problem(scene);
+  const FrameAnswer answer = answered(scene);
+  const auto columns = report::uncertainty_columns(problem);
+  const auto values = report::uncertainty_values(problem, answer);
+  CHECK(columns.size() == values.size() + 1);
+  const auto value = [&](const std::string& name) {
+    const auto at = std::find(columns.begin(), columns.end(), name) - columns.begin();
+    return values.at(static_cast<std::size_t>(at));
+  };
+  CHECK(value("normal_force_low") == answer.bands->resultant.normal.interval->low);
+  CHECK(value("centre_high") == answer.bands->resultant.centre->interval->high);
+  CHECK(value("normal_high_20") == answer.high[20]);
+  const auto by_alpha = report::uncertainty_columns(any_problem(coarse_pad("alpha = 1e-3\n")));
+  CHECK(std::find(by_alpha.begin(), by_alpha.end(), "normal_force_low") == by_alpha.end());
+}
+
+TEST_CASE("an answer that cannot be given is refused", "[lab][mixture]") {
+  CHECK_THROWS_WITH(coarse_pad("answer = \"mean\"\n"),
+                    ContainsSubstring("unknown answer \"mean\"") && ContainsSubstring("mixture"));
+  CHECK_THROWS_WITH(coarse_pad("answer = \"mixture\"\n", ""), ContainsSubstring("[noise]"));
+  CHECK_THROWS_WITH(coarse_pad("answer = \"mixture\"\nmethods = [\"tikhonov\", \"closed_form\"]\n"),
+                    ContainsSubstring("answer = \"alpha\""));
+  CHECK_THROWS_WITH(coarse_pad("", "rms = 1e-3\ndegrees = 0\n"), ContainsSubstring("must be > 0"));
+}
+
+}  // namespace tactile_net::lab
