@@ -2,9 +2,9 @@
 /// Where on a surface a load may lie, as windows that cover it at every width. Private.
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "numeric/eigen.hpp"
 #include "tactile_net/sensing/surface_grid.hpp"
 
 namespace tactile_net {
