@@ -272,12 +272,13 @@ def test_what_has_no_matrix_says_so(scene: tn.Scene) -> None:
         scene.solver().vjp(np.zeros(20))
 
 
-def test_a_known_noise_gives_intervals_that_hold_the_force() -> None:
+def test_a_mixture_has_intervals_that_hold_the_force() -> None:
     scene = tn.Scene(
         sensor=tn.Sensor(count=17, pitch=1e-3, depth=1e-3, reads=["stress_x"]),
         material=tn.Material(youngs_modulus=0.2e6, poisson_ratio=0.45),
         contacts=[tn.Cylinder(center=1.3e-3, half_width=1.1e-3, force=20.0)],
         noise=tn.Noise(rms=60.0),
+        reconstruct=tn.Reconstruct(answer="mixture"),
     )
     solution = scene.simulate().solve()
     force = solution.interval("normal_force")

@@ -255,9 +255,8 @@ const LoadWindows& SceneProblem::load_windows() const {
 
 bool SceneProblem::answers_by_mixture() const {
   const ReconstructOptions& options = parts_->scene.reconstruct;
-  if (options.answer == AnswerKind::alpha || !stated_noise() || !has_load_windows()) return false;
-  if (options.methods != std::vector{Method::tikhonov}) return false;
-  return options.answer == AnswerKind::mixture || !(options.alpha || options.alpha_rule);
+  return options.answer == AnswerKind::mixture && stated_noise() && has_load_windows() &&
+         options.methods == std::vector{Method::tikhonov};
 }
 
 const SceneProblem& SceneProblem::of_mixture() const {

@@ -91,8 +91,7 @@ TEST_CASE("a recording with a planted offset is solved as without it", "[lab][of
 }
 
 TEST_CASE("missing readings leave offsets to the taxels that are there", "[lab][offset]") {
-  Scene scene = shipped_scene("recorded/thin-pad.toml", with_offset);
-  scene.reconstruct.answer = AnswerKind::alpha;
+  const Scene scene = shipped_scene("recorded/thin-pad.toml", with_offset);
   std::vector<double> readings =
       moved(scene, frames::readings_of_frame(SCENES "/recorded/thin-pad.csv", scene, 5), 0.2);
   readings[7] = std::numeric_limits<double>::quiet_NaN();

@@ -106,8 +106,6 @@ TEST_CASE("a simulated frame has the same band from run, solve and grasp", "[lab
   const SceneFrame frame(SceneProblem(scene), simulate(scene).readings);
   const FrameUncertainty solved = by_solve(frame);
   scene.reconstruct.methods = {Method::tikhonov};
-  if (!frame.given().answers_by_mixture())  // the scene names other methods
-    scene.reconstruct.answer = AnswerKind::alpha;
   NoSimulator simulator;
   const Experiment experiment = lab::run(scene, simulator);
   REQUIRE(experiment.results.size() == 1);

@@ -75,8 +75,7 @@ struct ReconstructOptions : SharedReconstructOptions {
   double smoothing_length = 0.0;     ///< l [m]; default: the first depth
   double noise_gain_limit = 1e8;     ///< dft: largest noise gain that is accepted
   bool alpha_on_active_set = false;  ///< a rule chooses alpha for what constraints leave free
-  /// Absent: the mixture where it is known (lab/scene_problem.hpp) and no alpha is asked for.
-  std::optional<AnswerKind> answer{};
+  AnswerKind answer = AnswerKind::alpha;
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
 };
 
