@@ -52,9 +52,9 @@ std::vector<std::vector<WindowPlace>> window_levels(const SurfaceGrid& grid, dou
                                                     bool is_line) {
   const auto axis = [](std::size_t values, double spacing, std::size_t margin, Boundary boundary) {
     return WindowAxis{.values = static_cast<Index>(values),
-                .spacing = spacing,
-                .margin = static_cast<Index>(margin),
-                .hats = boundary == Boundary::zero_beyond};
+                      .spacing = spacing,
+                      .margin = static_cast<Index>(margin),
+                      .hats = boundary == Boundary::zero_beyond};
   };
   const WindowAxis y = axis(grid.rows, grid.spacing_y, grid.margin_rows, grid.boundary_y);
   const WindowAxis z = axis(grid.columns, grid.spacing_z, grid.margin_columns, grid.boundary_z);

@@ -13,7 +13,8 @@ constexpr Named<Verdict> verdict_sentences[] = {
     {Verdict::border,
      "the best alpha is at the end of the range searched: the readings contain too little, or the "
      "noise or the pad is not as stated"},
-    {Verdict::unstable, "the answer depends on how much is smoothed: ten times the alpha would give another one"},
+    {Verdict::unstable,
+     "the answer depends on how much is smoothed: ten times the alpha would give another one"},
     {Verdict::no_root, "no alpha fits: there is no signal above the noise"},
     {Verdict::rules_disagree,
      "the rules for alpha give different answers: the readings do not fix how much to smooth"},
