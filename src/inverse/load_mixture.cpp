@@ -373,6 +373,7 @@ std::vector<Distribution> LoadMixture::of_each(std::span<const std::vector<doubl
     }
   });
   std::vector<Distribution> result;
+  result.reserve(all.size());
   for (auto& one : all) result.emplace_back(std::move(one), degrees_);
   return result;
 }

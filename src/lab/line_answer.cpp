@@ -178,11 +178,12 @@ class LineRecordingMethod final : public RecordingMethod {
   /// Knows what earlier frames showed of contacts.
   void remember() { memory_.emplace(); }
 
-  std::size_t tractions() const override { return solver_->tractions(); }
-  Remarks remarks() const override { return solver_->remarks(); }
-  std::size_t bytes() const override { return bytes_of_frames(line_); }
-  bool takes_threads() const override { return false; }
-  std::shared_ptr<RecordingMethod> without(std::span<const std::size_t> taxels) const override {
+  [[nodiscard]] std::size_t tractions() const override { return solver_->tractions(); }
+  [[nodiscard]] Remarks remarks() const override { return solver_->remarks(); }
+  [[nodiscard]] std::size_t bytes() const override { return bytes_of_frames(line_); }
+  [[nodiscard]] bool takes_threads() const override { return false; }
+  [[nodiscard]] std::shared_ptr<RecordingMethod> without(
+      std::span<const std::size_t> taxels) const override {
     const SceneProblem rest = line_.without(taxels);
     auto other = std::make_shared<LineRecordingMethod>(rest, method_, make_solver(rest, method_));
     if (shares_) other->share();

@@ -27,7 +27,7 @@ struct LineFrame {
 
 class LineFrameMethod final : public FrameMethod {
  public:
-  explicit LineFrameMethod(LineFrame frame) : frame_(std::move(frame)) {}
+  explicit LineFrameMethod(LineFrame frame) : frame_(frame) {}
 
   ChosenAlpha alpha() override;
   void solve(FrameAnswer& answer) override;

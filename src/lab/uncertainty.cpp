@@ -223,7 +223,9 @@ ResultantDistributions resultant_distributions(const SceneFrame& frame) {
   const SceneProblem& problem = frame.given().of_mixture();
   const Surface& grid = problem.surface();
   const bool two = problem.options().unknowns == 2;
-  std::vector<double> force(problem.tractions()), drag = force, moment = force;
+  std::vector<double> force(problem.tractions());
+  std::vector<double> drag = force;
+  std::vector<double> moment = force;
   for (std::size_t i = 0; i < grid.count; ++i) {
     force[i] = grid.spacing;
     moment[i] = grid.spacing * grid.position(i);

@@ -68,7 +68,8 @@ struct NodalEquations::Numbering {
       const Origin& a = origins[c.from];
       const Origin& b = origins[c.to];
       if (c.from == c.to) continue;
-      const bool a_is_own = is_own(a.node), b_is_own = is_own(b.node);
+      const bool a_is_own = is_own(a.node);
+      const bool b_is_own = is_own(b.node);
       if (a_is_own) charged[a.node] = true;
       if (b_is_own) charged[b.node] = true;
       if (a_is_own && b_is_own && a.node != b.node) {
@@ -152,7 +153,8 @@ NodalEquations::NodalEquations(const FlatCircuit& circuit, const Changed& change
 }
 
 void NodalEquations::assemble(const Numbering& numbering) {
-  std::vector<Eigen::Triplet<double>> g, c;
+  std::vector<Eigen::Triplet<double>> g;
+  std::vector<Eigen::Triplet<double>> c;
   const auto add = [](std::vector<Eigen::Triplet<double>>& to) {
     return [&to](std::size_t row, std::size_t column, double value) {
       to.emplace_back(eigen_index(row), eigen_index(column), value);

@@ -69,7 +69,7 @@ struct Uncertain {
       field("value", &Uncertain::value, "What was found."),
       field("deviation", &Uncertain::deviation, "One standard deviation of it."),
       field(
-          "interval", [](const Uncertain& one) { return IfAny<CentralInterval>{one.interval}; },
+          "interval", [](const auto& one) { return IfAny<CentralInterval>{one.interval}; },
           "What it lies in, by the quantiles of all that the readings leave possible; "
           "absent: only the deviation is known.")};
 };

@@ -202,7 +202,7 @@ void print_scene(std::ostream& out, const auto& scene) {
 
 void print_network(std::ostream& out, const lab::Experiment& experiment) {
   const lab::MethodResult* network = experiment.result(Method::network);
-  if (!network) return;
+  if (network == nullptr) return;
   out << '\n';
   if (experiment.relaxation) {
     print_relaxation(out, *experiment.relaxation);
