@@ -164,8 +164,8 @@ std::vector<double> SolvedRecording::quantiles(const std::string& what,
     if (answers_[i]) {
       if (!is_line() || answers_[i]->mixture == nullptr)
         throw std::invalid_argument(
-            "the answer is one alpha's, of which only deviations are known: state [noise], and "
-            "neither alpha nor answer = \"alpha\"");
+            "the answer is one alpha's, of which only deviations are known: state [noise] and, "
+            "under [reconstruct], answer = \"mixture\"");
       const lab::SceneFrame frame(std::get<lab::SceneProblem>(problems_[i]), readings(i));
       const lab::ResultantDistributions found = lab::resultant_distributions(frame);
       known = what == "normal_force"       ? std::optional(found.normal)

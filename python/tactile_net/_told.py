@@ -71,8 +71,9 @@ def _is_uncertain(names: Iterable[str]) -> bool:
 
 def _told(value: Any) -> Any:
     if isinstance(value, dict):
-        inside = {name: _told(one) for name, one in value.items()} if _is_uncertain(value) else {}
-        return Uncertain(**inside) if inside else Told(value)
+        if not _is_uncertain(value):
+            return Told(value)
+        return Uncertain(**{name: _told(one) for name, one in value.items()})
     return tuple(map(_told, value)) if isinstance(value, list) else value
 
 

@@ -167,22 +167,21 @@ struct LoadPrior::Tables {
   /// T c of all components: the tangential ones are as much smaller as they weigh more.
   [[nodiscard]] Eigen::MatrixXd tractions(const Window& window, double weight,
                                           const Eigen::MatrixXd& c) const {
-    const Index n = window.coordinates.count();
-    Eigen::MatrixXd f(c.rows(), c.cols());
-    for (Index u = 0; u < components; ++u)
-      f.middleRows(u * n, n) = window.coordinates.tractions(c.middleRows(u * n, n)) /
-                               stabiliser_weight(static_cast<std::size_t>(u), weight);
-    return f;
+    return of_each(window, weight, c, &WindowCoordinates::tractions);
   }
   /// T' f.
   [[nodiscard]] Eigen::MatrixXd sums(const Window& window, double weight,
                                      const Eigen::MatrixXd& f) const {
+    return of_each(window, weight, f, &WindowCoordinates::sums);
+  }
+  [[nodiscard]] Eigen::MatrixXd of_each(const Window& window, double weight,
+                                        const Eigen::MatrixXd& columns, auto map) const {
     const Index n = window.coordinates.count();
-    Eigen::MatrixXd c(f.rows(), f.cols());
+    Eigen::MatrixXd all(columns.rows(), columns.cols());
     for (Index u = 0; u < components; ++u)
-      c.middleRows(u * n, n) = window.coordinates.sums(f.middleRows(u * n, n)) /
-                               stabiliser_weight(static_cast<std::size_t>(u), weight);
-    return c;
+      all.middleRows(u * n, n) = (window.coordinates.*map)(columns.middleRows(u * n, n)) /
+                                 stabiliser_weight(static_cast<std::size_t>(u), weight);
+    return all;
   }
 
   [[nodiscard]] Index tractions_count() const noexcept { return components * block; }

@@ -19,8 +19,8 @@ struct LineFrame {
   FrameSolver* solver = nullptr;         ///< of the problem
   std::optional<ChosenAlpha> alpha{};    ///< that the solver was made for; absent: it knows
   bool has_bands = true;                 ///< `MethodTraits::has_bands`
-  bool takes_mixture = true;             ///< where the problem has one: no alpha is asked for
-  DataMemory* memory = nullptr;          ///< of the problem's judge; null: of no frame
+  bool takes_mixture = true;     ///< where the problem answers by one: frames share no alpha
+  DataMemory* memory = nullptr;  ///< of the problem's judge; null: of no frame
   std::optional<std::size_t> repeats{};  ///< the taxel that does (repeating_taxels.hpp)
   const FrameAnswer* known = nullptr;    ///< of a frame that has been solved; null: it has not
 };

@@ -33,9 +33,7 @@ class OwnTractions {
     for (std::size_t u = 0; u < unknowns_; ++u)
       for (std::size_t i = 0; i < own_.count; ++i) {
         std::vector<double>& row = all.emplace_back(unknowns_ * grid_.count);
-        hats(i, [&](std::size_t at, double share) {
-          row[u * grid_.count + at] = share * grid_.spacing / own_.spacing;
-        });
+        weights(i, [&](std::size_t at, double weight) { row[u * grid_.count + at] = weight; });
       }
     return all;
   }
@@ -44,11 +42,14 @@ class OwnTractions {
   [[nodiscard]] std::vector<double> of(const std::vector<double>& all) const {
     if (same_) return all;
     std::vector<double> own;
-    for (const std::vector<double>& row : rows()) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < row.size(); ++i) sum += row[i] * all[i];
-      own.push_back(sum);
-    }
+    own.reserve(unknowns_ * own_.count);
+    for (std::size_t u = 0; u < unknowns_; ++u)
+      for (std::size_t i = 0; i < own_.count; ++i) {
+        double sum = 0.0;
+        weights(i,
+                [&](std::size_t at, double weight) { sum += weight * all[u * grid_.count + at]; });
+        own.push_back(sum);
+      }
     return own;
   }
 
@@ -81,6 +82,11 @@ class OwnTractions {
   }
 
  private:
+  /// Calls `use` with each place on the grid that an own traction is of, and its weight.
+  void weights(std::size_t i, const auto& use) const {
+    hats(i, [&](std::size_t at, double share) { use(at, share * grid_.spacing / own_.spacing); });
+  }
+
   /// Calls `use` with each place on the grid in the hat around an own traction, and its share.
   void hats(std::size_t i, const auto& use) const {
     if (same_) return use(i, 1.0);

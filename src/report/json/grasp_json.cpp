@@ -150,6 +150,13 @@ struct GraspUnitsTold {
                  field("torque", &GraspUnitsTold::torque, "Of torques and moments.")};
 };
 
+/// A number of an action with its deviation, the `index`th of them.
+constexpr auto measured(double SpaceAction::*number, std::size_t index) {
+  return [=](const ActionTold<SpaceAction>& one) {
+    return Uncertain{one.action.*number, one.action.deviation(index)};
+  };
+}
+
 /// How each answer begins.
 template <class Answer>
 constexpr auto finger_fields = std::tuple{
@@ -217,30 +224,14 @@ struct Fields<report::ActionTold<SpaceAction>> {
                  field(
                      "moment", [](const One& one) { return one.action.moment; }, Measure::moment,
                      "Its moment about the contact, in the hand's frame."),
-                 field(
-                     "normal",
-                     [](const One& one) {
-                       return Uncertain{one.action.normal, one.action.deviation(0)};
-                     },
-                     Measure::force, "The force into the pad."),
-                 field(
-                     "tangential_y",
-                     [](const One& one) {
-                       return Uncertain{one.action.tangential_y, one.action.deviation(1)};
-                     },
-                     Measure::force, "The force on the pad along its y."),
-                 field(
-                     "tangential_z",
-                     [](const One& one) {
-                       return Uncertain{one.action.tangential_z, one.action.deviation(2)};
-                     },
-                     Measure::force, "The force on the pad along its z."),
-                 field(
-                     "torsion",
-                     [](const One& one) {
-                       return Uncertain{one.action.torsion, one.action.deviation(3)};
-                     },
-                     Measure::moment, "The moment on the pad about its normal."),
+                 field("normal", report::measured(&SpaceAction::normal, 0), Measure::force,
+                       "The force into the pad."),
+                 field("tangential_y", report::measured(&SpaceAction::tangential_y, 1),
+                       Measure::force, "The force on the pad along its y."),
+                 field("tangential_z", report::measured(&SpaceAction::tangential_z, 2),
+                       Measure::force, "The force on the pad along its z."),
+                 field("torsion", report::measured(&SpaceAction::torsion, 3), Measure::moment,
+                       "The moment on the pad about its normal."),
                  field(
                      "covariance", [](const One& one) { return one.action.covariance; },
                      "The covariance of these four, row by row.")},

@@ -28,10 +28,6 @@ std::string seconds_in_words(const std::optional<double>& seconds) {
   return seconds ? brief(*seconds) + " s" : "-";
 }
 
-std::string taxel_in_words(const AnyScene& scene, std::size_t taxel) {
-  return std::visit([&](const auto& one) { return taxel_name(one.sensor, taxel); }, scene);
-}
-
 /// "fine", "needs a look", "no answer".
 std::string standing_in_words(lab::Standing standing) {
   std::string words(enumerator_name(standing));
@@ -68,7 +64,7 @@ std::vector<RecordingTold> recordings_told(RecordingRows rows, const AnyScene& s
       told.finding = lab::name(row.findings.front());
       told.finding_text = in_words(row.findings.front(), scene);
     }
-    if (row.bad_taxel) told.bad_taxel = taxel_in_words(scene, *row.bad_taxel);
+    if (row.bad_taxel) told.bad_taxel = taxel_name(scene, *row.bad_taxel);
     told.bad_taxel_frames = row.bad_taxel_frames;
     if (!row.force) continue;
     told.force = row.force->value;
@@ -122,7 +118,7 @@ std::string worst_in_words(const lab::RecordingRow& row, const AnyScene& scene) 
     return " in " + std::to_string(some) + " of " + counted(row.frames, "frame");
   };
   if (row.bad_taxel && 2 * row.bad_taxel_frames >= faults)
-    return "taxel " + taxel_in_words(scene, *row.bad_taxel) + " contradicts all others" +
+    return "taxel " + taxel_name(scene, *row.bad_taxel) + " contradicts all others" +
            of_frames(row.bad_taxel_frames);
   return std::string(in_words(row.verdict)) + of_frames(faults);
 }

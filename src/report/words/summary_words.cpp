@@ -65,10 +65,8 @@ std::vector<std::string> in_words(const lab::SolvedFrames& solved, const AnyScen
   if (!solved.bad_taxels.empty()) {
     std::string taxels;
     for (const auto& [index, frames] : solved.bad_taxels) {
-      const std::size_t taxel = index;
-      taxels += (taxels.empty() ? "" : ", ") +
-                std::visit([=](const auto& one) { return taxel_name(one.sensor, taxel); }, scene) +
-                " in " + counted(frames, "frame");
+      taxels += (taxels.empty() ? "" : ", ") + taxel_name(scene, index) + " in " +
+                counted(frames, "frame");
     }
     sentences.push_back("taxels that contradict the others: " + taxels);
   }
