@@ -235,6 +235,15 @@ def crossbar_inverters():
     return sheet
 
 
+def output_columns(sheet, columns, outputs, k, turns, name_y, text_x):
+    """The outputs of traction k's amplifier, + and −, each led to its column, whose name stands at height name_y."""
+    for sign, out, (x, level), above in zip("+−", outputs, turns, (-8, 21)):
+        name = f"{sign}f_{{{k}}}"
+        sheet.wire(out, (x, out[1]), (x, level), (columns[name], level))
+        column(sheet, columns[name], level, 60, name, name_y)
+        sheet.text((text_x, out[1] + above), f"${name}$", "end")
+
+
 def residual_amplifiers(sheet, f, e, bottom):
     """Two amplifiers that hold e = -rho (K f - g), from the columns of f to those of e, which lead down to `bottom`."""
     # to the columns of e without a crossing: the outputs further up turn down further right
@@ -271,11 +280,7 @@ def least_squares():
         p, m, *outs = sheet.differential_amplifier((760, y + 20))
         row(sheet, y, f"s_{{{k}}}", m)
         sheet.grounded(p)
-        for sign, out, (x, level), above in zip("+−", outs, turns, (-8, 21)):
-            name = f"{sign}f_{{{k}}}"
-            sheet.wire(out, (x, out[1]), (x, level), (f[name], level))
-            column(sheet, f[name], level, 60, name, 518)
-            sheet.text((815, out[1] + above), f"${name}$", "end")
+        output_columns(sheet, f, outs, k, turns, 518, 815)
     crossings(sheet, f, 590, {"+f_{0}": "ρR_{00}", "−f_{1}": "ρ|R_{01}|"})
     crossings(sheet, f, 710, {"−f_{0}": "ρ|R_{10}|", "+f_{1}": "ρR_{11}"})
     crossings(sheet, e, 590, {"−e_{0}": "K_{00}", "+e_{1}": "|K_{10}|"})
@@ -350,11 +355,7 @@ def lattice():
         row(sheet, y + 120, f"s_{{{k}}}^{{−}}", (650, y + 120), 40)
         sheet.wire((650, y), (650, p[1]), p)
         sheet.wire((650, y + 120), (650, m[1]), m)
-        for sign, out, (x, level), above in zip("+−", outs, turns, (-8, 21)):
-            name = f"{sign}f_{{{k}}}"
-            sheet.wire(out, (x, out[1]), (x, level), (f[name], level))
-            column(sheet, f[name], level, 60, name, 340)
-            sheet.text((797, out[1] + above), f"${name}$", "end")
+        output_columns(sheet, f, outs, k, turns, 340, 797)
     crossings(sheet, f, 420, {"−f_{0}": "R_{00}", "+f_{1}": "|R_{01}|"})
     crossings(sheet, f, 540, {"+f_{0}": "R_{00}", "−f_{1}": "|R_{01}|"})
     crossings(sheet, f, 660, {"+f_{0}": "|R_{10}|", "−f_{1}": "R_{11}"})
