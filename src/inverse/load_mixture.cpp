@@ -233,6 +233,8 @@ LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& 
   check_readings(readings, static_cast<std::size_t>(tables.weighting.size()));
   if (noise.rms) require_positive("the noise's rms", *noise.rms);
   require(noise.degrees > 0.0, "the noise's degrees", "be > 0", noise.degrees);
+  require(noise.model_share >= 0.0 && std::isfinite(noise.model_share), "the model's share",
+          "be >= 0 and finite", noise.model_share);
 
   LoadMixture mixture(tables_);
   Eigen::VectorXd g = tables.weighting(readings);
@@ -243,6 +245,7 @@ LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& 
   const auto rows = static_cast<double>(tables.weighting.rows());
   const double known = noise.rms ? noise.degrees : 0.0;  // nu
   mixture.degrees_ = known + rows;
+  mixture.model_share_ = noise.model_share;
   const bool is_certain = std::isinf(known);
 
   std::vector<LoadMixture::Part> parts;
@@ -324,10 +327,12 @@ struct LoadMixture::Sums {
   const Eigen::MatrixXd& known;  // what readings tell of each sum, a column each
   const Eigen::MatrixXd& rest;   // and what none shows
   Eigen::VectorXd over;          // 1 / (gamma^2 + alpha)
+  Eigen::MatrixXd model;         // what each traction component's factor may change, a row each
 
   [[nodiscard]] double covariance(Index a, Index b) const {
     return size.scale2 * (known.col(a).cwiseProduct(over).dot(known.col(b)) +
-                          rest.col(a).dot(rest.col(b)) / size.alpha);
+                          rest.col(a).dot(rest.col(b)) / size.alpha) +
+           model.col(a).dot(model.col(b));
   }
   [[nodiscard]] double scale(Index a) const { return std::sqrt(covariance(a, a)); }
 };
@@ -347,13 +352,22 @@ void LoadMixture::each(std::span<const std::vector<double>> weights, const Take&
     const Eigen::MatrixXd all = tables_->sums(window, entry.tangential_weight, inside);
     const Eigen::MatrixXd known = entry.v.transpose() * all;
     const Eigen::MatrixXd rest = all - entry.v * known;
-    for (const Part::Size& size : part.sizes)
+    const Index inside_one = window.coordinates.count();
+    for (const Part::Size& size : part.sizes) {
+      const Eigen::VectorXd filtered = part.filtered(size.alpha);
+      Eigen::MatrixXd model(model_share_ > 0.0 ? tables_->components : 0, all.cols());
+      for (Index u = 0; u < model.rows(); ++u)
+        model.row(u) = model_share_ *
+                       (entry.v.middleRows(u * inside_one, inside_one) * filtered).transpose() *
+                       all.middleRows(u * inside_one, inside_one);
       take(Sums{.probability = size.probability,
                 .size = size,
-                .means = known.transpose() * part.filtered(size.alpha),
+                .means = known.transpose() * filtered,
                 .known = known,
                 .rest = rest,
-                .over = (entry.gamma2.array() + size.alpha).inverse()});
+                .over = (entry.gamma2.array() + size.alpha).inverse(),
+                .model = std::move(model)});
+    }
   }
 }
 
@@ -393,9 +407,10 @@ std::vector<Distribution> LoadMixture::of_tractions() const {
       for (std::size_t i = 0; i < columns.size(); ++i) {
         const auto column = static_cast<std::size_t>(columns[i]);
         const auto at = static_cast<Index>(i);
-        all[column].push_back({.probability = size.probability,
-                               .mean = means(at),
-                               .scale = sigma_ * std::sqrt(variances(at))});
+        all[column].push_back(
+            {.probability = size.probability,
+             .mean = means(at),
+             .scale = std::hypot(sigma_ * std::sqrt(variances(at)), model_share_ * means(at))});
         outside[column] -= size.probability;
       }
     }
@@ -459,9 +474,17 @@ RootCovariance LoadMixture::covariance(std::span<const double> about, double noi
           (size.probability * spread * size.scale2 * (entry.gamma2.array() + size.alpha).inverse())
               .matrix();
       hidden += size.probability * spread * size.scale2 / size.alpha;
+      const Eigen::VectorXd means = entry.roots * part.filtered(size.alpha);
+      const double root = std::sqrt(size.probability);
       columns.emplace_back(-f);
-      columns.back()(window.columns) += entry.roots * part.filtered(size.alpha);
-      columns.back() *= std::sqrt(size.probability);
+      columns.back()(window.columns) += means;
+      columns.back() *= root;
+      const Index own = window.coordinates.count();
+      for (Index u = 0; u < tables_->components && model_share_ > 0.0; ++u) {
+        Eigen::VectorXd of_component = Eigen::VectorXd::Zero(means.size());
+        of_component.segment(u * own, own) = means.segment(u * own, own);
+        add(window.columns, of_component * (root * std::sqrt(spread) * model_share_));
+      }
     }
     for (Index i = 0; i < seen.size(); ++i)
       add(window.columns, entry.roots.col(i) * std::sqrt(seen(i)));

@@ -469,3 +469,50 @@ TEST_CASE("a mixture takes any frame and no other size", "[load_mixture]") {
   CHECK_THROWS_AS(LoadPrior(problem, {.depth = 1.0, .narrowest = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(LoadPrior(problem, {.depth = 1.0, .prior_power = -1.0}), std::invalid_argument);
 }
+
+TEST_CASE("what a formula may be off by is in every sum but not in a ratio of one component's",
+          "[load_mixture]") {
+  const LinearProblem problem = line_of(2);
+  const LoadPrior prior(problem, {.depth = 1.0});
+  const std::vector<double> readings = pressed(2);
+  const double share = 0.02;
+  const LoadMixture plain = prior.given(readings, {.rms = pad_noise});
+  const LoadMixture doubted = prior.given(readings, {.rms = pad_noise, .model_share = share});
+  CHECK(plain.mean() == doubted.mean());
+  CHECK(plain.components() == doubted.components());
+
+  // Each component has a factor of its own: variances of the two add.
+  const std::vector<double> normal = weights_of_force(problem);
+  const std::vector<double> drag = weights_of_force(problem, 1);
+  std::vector<double> both = normal;
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] += drag[i];
+  const double spread = plain.student_degrees() / (plain.student_degrees() - 2.0);
+  const auto added = [&](const std::vector<double>& sum) {
+    return (std::pow(doubted.of(sum).deviation(), 2) - std::pow(plain.of(sum).deviation(), 2)) /
+           (spread * share * share);
+  };
+  const double force2 = added(normal);
+  const double drag2 = added(drag);
+  CHECK_THAT(force2, WithinRel(std::pow(plain.of(normal).mean(), 2), 0.01));
+  CHECK_THAT(drag2, WithinRel(std::pow(plain.of(drag).mean(), 2), 0.01));
+  CHECK_THAT(added(both), WithinRel(force2 + drag2, 1e-9));
+
+  // A factor moves no centre; of two it moves the friction.
+  const std::vector<double> moment = weights_of_moment(problem);
+  CHECK_THAT(doubted.ratio(moment, normal)->quantile(0.9),
+             WithinRel(plain.ratio(moment, normal)->quantile(0.9), 1e-4));
+  const Distribution friction = *plain.ratio(drag, normal);
+  const double friction2 =
+      std::pow(doubted.ratio(drag, normal)->deviation(), 2) - std::pow(friction.deviation(), 2);
+  CHECK_THAT(friction2, WithinRel(2.0 * spread * std::pow(share * friction.mean(), 2), 0.05));
+
+  // The covariance has the same, of sums and of each traction.
+  const RootCovariance covariance = doubted.covariance(doubted.mean(), pad_noise);
+  CHECK_THAT(covariance.deviation(both) * pad_noise, WithinRel(doubted.of(both).deviation(), 1e-6));
+  const std::vector<double> each = covariance.deviations();
+  const std::vector<Distribution> tractions = doubted.of_tractions();
+  for (std::size_t i = 0; i < each.size(); ++i)
+    CHECK_THAT(each[i] * pad_noise, WithinRel(tractions[i].deviation(), 1e-6));
+  CHECK_THROWS_AS(prior.given(readings, {.rms = pad_noise, .model_share = -0.1}),
+                  std::invalid_argument);
+}

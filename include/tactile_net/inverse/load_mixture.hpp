@@ -18,7 +18,8 @@
 ///
 /// and a sum s'f of it is Gaussian. A noise whose level is known as from nu readings makes that
 /// Student's t with rows + nu degrees: -(rows + nu) / 2 log(nu + q) stands for -q / 2, and
-/// variances are (nu + q) / (nu + rows) times as large; nu = 0: the level is not known at all.
+/// variances are (nu + q) / (nu + rows) times as large; nu = 0: the level is not known at all. What
+/// the pad's formula may be off by changes no weight, only the scale of each component's sums.
 ///
 /// A priori each width of windows is as likely as another, each place of one width, and 1/w is
 /// half-Cauchy; alpha is so by its logarithm times alpha^`prior_power`. The sum over alphas, a
@@ -50,6 +51,9 @@ struct LoadNoise {
   /// certain. Of 5, which hold it to a third of itself, bands hold a noise that is stated half as
   /// large as it is.
   double degrees = 5.0;
+  /// >= 0: each component of the tractions may be off by a common factor, which no reading shows,
+  /// with this standard deviation. A pad is never quite what its formula says.
+  double model_share = 0.0;
 };
 
 struct LoadPriorOptions {
@@ -140,6 +144,7 @@ class LoadMixture {
   double sigma_ = 1.0;
   double degrees_ = 0.0;
   double used_ = 0.0;
+  double model_share_ = 0.0;
 };
 
 }  // namespace tactile_net
