@@ -65,6 +65,22 @@ UncertainWrench wrench_of(const UncertainResultant& resultant) {
   return wrench;
 }
 
+/// Of a line's contact, by its angle's: where drags to either side are possible, the larger one.
+void add_friction_interval(ContactPatch& patch, const CentralInterval& angle,
+                           std::optional<double> limit) {
+  const double left = std::tan(angle.low);
+  const double right = std::tan(angle.high);
+  const bool either = left < 0.0 && right > 0.0;
+  const CentralInterval friction{.level = angle.level,
+                                 .low = either ? 0.0 : std::min(std::abs(left), std::abs(right)),
+                                 .high = std::max(std::abs(left), std::abs(right))};
+  if (patch.friction) patch.friction->interval = friction;
+  if (patch.slip_margin && limit)
+    patch.slip_margin->interval = CentralInterval{.level = angle.level,
+                                                  .low = 1.0 - friction.high / *limit,
+                                                  .high = 1.0 - friction.low / *limit};
+}
+
 /// The variance of the place where values press [m^2]; not > 0: they have none.
 double variance_of_place(std::span<const double> p, std::size_t first, const Surface& surface,
                          double centre) {
@@ -126,6 +142,8 @@ std::vector<ContactPatch> patches_of(const Surface& surface, std::span<const dou
       if (p[i] > limit) patch.cells.push_back(i);
     patch.wrench = wrench_of(resultant);
     judge_slip(patch, options.friction_limit);
+    if (resultant.angle && resultant.angle->interval)
+      add_friction_interval(patch, *resultant.angle->interval, options.friction_limit);
     const std::span<const double> own = tractions.subspan(first, last - first);
     if (const auto extent = extent_of(own, surface.spacing); extent && resultant.centre) {
       std::vector<double> gradient(tractions.size());
@@ -138,11 +156,13 @@ std::vector<ContactPatch> patches_of(const Surface& surface, std::span<const dou
     }
     patches.push_back(std::move(patch));
   };
+  const ResultantBetween between =
+      options.between ? options.between : [&](std::size_t first, std::size_t last) {
+        return resultant_between(first, last, surface, tractions, covariance, noise_rms);
+      };
   const std::size_t contacts = for_each_contact(
       p, n, that_part * whole.normal.deviation / surface.spacing,
-      [&](std::size_t first, std::size_t last) {
-        add(first, last, resultant_between(first, last, surface, tractions, covariance, noise_rms));
-      });
+      [&](std::size_t first, std::size_t last) { add(first, last, between(first, last)); });
   if (contacts < 2) add(0, n, whole);
   std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
     return a.wrench.normal.value > b.wrench.normal.value;

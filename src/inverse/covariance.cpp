@@ -239,6 +239,57 @@ double RootCovariance::covariance(std::span<const double> a, std::span<const dou
   return of_a.dot(of_b);
 }
 
+ModelErrorCovariance::ModelErrorCovariance(const Covariance& without,
+                                           std::span<const double> tractions,
+                                           std::size_t components, double share)
+    : without_(without),
+      tractions_(tractions.begin(), tractions.end()),
+      components_(components),
+      share_(share) {}
+
+double ModelErrorCovariance::added(std::span<const double> a, std::span<const double> b) const {
+  check_weights(a, tractions_.size());
+  check_weights(b, tractions_.size());
+  const std::size_t each = tractions_.size() / components_;
+  double sum = 0.0;
+  for (std::size_t first = 0; first < tractions_.size(); first += each) {
+    const auto f = as_eigen(std::span(tractions_).subspan(first, each));
+    sum += share_ * f.dot(as_eigen(a.subspan(first, each))) *
+           (share_ * f.dot(as_eigen(b.subspan(first, each))));
+  }
+  return sum;
+}
+
+std::vector<double> ModelErrorCovariance::deviations() const {
+  std::vector<double> all = without_.deviations();
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = std::hypot(all[i], share_ * tractions_[i]);
+  return all;
+}
+
+double ModelErrorCovariance::deviation(std::span<const double> weights) const {
+  return std::hypot(without_.deviation(weights), std::sqrt(added(weights, weights)));
+}
+
+double ModelErrorCovariance::covariance(std::span<const double> a,
+                                        std::span<const double> b) const {
+  return without_.covariance(a, b) + added(a, b);
+}
+
+std::vector<double> ModelErrorCovariance::deviations_of(
+    std::span<const std::vector<double>> weights) const {
+  std::vector<double> all = without_.deviations_of(weights);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = std::hypot(all[i], std::sqrt(added(weights[i], weights[i])));
+  return all;
+}
+
+Matrix ModelErrorCovariance::covariances(std::span<const std::vector<double>> weights) const {
+  Matrix all = without_.covariances(weights);
+  for (std::size_t i = 0; i < all.rows; ++i)
+    for (std::size_t j = 0; j < all.columns; ++j) all(i, j) += added(weights[i], weights[j]);
+  return all;
+}
+
 MixtureCovariance::MixtureCovariance(std::vector<Term> terms) : terms_(std::move(terms)) {
   if (terms_.empty()) throw std::invalid_argument("a mixture of estimates needs one at least");
   for (const Term& term : terms_)

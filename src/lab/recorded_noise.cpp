@@ -1,5 +1,6 @@
 #include "tactile_net/lab/recorded_noise.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -24,6 +25,8 @@ std::optional<NoiseModel> recorded_noise(const ReadingsCheck& check) {
   model.weights_rows = squares.size() > 1;
   for (const auto& [quantity, square] : squares)
     model.rms[quantity] = std::sqrt(square.first / square.second);
+  // Each of these groups of frames has shown it once, of every taxel.
+  model.degrees = std::max(model.degrees, static_cast<double>(check.still));
   return model;
 }
 

@@ -255,7 +255,10 @@ const LoadWindows& SceneProblem::load_windows() const {
 
 bool SceneProblem::answers_by_mixture() const {
   const ReconstructOptions& options = parts_->scene.reconstruct;
-  return options.answer == AnswerKind::mixture && stated_noise() && has_load_windows() &&
+  const bool by_alpha = options.alpha || options.alpha_rule;
+  const AnswerKind kind =
+      options.answer.value_or(by_alpha ? AnswerKind::alpha : AnswerKind::mixture);
+  return kind == AnswerKind::mixture && stated_noise() && has_load_windows() &&
          options.methods == std::vector{Method::tikhonov};
 }
 
@@ -368,8 +371,10 @@ const SceneFrame& SceneFrame::reaching_beyond() const {
 
 const std::shared_ptr<const LoadMixture>& SceneFrame::mixture() const {
   if (!mixture_)
-    mixture_ = std::make_shared<const LoadMixture>(given_.load_prior().given(
-        readings_, {.rms = given_.stated_noise(), .degrees = given_.scene().noise->degrees}));
+    mixture_ = std::make_shared<const LoadMixture>(
+        given_.load_prior().given(readings_, {.rms = given_.stated_noise(),
+                                              .degrees = given_.scene().noise->degrees,
+                                              .model_share = given_.scene().noise->model_share}));
   return mixture_;
 }
 

@@ -180,6 +180,10 @@ class SkinFrameMethod final : public FrameMethod {
     if (!problem_.is_large())  // of which they are known
       answer.offsets = offsets(problem_.problem(), readings_, answer.tractions);
     lab::add_bands(answer, problem_, *method_, frame_, face_, readings_);
+    if (const auto& noise = problem_.scene().noise; noise && noise->model_share > 0.0)
+      for (std::size_t i = 0; i < answer.deviations.size(); ++i)
+        answer.deviations[i] =
+            std::hypot(answer.deviations[i], noise->model_share * answer.tractions[i]);
     if (answer.unseen > most_unseen && !problem_.scene().reconstruct.grid.margin) {
       SkinFrameMethod beyond(problem_.reaching_beyond(), readings_, {}, {});
       take_from_beyond(answer, lab::answer(beyond), problem_.reaching_beyond().grid(),

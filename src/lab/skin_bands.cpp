@@ -350,11 +350,16 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
   };
   const FoundContacts found = contacts_in(f, touching, rim);
   answer.cells = found.cells;
+  // What the pad's formula may be off by is in no reading.
+  const double share =
+      problem.scene().noise && rms > 0.0 ? problem.scene().noise->model_share / rms : 0.0;
   std::vector<std::size_t> summed;
   if (answer.cells.empty()) {
     summed.resize(grid.count());
     std::iota(summed.begin(), summed.end(), std::size_t{0});
-    answer.wrench = resultant_of(grid, f, summed, covariance, rms);
+    answer.wrench =
+        resultant_of(grid, f, summed,
+                     ModelErrorCovariance(covariance, f, problem.layout().components, share), rms);
   }
   if (answer.cells.empty() && is_certain(answer.wrench.normal)) {
     scale_to_peak(touching, f.first(grid.count()));
@@ -393,10 +398,10 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
     of_rim.emplace(covariance_on(
         TikhonovFamily(problem.problem(), with_cells_beside(answer.cone->face, grid))));
   }
-  const Covariance& known = of_large          ? *of_large
-                            : of_rim          ? static_cast<const Covariance&>(*of_rim)
-                            : of_face && held ? covariance
-                                              : of_contact;
+  const Covariance& by_noise = of_large          ? *of_large
+                               : of_rim          ? static_cast<const Covariance&>(*of_rim)
+                               : of_face && held ? covariance
+                                                 : of_contact;
   std::vector<double> contact(f.begin(), f.end());
   const Pushed pushed = on_face ? pushed_in(problem, f, answer.cells) : Pushed{};
   // A pressure that an offset hides is pushed anew each time, and that is known better.
@@ -407,6 +412,8 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
                                     : constraint_bias(problem, method, f, answer.cells, alpha, rms);
   for (const std::size_t cell : answer.cells)
     contact[cell] = (1.0 - bias) * contact[cell] - pushed.taken;
+  const ModelErrorCovariance with_model(by_noise, contact, problem.layout().components, share);
+  const Covariance& known = share > 0.0 ? with_model : by_noise;
   answer.wrench = resultant_of(grid, contact, answer.cells, known, rms);
   widen_centre(answer.wrench, grid, f, answer.cells, of_contact, rms);
   doubt_what_is_left_out(answer.wrench, grid, f, answer.cells, problem.unseen());

@@ -75,13 +75,36 @@ double smoothed_variance(const SceneProblem& scene, double degrees) {
   return each * each / 12.0;
 }
 
-void add_intervals(UncertainResultant& resultant, const ResultantDistributions& known) {
-  resultant.normal.interval = known.normal.interval();
+/// Of what lies from `first` to before `last` on the grid of the frame's mixture.
+ResultantDistributions distributions_between(std::size_t first, std::size_t last,
+                                             const SceneFrame& frame) {
+  const LoadMixture& mixture = *frame.mixture();
+  const SceneProblem& problem = frame.given().of_mixture();
+  const Surface& grid = problem.surface();
+  const bool two = problem.options().unknowns == 2;
+  std::vector<double> force(problem.tractions());
+  std::vector<double> drag = force;
+  std::vector<double> moment = force;
+  for (std::size_t i = first; i < last; ++i) {
+    force[i] = grid.spacing;
+    moment[i] = grid.spacing * grid.position(i);
+    if (two) drag[grid.count + i] = grid.spacing;
+  }
+  ResultantDistributions known{.normal = mixture.of(force), .centre = mixture.ratio(moment, force)};
+  if (!two) return known;
+  known.tangential = mixture.of(drag);
+  known.slope = mixture.ratio(drag, force);
+  return known;
+}
+
+void add_intervals(UncertainResultant& resultant, const ResultantDistributions& known,
+                   double level) {
+  resultant.normal.interval = known.normal.interval(level);
   if (resultant.tangential && known.tangential)
-    resultant.tangential->interval = known.tangential->interval();
-  if (resultant.centre && known.centre) resultant.centre->interval = known.centre->interval();
+    resultant.tangential->interval = known.tangential->interval(level);
+  if (resultant.centre && known.centre) resultant.centre->interval = known.centre->interval(level);
   if (resultant.angle && known.slope) {
-    const CentralInterval slope = known.slope->interval();
+    const CentralInterval slope = known.slope->interval(level);
     resultant.angle->interval = CentralInterval{
         .level = slope.level, .low = std::atan(slope.low), .high = std::atan(slope.high)};
   }
@@ -132,8 +155,13 @@ FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const
                                scene.stated_noise());
   bands.holds_model_error = true;  // as noise that is larger than stated
   const RootCovariance covariance = mixture.covariance(mean, rms);
-  bands.resultant = resultant_of(own.grid(), mean, covariance, rms);
-  add_intervals(bands.resultant, resultant_distributions(frame));
+  const double level = scene.scene().interval_level;
+  const auto between = [&](std::size_t first, std::size_t last) {
+    UncertainResultant part = resultant_between(first, last, own.grid(), mean, covariance, rms);
+    add_intervals(part, distributions_between(first, last, frame), level);
+    return part;
+  };
+  bands.resultant = between(0, own.grid().count);
 
   // Of constrained tractions deviations are about them.
   const bool bound = result.constrained.has_value();
@@ -141,18 +169,20 @@ FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const
   std::optional<RootCovariance> about_bound;
   if (bound) about_bound.emplace(mixture.covariance(f, rms));
   const Covariance& about = bound ? *about_bound : covariance;
-  bands.nearest_to_slipping = nearest_to_slipping(own.grid(), f, about, rms, bands.resultant);
+  bands.nearest_to_slipping =
+      nearest_to_slipping(own.grid(), f, about, rms, bands.resultant, between);
   bands.patches = own.of(
       patches_of(own.grid(), f, about, rms, bands.resultant,
                  {.friction_limit = scene.scene().reconstruct.friction_limit,
-                  .smoothed_variance = smoothed_variance(scene, mixture.degrees_of_freedom())}));
+                  .smoothed_variance = smoothed_variance(scene, mixture.degrees_of_freedom()),
+                  .between = between}));
   const std::vector<Distribution> each =
       own.same() ? mixture.of_tractions() : mixture.of_each(own.rows());
   for (std::size_t i = 0; i < each.size(); ++i) {
     bands.deviation.push_back(bound ? std::hypot(each[i].deviation(), each[i].mean() - tractions[i])
                                     : each[i].deviation());
     const bool pushes = bound && i < scene.surface().count;
-    const CentralInterval interval = (pushes ? each[i].at_least(0.0) : each[i]).interval();
+    const CentralInterval interval = (pushes ? each[i].at_least(0.0) : each[i]).interval(level);
     bands.low.push_back(interval.low);
     bands.high.push_back(interval.high);
   }
@@ -183,8 +213,12 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
     bands.holds_model_error = by_windows;
     if (by_windows && !scene.stated_noise()) bands.noise = found;
   }
-  const auto fill = [&](const Covariance& covariance, std::span<const double> f,
+  const double share = scene.scene().noise ? scene.scene().noise->model_share : 0.0;
+  const auto fill = [&](const Covariance& by_noise, std::span<const double> f,
                         const Surface& surface) {
+    const ModelErrorCovariance with_model(by_noise, f, f.size() / surface.count,
+                                          rms > 0.0 ? share / rms : 0.0);
+    const Covariance& covariance = share > 0.0 ? with_model : by_noise;
     bands.resultant = resultant_of(surface, f, covariance, rms);
     bands.nearest_to_slipping = nearest_to_slipping(surface, f, covariance, rms, bands.resultant);
     bands.patches = without_margins(
@@ -219,23 +253,7 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
 }
 
 ResultantDistributions resultant_distributions(const SceneFrame& frame) {
-  const LoadMixture& mixture = *frame.mixture();
-  const SceneProblem& problem = frame.given().of_mixture();
-  const Surface& grid = problem.surface();
-  const bool two = problem.options().unknowns == 2;
-  std::vector<double> force(problem.tractions());
-  std::vector<double> drag = force;
-  std::vector<double> moment = force;
-  for (std::size_t i = 0; i < grid.count; ++i) {
-    force[i] = grid.spacing;
-    moment[i] = grid.spacing * grid.position(i);
-    if (two) drag[grid.count + i] = grid.spacing;
-  }
-  ResultantDistributions known{.normal = mixture.of(force), .centre = mixture.ratio(moment, force)};
-  if (!two) return known;
-  known.tangential = mixture.of(drag);
-  known.slope = mixture.ratio(drag, force);
-  return known;
+  return distributions_between(0, frame.given().of_mixture().surface().count, frame);
 }
 
 std::optional<remark::ModelError> model_error(const NoiseEstimate& noise, bool held) noexcept {

@@ -170,6 +170,16 @@ void check_circuit_spacing(const Value& value, double spacing, const Read& read,
   }
 }
 
+/// How much of what the readings leave possible an interval holds.
+double read_level(Table table) {
+  constexpr Rule inside{"must lie between 0 and 1",
+                        [](double x) noexcept { return x > 0.0 && x < 1.0; }};
+  double level = SharedScene{}.interval_level;
+  if (const auto value = table.value("level")) level = value->number(inside).value_or(level);
+  table.finish();
+  return level;
+}
+
 /// All tables, in the order in which they need one another.
 void read_tables(Table& root, const std::filesystem::path& folder, SceneKind auto& scene) {
   scene.title = read_title(root);
@@ -210,6 +220,7 @@ void read_tables(Table& root, const std::filesystem::path& folder, SceneKind aut
   scene.network = read_network(root, read.units, alpha, [&](const Value& value, double spacing) {
     check_circuit_spacing(value, spacing, read, scene);
   });
+  if (const auto table = table_of(root.value("report"))) scene.interval_level = read_level(*table);
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);
 }

@@ -195,6 +195,8 @@ class EffectReader : private EffectValues {
     result.seed = seed(table);
     if (const auto freedom = table.value("degrees"))
       result.degrees = freedom->number(positive).value_or(result.degrees);
+    if (const auto share = table.value("model_share"))
+      result.model_share = share->number(not_negative).value_or(result.model_share);
     table.finish();
     return result;
   }

@@ -290,6 +290,39 @@ TEST_CASE("covariances of several estimates add as the law of total variance has
                   std::invalid_argument);
 }
 
+TEST_CASE("what a formula may be off by is a factor of each component's sums", "[weights][bands]") {
+  const TractionCovariance without(TikhonovFamily(weighed(1.0)), 1e-4, 1e-4);
+  const std::size_t n = both_stresses.count;
+  std::vector<double> f(2 * n);
+  for (std::size_t i = 0; i < f.size(); ++i) f[i] = 0.1 * static_cast<double>(i % 7);
+  const ModelErrorCovariance with(without, f, 2, 3.0);
+  std::vector<std::vector<double>> sums(3, std::vector<double>(2 * n));
+  for (std::size_t i = 0; i < n; ++i) {
+    sums[0][i] = sums[2][i] = 1.0;
+    sums[1][n + i] = 2.0;
+    sums[2][n + i] = -1.0;
+  }
+  const double force = std::accumulate(f.begin(), f.begin() + static_cast<int>(n), 0.0);
+  const double drag = std::accumulate(f.begin() + static_cast<int>(n), f.end(), 0.0);
+  // Of the sums what their two components amount to, over the factors.
+  const double parts[3][2] = {{force, 0.0}, {0.0, 2.0 * drag}, {force, -drag}};
+  const Matrix all = with.covariances(sums);
+  const std::vector<double> each = with.deviations_of(sums);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double expected = without.covariance(sums[i], sums[j]) +
+                              9.0 * (parts[i][0] * parts[j][0] + parts[i][1] * parts[j][1]);
+      CHECK_THAT(with.covariance(sums[i], sums[j]), WithinRel(expected, 1e-12));
+      CHECK_THAT(all(i, j), WithinRel(expected, 1e-12));
+    }
+    CHECK_THAT(each[i], WithinRel(std::sqrt(all(i, i)), 1e-12));
+    CHECK_THAT(with.deviation(sums[i]), WithinRel(each[i], 1e-12));
+  }
+  CHECK_THAT(with.deviations()[5],
+             WithinRel(std::hypot(without.deviations()[5], 3.0 * f[5]), 1e-12));
+  CHECK(with.degrees_of_freedom() == without.degrees_of_freedom());
+}
+
 TEST_CASE("a weight that is no weight is refused", "[weights]") {
   const double weight = GENERATE(0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan(""));
   CHECK_THROWS_WITH(weighed(weight), "tangential_weight must be > 0 and finite");

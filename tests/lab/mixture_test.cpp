@@ -42,9 +42,8 @@ double sum(std::span<const double> values) {
 
 }  // namespace
 
-TEST_CASE("a line is answered by its mixture where that is asked for, whose sums are the forces",
-          "[lab][mixture]") {
-  const Scene scene = coarse_pad();
+TEST_CASE("a line is answered by its mixture, whose sums are the forces", "[lab][mixture]") {
+  const Scene scene = coarse_pad("");
   const FrameAnswer answer = answered(scene);
   REQUIRE(answer.mixture);
   CHECK(answer.verdict == Verdict::ok);
@@ -69,10 +68,11 @@ TEST_CASE("a line is answered by its mixture where that is asked for, whose sums
   for (std::size_t i = 0; i < answer.tractions.size(); ++i) CHECK(answer.low[i] <= answer.high[i]);
 }
 
-TEST_CASE("one alpha answers where no mixture is asked for", "[lab][mixture]") {
+TEST_CASE("one alpha answers where it is asked for, or the noise is not known", "[lab][mixture]") {
   CHECK(answered(coarse_pad(mixture + "alpha = 1e-3\n")).mixture);
-  for (const Scene& scene : {coarse_pad(""), coarse_pad("answer = \"alpha\"\n"),
-                             coarse_pad("alpha = 1e-3\n"), coarse_pad("", "")}) {
+  for (const Scene& scene : {coarse_pad("alpha = \"aicc\"\n"), coarse_pad("answer = \"alpha\"\n"),
+                             coarse_pad("alpha = 1e-3\n"), coarse_pad("", ""),
+                             coarse_pad("methods = [\"tikhonov\", \"closed_form\"]\n")}) {
     CHECK_FALSE(SceneProblem(scene).answers_by_mixture());
     const FrameAnswer answer = answered(scene);
     CHECK_FALSE(answer.mixture);
@@ -139,6 +139,75 @@ TEST_CASE("a frame of a recording has the answer of the frame alone", "[lab][mix
   // An alpha that frames share is asked for.
   RecordingSolver sharing(problem, Method::tikhonov, {.share_alpha = 4});
   CHECK_FALSE(sharing.solve(readings, {})->mixture);
+}
+
+TEST_CASE("each contact has intervals of its own, of the level that the scene states",
+          "[lab][mixture]") {
+  const std::string second =
+      "[[contact]]\nshape = \"cylinder\"\ncenter = -3.4\nhalf_width = 0.9\nforce = 0.3\n"
+      "friction = -0.2\n[reconstruct]\nfriction_limit = 1.0\n";
+  const auto answered_at = [&](const std::string& report) {
+    const std::string one =
+        "[sensor]\ncount = 31\npitch = 0.5\ndepth = 1.0\n"
+        "reads = [\"stress_x\", \"shear_xy\"]\n[material]\n"
+        "youngs_modulus = 1.0\npoisson_ratio = 0.45\n[noise]\nrms = 5e-4\n"
+        "[[contact]]\nshape = \"cylinder\"\ncenter = 3.0\n"
+        "half_width = 1.1\nforce = 0.5\nfriction = 0.4\n";
+    return answered(parse_scene(one + second + report, "pad.toml"));
+  };
+  const FrameAnswer wide = answered_at("");
+  const FrameAnswer narrow = answered_at("[report]\nlevel = 0.5\n");
+  REQUIRE(wide.bands->patches.size() == 2);
+  REQUIRE(narrow.bands->patches.size() == 2);
+  const auto holds = [](const std::optional<CentralInterval>& one, double truth) {
+    return one && one->low < truth && truth < one->high;
+  };
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ContactPatch& patch = wide.bands->patches[i];
+    const double force = i == 0 ? 0.5 : 0.3;
+    const double friction = i == 0 ? 0.4 : -0.2;
+    CHECK(holds(patch.wrench.normal.interval, force));
+    CHECK(holds(patch.wrench.tangential_y->interval, friction * force));
+    CHECK(holds(patch.wrench.centre_y->interval, i == 0 ? 3.0 : -3.4));
+    CHECK(holds(patch.friction->interval, std::abs(friction)));
+    CHECK(holds(patch.slip_margin->interval, 1.0 - std::abs(friction)));
+    CHECK(patch.friction->interval->low > 0.0);
+    // Its value is the mixture's, as the whole's is, though the tractions are bound.
+    CHECK(holds(patch.wrench.normal.interval, patch.wrench.normal.value));
+    const CentralInterval half = *narrow.bands->patches[i].wrench.normal.interval;
+    CHECK(half.level == 0.5);
+    CHECK(half.high - half.low <
+          0.5 * (patch.wrench.normal.interval->high - patch.wrench.normal.interval->low));
+  }
+  CHECK(wide.bands->nearest_to_slipping->angle->interval);
+  CHECK(narrow.bands->resultant.normal.interval->level == 0.5);
+  CHECK(narrow.high[40] - narrow.low[40] < 0.6 * (wide.high[40] - wide.low[40]));
+  CHECK_THROWS_WITH(answered_at("[report]\nlevel = 1.0\n"),
+                    ContainsSubstring("must lie between 0 and 1"));
+}
+
+TEST_CASE("what the pad's formula may be off by is in the bands of every answer",
+          "[lab][mixture]") {
+  const std::string exact = "rms = 2e-3\n";
+  const std::string doubted = exact + "model_share = 0.05\n";
+  for (const std::string reconstruct : {"", "answer = \"alpha\"\n", "nonnegative = true\n"}) {
+    CAPTURE(reconstruct);
+    const FrameAnswer without = answered(coarse_pad(reconstruct, exact));
+    const FrameAnswer with = answered(coarse_pad(reconstruct, doubted));
+    CHECK(with.tractions == without.tractions);
+    const auto added = [](const Uncertain& a, const Uncertain& b) {
+      return std::sqrt(std::pow(a.deviation, 2) - std::pow(b.deviation, 2)) / std::abs(b.value);
+    };
+    const UncertainResultant& a = with.bands->resultant;
+    const UncertainResultant& b = without.bands->resultant;
+    CHECK_THAT(added(a.normal, b.normal), WithinRel(0.05, 0.1));
+    CHECK_THAT(added(*a.tangential, *b.tangential), WithinRel(0.05, 0.1));
+    CHECK_THAT(a.centre->deviation, WithinRel(b.centre->deviation, 0.05));
+    for (std::size_t i = 0; i < with.deviations.size(); ++i)
+      CHECK(with.deviations[i] >= without.deviations[i]);
+  }
+  CHECK_THROWS_WITH(coarse_pad("", exact + "model_share = -0.1\n"),
+                    ContainsSubstring("must be >= 0"));
 }
 
 TEST_CASE("CSV and JSON have the intervals that an answer has", "[lab][mixture]") {

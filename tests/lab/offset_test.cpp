@@ -101,7 +101,9 @@ TEST_CASE("missing readings leave offsets to the taxels that are there", "[lab][
 
   Scene without = scene;
   without.dead_taxels = {7};
-  CHECK(relative_l2_error(found->tractions, judged_answer(without, readings).f) < 1e-8);
+  std::vector<double> there = readings;
+  there[7] = 0.0;  // which is dead
+  CHECK(relative_l2_error(found->tractions, solve(SceneProblem(without), there).tractions) < 1e-8);
 
   for (std::size_t i = 1; i < readings.size(); ++i)
     readings[i] = std::numeric_limits<double>::quiet_NaN();

@@ -106,6 +106,7 @@ TEST_CASE("a simulated frame has the same band from run, solve and grasp", "[lab
   const SceneFrame frame(SceneProblem(scene), simulate(scene).readings);
   const FrameUncertainty solved = by_solve(frame);
   scene.reconstruct.methods = {Method::tikhonov};
+  scene.reconstruct.answer = AnswerKind::alpha;  // as it is beside other methods
   NoSimulator simulator;
   const Experiment experiment = lab::run(scene, simulator);
   REQUIRE(experiment.results.size() == 1);

@@ -65,6 +65,7 @@ struct PatchOptions {
   /// The variance of place that smoothing may have added to the pressure, along each axis [m^2].
   /// Sizes then lie between what they would be if it had added all of that, and none.
   double smoothed_variance = 0.0;
+  ResultantBetween between{};  ///< of each of several contacts; null: `resultant_between`
 };
 
 /// Gives a patch the friction and the margin that its wrench and lever have. All deviations are by

@@ -136,6 +136,38 @@ class RootCovariance final : public Covariance {
   double degrees_;
 };
 
+/// A covariance with what the pad's formula may be off by beside it: a factor of each component of
+/// the tractions, which is 1 but for a standard deviation that is the same for all. Refers to the
+/// covariance without.
+class ModelErrorCovariance final : public Covariance {
+ public:
+  /// @param tractions   the estimate [Pa], components x values
+  /// @param components  1 to 3
+  /// @param share       the factors' standard deviation over the noise's rms, >= 0
+  ModelErrorCovariance(const Covariance& without, std::span<const double> tractions,
+                       std::size_t components, double share);
+
+  [[nodiscard]] std::vector<double> deviations() const override;
+  [[nodiscard]] double deviation(std::span<const double> weights) const override;
+  [[nodiscard]] double covariance(std::span<const double> a,
+                                  std::span<const double> b) const override;
+  [[nodiscard]] std::vector<double> deviations_of(
+      std::span<const std::vector<double>> weights) const override;
+  [[nodiscard]] Matrix covariances(std::span<const std::vector<double>> weights) const override;
+  [[nodiscard]] double degrees_of_freedom() const noexcept override {
+    return without_.degrees_of_freedom();
+  }
+
+ private:
+  /// Of two sums: what the factors add.
+  [[nodiscard]] double added(std::span<const double> a, std::span<const double> b) const;
+
+  const Covariance& without_;
+  std::vector<double> tractions_;
+  std::size_t components_;
+  double share_;
+};
+
 /// The covariance of a mixture of estimates, sum p [C + d d'] (law of total variance): of an answer
 /// that is none of them, or where nobody knows which one is right.
 class MixtureCovariance final : public Covariance {

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -102,13 +103,17 @@ struct UncertainResultant {
                                                    std::span<const double> tractions,
                                                    const Covariance& covariance, double noise_rms);
 
+/// What the values from `first` to before `last` amount to.
+using ResultantBetween = std::function<UncertainResultant(std::size_t first, std::size_t last)>;
+
 /// Resultant of the contact that needs the most friction, where several lie apart. F_v and F_t of
 /// the whole are sums: two contacts dragged in opposite directions both slip while F_t is 0.
 /// Absent: there is one contact, or no tangential traction.
 ///
-/// @param whole  resultant of all tractions: a force below six of its deviations is no contact
+/// @param whole      resultant of all tractions: a force below six of its deviations is no contact
+/// @param between    of the contact; null: `resultant_between`
 [[nodiscard]] std::optional<UncertainResultant> nearest_to_slipping(
     const Surface& surface, std::span<const double> tractions, const Covariance& covariance,
-    double noise_rms, const UncertainResultant& whole);
+    double noise_rms, const UncertainResultant& whole, const ResultantBetween& between = {});
 
 }  // namespace tactile_net

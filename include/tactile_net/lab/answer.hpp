@@ -38,7 +38,7 @@ using AnyProblem = std::variant<SceneProblem, SkinSceneProblem>;
 struct FrameAnswer {
   std::vector<double> tractions{};   ///< components x places on the surface [Pa]
   std::vector<double> deviations{};  ///< of each, one standard deviation [Pa]; empty: not known
-  /// Of each, the ends of its 95 % interval [Pa]; empty: only the deviation is known.
+  /// Of each, the ends of its interval [Pa]; empty: only the deviation is known.
   std::vector<double> low{}, high{};
   ChosenAlpha alpha{};  ///< of value 0 where the method has none
   Verdict verdict = Verdict::ok;

@@ -412,7 +412,8 @@ struct Fields<lab::AnswerTold> {
                     ? std::nullopt
                     : std::optional(lab::by_component(told.answer.low, told.places))};
           },
-          "The lower end of each traction's 95 % interval; absent: only deviations are known."),
+          "The lower end of each traction's interval, of 95 % or what the scene says; absent: only "
+          "deviations are known."),
       field(
           "high",
           [](const A& told) {
@@ -422,6 +423,17 @@ struct Fields<lab::AnswerTold> {
                     : std::optional(lab::by_component(told.answer.high, told.places))};
           },
           "The upper end."),
+      field(
+          "alpha_quartiles",
+          [](const A& told) {
+            const auto& mixture = told.answer.mixture;
+            return IfAny<std::vector<double>>{
+                mixture == nullptr ? std::nullopt
+                                   : std::optional(std::vector{mixture->alpha_quantile(0.25),
+                                                               mixture->alpha_quantile(0.75)})};
+          },
+          "Half of what the readings leave possible of alpha lies between these, where the answer "
+          "is the mixture; absent: it is not."),
       field(
           "cells", [](const A& told) { return told.answer.cells; },
           "The cells that touch: row * columns + column.", Of::skins),

@@ -130,9 +130,9 @@ class SceneProblem {
   [[nodiscard]] const LoadWindows& load_windows() const;
 
   /// Whether the answer is what the readings leave on average of all windows, and not the minimiser
-  /// of one alpha: where the scene asks for it, there are windows, the noise is known, and tikhonov
-  /// is the only method. Under constraints the tractions are the minimiser's all the same, and the
-  /// mixture's are forces, centre and intervals.
+  /// of one alpha: where the scene asks for it or states no alpha, there are windows, the noise is
+  /// known, and tikhonov is the only method. Under constraints the tractions are the minimiser's
+  /// all the same, and the mixture's are forces, centre and intervals.
   [[nodiscard]] bool answers_by_mixture() const;
   /// The same on the grid that the mixture is of: of line loads over taxels one that reaches beyond
   /// them, a quarter of the least depth apart at most, else this one itself.

@@ -22,7 +22,7 @@ struct FrameUncertainty {
   std::optional<UncertainResultant> nearest_to_slipping{};  ///< as `tactile_net` has it
   std::vector<ContactPatch> patches{};  ///< each contact by itself, as `patches_of` finds them
   std::vector<double> deviation{};      ///< of every traction [Pa], one standard deviation
-  /// Of every traction, the ends of its 95 % interval [Pa], under constraints those of what may not
+  /// Of every traction, the ends of its interval [Pa], under constraints those of what may not
   /// pull; empty: they are not known.
   std::vector<double> low{}, high{};
   bool holds_model_error = false;  ///< it counts for noise in them

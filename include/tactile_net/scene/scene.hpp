@@ -75,7 +75,8 @@ struct ReconstructOptions : SharedReconstructOptions {
   double smoothing_length = 0.0;     ///< l [m]; default: the first depth
   double noise_gain_limit = 1e8;     ///< dft: largest noise gain that is accepted
   bool alpha_on_active_set = false;  ///< a rule chooses alpha for what constraints leave free
-  AnswerKind answer = AnswerKind::alpha;
+  /// Absent: the mixture where no alpha and no rule for it is stated, else that alpha's.
+  std::optional<AnswerKind> answer{};
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
 };
 
@@ -106,6 +107,7 @@ struct SharedScene : SensorEffects {
   std::size_t frame = 0;  ///< that `run` reconstructs: the reader sets the last, `at_frame` another
   ForwardModel forward = ForwardModel::exact;
   NetworkOptions network{};
+  double interval_level = 0.95;  ///< the probability inside intervals, between 0 and 1
 };
 
 struct Scene : SharedScene {

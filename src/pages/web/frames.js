@@ -89,14 +89,15 @@ function showFrames(root, d) {
   function showContacts() {
     const rows = d.contacts.rows[frame], {columns} = d.contacts;
     const cell = (label, text) => element('td', {'data-label': label}, text);
-    const number = (of, {factor}) => of ? plusMinus(of[0] * factor, of[1] * factor) : '–';
+    // A column has one unit for all frames, in which some are small.
+    const number = (of, {factor}) => of ? plusMinus(of[0] * factor, of[1] * factor, 1e-5) : '–';
     const texts =
         ([id, ...values]) => [`${id}`, ...columns.map(({unit}, i) => number(values[i], unit))];
     const labels = ['contact', ...columns.map(({label, unit}) => label + unitOf(unit))];
     contacts.tBodies[0].replaceChildren(...Array.from(
         {length: most},
         (_, i) => element(
-            'tr', {},
+            'tr', rows[i] ? {} : {style: 'visibility: hidden'},
             ...(rows[i] ? texts(rows[i]) : labels.map(() => '–'))
                 .map((text, k) => cell(labels[k], text)))));
     contacts.tHead.rows[0].replaceChildren(...labels.map((label) => element('th', {}, label)));

@@ -18,9 +18,10 @@ function placeOfCell(first, step, index) {
 
 /**
  * "0.9817 ± 0.0017": rounded to the deviation's first two digits if these are below 20, else one;
- * large and small numbers with one power of ten for both. As plus_minus of numeric/number_text.cpp.
+ * large numbers, and those below the smallest, with one power of ten for both. As plus_minus of
+ * numeric/number_text.cpp.
  */
-function plusMinus(value, deviation) {
+function plusMinus(value, deviation, smallest = 1e-3) {
   if (!Number.isFinite(value)) return '–';
   if (!(deviation > 0)) return brief(value, 4);
   let power = Math.floor(Math.log10(deviation));
@@ -30,7 +31,7 @@ function plusMinus(value, deviation) {
     return Number(text) === 0 ? text.replace('-', '') : text.replace('-', '−');
   };
   const largest = Math.max(Math.abs(value), deviation);
-  if (power > 4 || largest < 1e-3) {
+  if (power > 4 || largest < smallest) {
     const common = Math.floor(Math.log10(largest)), unit = 10 ** common;
     const digits = Math.max(0, common - power);
     return `(${fixed(value / unit, digits)} ± ${fixed(deviation / unit, digits)})e${common}`

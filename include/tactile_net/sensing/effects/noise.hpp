@@ -20,6 +20,9 @@ struct NoiseModel {
   /// Of freedom that the rms is known with, > 0: as if measured from so many readings. Infinity: it
   /// is certain. Who reads noisy readings asks (inverse/load_mixture.hpp), not who simulates them.
   double degrees = 5.0;
+  /// Standard deviation of a factor that each component of the tractions may be off by, >= 0: what
+  /// the pad's formula misses, of which readings show nothing. Of who reads them, too.
+  double model_share = 0.0;
 };
 
 [[nodiscard]] std::unique_ptr<SensorEffect> make_effect(const NoiseModel& noise,
