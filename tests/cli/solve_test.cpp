@@ -135,31 +135,49 @@ TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
                     scene("recorded/" + pad.name + ".csv"), "-o", folder / "tractions.csv",
                     "--uncertainty", folder / "uncertainty.csv"})
               .code == 0);
-  const auto found = csv_rows(read_text(folder / "tractions.csv"));
-  const auto bands = csv_rows(read_text(folder / "uncertainty.csv"));
-  const auto truth = csv_rows(read_text(scene("recorded/" + pad.name + ".truth.csv")));
+  const auto found = named_csv_rows(read_text(folder / "tractions.csv"));
+  const auto bands = named_csv_rows(read_text(folder / "uncertainty.csv"));
+  const auto truth = named_csv_rows(read_text(scene("recorded/" + pad.name + ".truth.csv")));
   REQUIRE(bands.size() == truth.size());
   std::size_t within = 0;
+  std::size_t inside = 0;  // of intervals
   std::size_t all = 0;
   std::size_t forces_beyond = 0;
   for (std::size_t frame = 0; frame < truth.size(); ++frame) {
     CAPTURE(pad.name, frame);
-    REQUIRE(bands[frame].size() == 13 + 2 * pad.count);
-    CHECK(bands[frame].back() > 0.0);  // alpha; the verdict behind it is a word
-    for (std::size_t j = 0; j < 2 * pad.count; ++j) {
-      ++all;
-      const double error = std::abs(found[frame][1 + j] - truth[frame][4 + j]);
-      if (error <= 2.0 * bands[frame][11 + j]) ++within;
+    const CsvRow& band = bands[frame];
+    CHECK(band.at("alpha") > 0.0);
+    double highest = 0.0;
+    for (std::size_t j = 0; j < pad.count; ++j)
+      highest = std::max(highest, truth[frame].at("normal_" + std::to_string(j)));
+    const double nothing = 1e-6 * highest;  // that the elements leave where nothing presses
+    for (std::size_t j = 0; j < pad.count; ++j)
+      for (const std::string component : {"normal_", "tangential_"}) {
+        const std::string name = component + std::to_string(j);
+        const double pressed = truth[frame].at(name);
+        const double error = std::abs(found[frame].at(name) - pressed);
+        ++all;
+        if (error <= 2.0 * band.at(component + "deviation_" + std::to_string(j)) + nothing)
+          ++within;
+        if (band.at(component + "low_" + std::to_string(j)) <= pressed + nothing &&
+            pressed - nothing <= band.at(component + "high_" + std::to_string(j)))
+          ++inside;
+      }
+    for (const std::string component : {"normal", "tangential"}) {
+      const double pressed = truth[frame].at("force_" + component);
+      const std::string name = component + "_force";
+      const double error = std::abs(band.at(name) - pressed);
+      if (error > 2.0 * band.at(name + "_deviation")) ++forces_beyond;
+      CHECK(error <= 3.5 * band.at(name + "_deviation"));
+      CHECK(band.at(name + "_low") < band.at(name));
+      CHECK(band.at(name) < band.at(name + "_high"));
     }
-    for (std::size_t component : {std::size_t{1}, std::size_t{2}}) {  // normal, tangential force
-      const double error = std::abs(bands[frame][2 * component - 1] - truth[frame][component]);
-      if (error > 2.0 * bands[frame][2 * component]) ++forces_beyond;
-      CHECK(error <= 3.5 * bands[frame][2 * component]);
-    }
-    CHECK(bands[frame][9] < 1.25);   // the residual, in units of the noise stated,
-    CHECK(bands[frame][10] == 0.0);  // and what of it the noise does not explain
+    CHECK(band.at("residual_rms") < 1.25);  // in units of the noise stated
+    CHECK(band.at("model_rms") == 0.0);     // what of it the noise does not explain
   }
+  CAPTURE(within, inside, all);
   CHECK(static_cast<double>(within) >= 0.95 * static_cast<double>(all));
+  CHECK(static_cast<double>(inside) >= 0.95 * static_cast<double>(all));
   CHECK(forces_beyond <= 1);  // of 10 and of 14
 }
 
