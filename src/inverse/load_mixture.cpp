@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -29,6 +30,11 @@ constexpr Index mixture_alphas = 61;
 constexpr double most_alpha = 64.0;    // over the largest gamma squared
 constexpr double least_sigma = 1e-14;  // over the largest reading: below is rounding
 constexpr double unlikely = 1e-6;      // a probability that is left out
+/// Over the largest probability: of as many components as there are, all together are less than
+/// a billionth.
+constexpr double never_counted = 1e-15;
+constexpr Index alphas_apart = 4;       // those at which every window is looked at
+constexpr double least_outside = 1e-6;  // of |g|^2, told by a difference
 constexpr std::array drag_weights = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 constexpr double deviations_from_zero = 5.0;  // of a ratio's denominator
 
@@ -91,6 +97,8 @@ struct LoadPrior::Tables {
   struct Window {
     std::vector<Index> columns{};  // of K: the window's values, of each component
     WindowCoordinates coordinates;
+    std::size_t first = 0, count = 0;  // entries, one of each weight, ascending
+    Eigen::VectorXd most_log_prior{};  // of them, of each alpha
   };
   /// Of a window and a weight.
   struct Entry {
@@ -100,7 +108,6 @@ struct LoadPrior::Tables {
     Eigen::MatrixXd roots{};   // T V, a row a value
     Eigen::VectorXd hidden{};  // the squares of what no reading shows of each value
     Eigen::VectorXd gamma{}, gamma2{};
-    Eigen::MatrixXd lost{};       // alpha / (gamma^2 + alpha): alphas x components
     Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
   };
 
@@ -115,7 +122,11 @@ struct LoadPrior::Tables {
                              : std::span<const double>(drag_weights);
     for (auto level = levels.rbegin(); level != levels.rend(); ++level)  // the whole surface first
       for (const WindowPlace& place : *level) {
-        Window window{.coordinates = {problem, place, options.depth}};
+        Window window{.coordinates = {problem, place, options.depth},
+                      .first = entries.size(),
+                      .count = weights.size(),
+                      .most_log_prior = Eigen::VectorXd::Constant(
+                          mixture_alphas, -std::numeric_limits<double>::infinity())};
         for (std::size_t u = 0; u < problem.components; ++u)
           for (Index row = place.rows.first; row < place.rows.first + place.rows.count; ++row)
             for (Index i = 0; i < place.columns.count; ++i)
@@ -154,13 +165,12 @@ struct LoadPrior::Tables {
       const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(n, n) - entry.v * entry.v.transpose();
       entry.hidden = tractions(window, weight, rest).rowwise().squaredNorm();
     }
-    entry.lost.resize(mixture_alphas, entry.gamma.size());
     entry.log_prior.resize(mixture_alphas);
     for (Index a = 0; a < mixture_alphas; ++a) {
-      entry.lost.row(a) = alphas(a) / (entry.gamma2.array() + alphas(a));
-      entry.log_prior(a) = 0.5 * entry.lost.row(a).array().log().sum() + log_prior -
-                           prior_power * std::log(2.0) * static_cast<double>(a);
+      entry.log_prior(a) = 0.5 * (alphas(a) / (entry.gamma2.array() + alphas(a))).log().sum() +
+                           log_prior - prior_power * std::log(2.0) * static_cast<double>(a);
     }
+    windows.back().most_log_prior = windows.back().most_log_prior.cwiseMax(entry.log_prior);
     entries.push_back(std::move(entry));
   }
 
@@ -195,8 +205,8 @@ struct LoadPrior::Tables {
 };
 
 /// What a frame makes of an entry.
-struct LoadMixture::Part {
-  const LoadPrior::Tables::Entry* entry = nullptr;
+struct LoadPrior::Part {
+  const Tables::Entry* entry = nullptr;
   Eigen::VectorXd beta{};  // over sigma
   struct Size {
     double alpha = 0.0;
@@ -211,6 +221,155 @@ struct LoadMixture::Part {
   }
 };
 
+namespace {
+
+/// The likely components of a frame, found without a look at most of the others.
+///
+/// Each term of q, alpha beta^2 / (gamma^2 + alpha), rises with alpha and is concave in it: between
+/// two alphas q lies above its chord. And q = g'(I + K C K' / alpha)^-1 g rises with the tangential
+/// weight, as C falls: what it is for one weight bounds it for those above. The rest of log p is in
+/// tables, so that a few alphas of the least weight say how likely a window may be at most.
+class LikelyParts {
+ public:
+  /// @param g      over sigma
+  /// @param known  nu
+  /// @param least  q is not less
+  LikelyParts(const LoadPrior::Tables& tables, const Eigen::VectorXd& g, double known, double least)
+      : tables_(tables),
+        g_(g),
+        square_(g.squaredNorm()),
+        known_(known),
+        degrees_(known + static_cast<double>(tables.weighting.rows())),
+        least_(least) {}
+
+  /// Probabilities that sum to 1, window after window.
+  [[nodiscard]] std::vector<LoadPrior::Part> found() {
+    std::vector<Look> looks;
+    looks.reserve(tables_.windows.size());
+    for (std::size_t w = 0; w < tables_.windows.size(); ++w) looks.push_back(look_at(w));
+    std::vector<std::size_t> order(looks.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return looks[a].most > looks[b].most; });
+    for (const std::size_t w : order) {
+      if (!(looks[w].most > best_ + std::log(never_counted))) break;
+      look_closely(std::move(looks[w]));
+    }
+    return likely();
+  }
+
+ private:
+  struct Look {
+    std::size_t window = 0;
+    Eigen::VectorXd beta{}, square{};
+    double outside = 0.0;    // what of |g|^2 no traction in the window explains
+    Eigen::VectorXd left{};  // q of each alpha, or less
+    double most = 0.0;       // of log p
+  };
+  struct Found {
+    std::size_t entry = 0;
+    Eigen::VectorXd beta{};
+    std::vector<Index> alphas{};
+    std::vector<double> left{}, log{};
+  };
+
+  void project(const LoadPrior::Tables::Entry& entry, Look& look) const {
+    look.beta = entry.u.transpose() * g_;
+    look.square = look.beta.cwiseAbs2();
+    look.outside = square_ - look.square.sum();
+    // A difference of squares has its own rounding: seen where little is left.
+    if (look.outside < least_outside * square_)
+      look.outside = (g_ - entry.u * look.beta).squaredNorm();
+  }
+  [[nodiscard]] double left(const LoadPrior::Tables::Entry& entry, const Look& look,
+                            Index a) const {
+    const double alpha = tables_.alphas(a);
+    return std::max(
+        least_,
+        look.outside + (alpha * look.square.array() / (entry.gamma2.array() + alpha)).sum());
+  }
+  [[nodiscard]] double log_likelihood(double q) const {
+    return std::isinf(known_) ? -0.5 * q : -0.5 * degrees_ * std::log(known_ + q);
+  }
+
+  [[nodiscard]] Look look_at(std::size_t w) const {
+    const LoadPrior::Tables::Window& window = tables_.windows[w];
+    const LoadPrior::Tables::Entry& entry = tables_.entries[window.first];
+    Look look{.window = w};
+    project(entry, look);
+    look.left.resize(mixture_alphas);
+    look.left(0) = left(entry, look, 0);
+    for (Index a = alphas_apart; a < mixture_alphas; a += alphas_apart) {
+      look.left(a) = left(entry, look, a);
+      for (Index i = a - alphas_apart + 1; i < a; ++i) {
+        const double share = (tables_.alphas(i) - tables_.alphas(a)) /
+                             (tables_.alphas(a - alphas_apart) - tables_.alphas(a));
+        look.left(i) = (1.0 - share) * look.left(a) + share * look.left(a - alphas_apart);
+      }
+    }
+    look.most = -std::numeric_limits<double>::infinity();
+    for (Index a = 0; a < mixture_alphas; ++a)
+      look.most = std::max(look.most, window.most_log_prior(a) + log_likelihood(look.left(a)));
+    return look;
+  }
+
+  void look_closely(Look look) {
+    const LoadPrior::Tables::Window& window = tables_.windows[look.window];
+    for (std::size_t e = window.first; e < window.first + window.count; ++e) {
+      const LoadPrior::Tables::Entry& entry = tables_.entries[e];
+      Found found{.entry = e};
+      for (Index a = 0; a < mixture_alphas; ++a)
+        if (entry.log_prior(a) + log_likelihood(look.left(a)) > best_ + std::log(never_counted))
+          found.alphas.push_back(a);
+      if (found.alphas.empty()) continue;
+      if (e > window.first) project(entry, look);
+      for (const Index a : found.alphas) {
+        look.left(a) = left(entry, look, a);
+        found.left.push_back(look.left(a));
+        found.log.push_back(entry.log_prior(a) + log_likelihood(look.left(a)));
+        best_ = std::max(best_, found.log.back());
+      }
+      found.beta = look.beta;
+      found_.push_back(std::move(found));
+    }
+  }
+
+  [[nodiscard]] std::vector<LoadPrior::Part> likely() {
+    std::sort(found_.begin(), found_.end(),
+              [](const Found& a, const Found& b) { return a.entry < b.entry; });
+    double all = 0.0;
+    for (Found& found : found_)
+      for (double& log : found.log) all += log = std::exp(log - best_);
+    double kept = 0.0;
+    for (const Found& found : found_)
+      for (const double p : found.log)
+        if (p > unlikely * all) kept += p;
+    std::vector<LoadPrior::Part> parts;
+    for (Found& found : found_) {
+      LoadPrior::Part part{.entry = &tables_.entries[found.entry], .beta = std::move(found.beta)};
+      for (std::size_t i = 0; i < found.log.size(); ++i)
+        if (found.log[i] > unlikely * all)
+          part.sizes.push_back(
+              {.alpha = tables_.alphas(found.alphas[i]),
+               .probability = found.log[i] / kept,
+               .scale2 = std::isinf(known_) ? 1.0 : (known_ + found.left[i]) / degrees_});
+      if (!part.sizes.empty()) parts.push_back(std::move(part));
+    }
+    return parts;
+  }
+
+  const LoadPrior::Tables& tables_;
+  const Eigen::VectorXd& g_;
+  double square_;
+  double known_;
+  double degrees_;
+  double least_;
+  double best_ = -std::numeric_limits<double>::infinity();  // log p
+  std::vector<Found> found_{};
+};
+
+}  // namespace
+
 LoadPrior::LoadPrior(const LinearProblem& problem, const LoadPriorOptions& options) {
   require_positive("depth", options.depth);
   require_positive("narrowest", options.narrowest);
@@ -220,13 +379,6 @@ LoadPrior::LoadPrior(const LinearProblem& problem, const LoadPriorOptions& optio
 }
 
 std::size_t LoadPrior::count() const noexcept { return tables_->windows.size(); }
-
-std::size_t LoadPrior::multiplications() const noexcept {
-  std::size_t all = 0;
-  for (const Tables::Entry& entry : tables_->entries)
-    all += static_cast<std::size_t>((2 * entry.u.rows() + entry.lost.rows()) * entry.u.cols());
-  return all;
-}
 
 LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& noise) const {
   const Tables& tables = *tables_;
@@ -246,45 +398,14 @@ LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& 
   const double known = noise.rms ? noise.degrees : 0.0;  // nu
   mixture.degrees_ = known + rows;
   mixture.model_share_ = noise.model_share;
-  const bool is_certain = std::isinf(known);
-
-  std::vector<LoadMixture::Part> parts;
-  Eigen::MatrixXd likely(mixture_alphas, std::ssize(tables.entries));  // logs first
-  Eigen::MatrixXd left(mixture_alphas, likely.cols());                 // q
-  for (const Tables::Entry& entry : tables.entries) {
-    const Index at = std::ssize(parts);
-    LoadMixture::Part& part = parts.emplace_back();
-    part.entry = &entry;
-    part.beta = entry.u.transpose() * g;
-    const double outside = (g - entry.u * part.beta).squaredNorm();
-    left.col(at) = (entry.lost * part.beta.cwiseAbs2()).array() + outside;
-    if (!noise.rms) left.col(at) = left.col(at).cwiseMax(least_sigma * least_sigma);
-    likely.col(at) = entry.log_prior;
-    if (is_certain)
-      likely.col(at) -= 0.5 * left.col(at);
-    else
-      likely.col(at).array() -= 0.5 * mixture.degrees_ * (known + left.col(at).array()).log();
-  }
-  likely = (likely.array() - likely.maxCoeff()).exp();
-  likely /= likely.sum();
-  likely = (likely.array() > unlikely).select(likely, 0.0);
-  likely /= likely.sum();
-
-  auto kept = std::make_shared<std::vector<LoadMixture::Part>>();
-  for (Index at = 0; at < likely.cols(); ++at) {
-    if (likely.col(at).maxCoeff() == 0.0) continue;
-    LoadMixture::Part& part = parts[static_cast<std::size_t>(at)];
-    for (Index a = 0; a < mixture_alphas; ++a) {
-      const double p = likely(a, at);
-      if (p == 0.0) continue;
-      part.sizes.push_back({.alpha = tables.alphas(a),
-                            .probability = p,
-                            .scale2 = is_certain ? 1.0 : (known + left(a, at)) / mixture.degrees_});
-      mixture.used_ += p * (1.0 - part.entry->lost.row(a).array()).sum();
-    }
-    kept->push_back(std::move(part));
-  }
-  mixture.parts_ = std::move(kept);
+  auto parts = std::make_shared<const std::vector<Part>>(
+      LikelyParts(tables, g, known, noise.rms ? 0.0 : least_sigma * least_sigma).found());
+  for (const Part& part : *parts)
+    for (const Part::Size& size : part.sizes)
+      mixture.used_ +=
+          size.probability *
+          (part.entry->gamma2.array() / (part.entry->gamma2.array() + size.alpha)).sum();
+  mixture.parts_ = std::move(parts);
   return mixture;
 }
 
@@ -293,15 +414,15 @@ LoadMixture::LoadMixture(std::shared_ptr<const LoadPrior::Tables> tables)
 
 std::size_t LoadMixture::components() const noexcept {
   std::size_t all = 0;
-  for (const Part& part : *parts_) all += part.sizes.size();
+  for (const LoadPrior::Part& part : *parts_) all += part.sizes.size();
   return all;
 }
 
 double LoadMixture::alpha_quantile(double p) const {
   require(p > 0.0 && p < 1.0, "p", "lie between 0 and 1", p);
   std::map<double, double> by_alpha;
-  for (const Part& part : *parts_)
-    for (const Part::Size& size : part.sizes) by_alpha[size.alpha] += size.probability;
+  for (const LoadPrior::Part& part : *parts_)
+    for (const LoadPrior::Part::Size& size : part.sizes) by_alpha[size.alpha] += size.probability;
   double below = 0.0;
   for (const auto& [alpha, probability] : by_alpha)
     if ((below += probability) >= p) return alpha;
@@ -310,9 +431,9 @@ double LoadMixture::alpha_quantile(double p) const {
 
 std::vector<double> LoadMixture::mean() const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(tables_->tractions_count());
-  for (const Part& part : *parts_) {
+  for (const LoadPrior::Part& part : *parts_) {
     Eigen::VectorXd filtered = Eigen::VectorXd::Zero(part.beta.size());
-    for (const Part::Size& size : part.sizes)
+    for (const LoadPrior::Part::Size& size : part.sizes)
       filtered += size.probability * part.filtered(size.alpha);
     all(tables_->windows[part.entry->window].columns) += part.entry->roots * filtered;
   }
@@ -322,7 +443,7 @@ std::vector<double> LoadMixture::mean() const {
 
 struct LoadMixture::Sums {
   double probability;
-  const Part::Size& size;
+  const LoadPrior::Part::Size& size;
   Eigen::VectorXd means;
   const Eigen::MatrixXd& known;  // what readings tell of each sum, a column each
   const Eigen::MatrixXd& rest;   // and what none shows
@@ -345,7 +466,7 @@ void LoadMixture::each(std::span<const std::vector<double>> weights, const Take&
     check_weights(one, static_cast<std::size_t>(sums.rows()));
     sums.col(k) = as_eigen(std::span(one));
   }
-  for (const Part& part : *parts_) {
+  for (const LoadPrior::Part& part : *parts_) {
     const LoadPrior::Tables::Entry& entry = *part.entry;
     const auto& window = tables_->windows[entry.window];
     const Eigen::MatrixXd inside = sums(window.columns, Eigen::indexing::all);
@@ -353,7 +474,7 @@ void LoadMixture::each(std::span<const std::vector<double>> weights, const Take&
     const Eigen::MatrixXd known = entry.v.transpose() * all;
     const Eigen::MatrixXd rest = all - entry.v * known;
     const Index inside_one = window.coordinates.count();
-    for (const Part::Size& size : part.sizes) {
+    for (const LoadPrior::Part::Size& size : part.sizes) {
       const Eigen::VectorXd filtered = part.filtered(size.alpha);
       Eigen::MatrixXd model(model_share_ > 0.0 ? tables_->components : 0, all.cols());
       for (Index u = 0; u < model.rows(); ++u)
@@ -395,11 +516,11 @@ std::vector<Distribution> LoadMixture::of_tractions() const {
   std::vector<std::vector<Distribution::Component>> all(
       static_cast<std::size_t>(tables_->tractions_count()));
   std::vector<double> outside(all.size(), 1.0);  // the probability that no window holds it
-  for (const Part& part : *parts_) {
+  for (const LoadPrior::Part& part : *parts_) {
     const LoadPrior::Tables::Entry& entry = *part.entry;
     const std::vector<Index>& columns = tables_->windows[entry.window].columns;
     const Eigen::MatrixXd squares = entry.roots.cwiseAbs2();
-    for (const Part::Size& size : part.sizes) {
+    for (const LoadPrior::Part::Size& size : part.sizes) {
       const Eigen::VectorXd means = sigma_ * (entry.roots * part.filtered(size.alpha));
       const Eigen::VectorXd variances =
           size.scale2 * (squares * (entry.gamma2.array() + size.alpha).inverse().matrix() +
@@ -464,12 +585,12 @@ RootCovariance LoadMixture::covariance(std::span<const double> about, double noi
     columns.emplace_back(Eigen::VectorXd::Zero(n));
     columns.back()(places) = inside;
   };
-  for (const Part& part : *parts_) {
+  for (const LoadPrior::Part& part : *parts_) {
     const LoadPrior::Tables::Entry& entry = *part.entry;
     const auto& window = tables_->windows[entry.window];
     Eigen::VectorXd seen = Eigen::VectorXd::Zero(part.beta.size());
     double hidden = 0.0;
-    for (const Part::Size& size : part.sizes) {
+    for (const LoadPrior::Part::Size& size : part.sizes) {
       seen +=
           (size.probability * spread * size.scale2 * (entry.gamma2.array() + size.alpha).inverse())
               .matrix();

@@ -141,6 +141,9 @@ struct DenseModel {
     const double most = *std::max_element(logs.begin(), logs.end());
     double sum = 0.0;
     for (double& one : logs) sum += one = std::exp(one - most);
+    double likely = 0.0;
+    for (double& one : logs) likely += one = one > 1e-6 * sum ? one : 0.0;
+    sum = likely;
     Found found;
     for (std::size_t i = 0; i < logs.size(); ++i) found.mean += logs[i] / sum * means[i];
     const double spread = std::isinf(degrees) ? 1.0 : (rows + degrees) / (rows + degrees - 2.0);
@@ -302,9 +305,41 @@ TEST_CASE("the mixture is the posterior of its model, as dense inverses have it"
       CAPTURE(unknowns, degrees, i);
       const double at = found[i].mean() + 0.7 * found[i].deviation();
       const auto dense = model.of(sums[i], readings, pad_noise, degrees, at);
-      CHECK_THAT(found[i].mean(), WithinRel(dense.mean, 1e-4) || WithinAbs(dense.mean, 1e-6));
-      CHECK_THAT(found[i].deviation(), WithinRel(dense.deviation, 1e-3));
-      CHECK_THAT(found[i].cdf(at), WithinAbs(dense.below, 1e-4));
+      CHECK_THAT(found[i].mean(), WithinRel(dense.mean, 1e-9) || WithinAbs(dense.mean, 1e-11));
+      CHECK_THAT(found[i].deviation(), WithinRel(dense.deviation, 1e-9));
+      CHECK_THAT(found[i].cdf(at), WithinAbs(dense.below, 1e-9));
+    }
+  }
+}
+
+TEST_CASE("what a mixture does not look at is not likely", "[load_mixture]") {
+  const std::size_t unknowns = GENERATE(std::size_t{1}, std::size_t{2});
+  const LoadPriorOptions options{.depth = 1.0, .narrowest = 3.5};
+  const DenseModel model(line_of(unknowns), options);
+  const LoadPrior prior(model.problem, options);
+  SensorArray array = coarse_array;
+  if (unknowns == 2) array.reads = {Quantity::stress_x, Quantity::shear_xy};
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> uniform;
+  const std::vector<double> force = weights_of_force(model.problem);
+  for (int i = 0; i < 12; ++i) {
+    // In the middle, at the end and over it; dragged more or less, or as white as noise.
+    const std::vector<Contact> contacts = {
+        RigidContact{.center = 9.0 * uniform(engine),
+                     .half_width = 0.4 + uniform(engine),
+                     .friction = unknowns == 2 ? 2.0 * uniform(engine) * uniform(engine) : 0.0}};
+    std::vector<double> readings = exact_readings(array, pad, contacts);
+    if (i % 4 == 3) std::fill(readings.begin(), readings.end(), 0.0);
+    const double rms = std::array{0.3, 0.01, 3e-3, 1.0}[static_cast<std::size_t>(i % 4)] * 0.1;
+    add_noise(readings, rms, 5, static_cast<std::size_t>(i));
+    for (const double degrees : {5.0, certain}) {
+      CAPTURE(unknowns, i, degrees);
+      const Distribution found = prior.given(readings, {.rms = rms, .degrees = degrees}).of(force);
+      const double at = found.mean() - found.deviation();
+      const auto dense = model.of(force, readings, rms, degrees, at);
+      CHECK_THAT(found.mean(), WithinAbs(dense.mean, 1e-9 * found.deviation()));
+      CHECK_THAT(found.deviation(), WithinRel(dense.deviation, 1e-9));
+      CHECK_THAT(found.cdf(at), WithinAbs(dense.below, 1e-9));
     }
   }
 }
@@ -330,9 +365,9 @@ TEST_CASE("a skin's mixture is the posterior of squares of cells", "[load_mixtur
   const Distribution found = mixture.of(force);
   const double at = found.mean() - 0.5 * found.deviation();
   const auto dense = model.of(force, readings, pad_noise, 5.0, at);
-  CHECK_THAT(found.mean(), WithinRel(dense.mean, 1e-4));
-  CHECK_THAT(found.deviation(), WithinRel(dense.deviation, 1e-3));
-  CHECK_THAT(found.cdf(at), WithinAbs(dense.below, 1e-4));
+  CHECK_THAT(found.mean(), WithinRel(dense.mean, 1e-9));
+  CHECK_THAT(found.deviation(), WithinRel(dense.deviation, 1e-9));
+  CHECK_THAT(found.cdf(at), WithinAbs(dense.below, 1e-9));
 }
 
 TEST_CASE("ranks of the model's own draws are uniform", "[load_mixture]") {

@@ -79,8 +79,6 @@ class LoadPrior {
 
   /// Number of windows.
   [[nodiscard]] std::size_t count() const noexcept;
-  /// Multiplications of one frame's probabilities: of each window and weight rows^2 about.
-  [[nodiscard]] std::size_t multiplications() const noexcept;
 
   /// What the readings leave of it.
   /// @throw std::invalid_argument  readings have the wrong size or are not finite, or the noise is
@@ -88,6 +86,8 @@ class LoadPrior {
   [[nodiscard]] LoadMixture given(std::span<const double> readings, const LoadNoise& noise) const;
 
   struct Tables;
+  /// Of one window and one weight, what a frame makes of it.
+  struct Part;
 
  private:
   std::shared_ptr<const Tables> tables_;
@@ -130,8 +130,6 @@ class LoadMixture {
  private:
   friend class LoadPrior;
 
-  /// Of one window and one weight, what the frame makes of it.
-  struct Part;
   explicit LoadMixture(std::shared_ptr<const LoadPrior::Tables> tables);
   /// Of one component the means and covariances of several sums, over sigma and its square.
   struct Sums;
@@ -140,7 +138,7 @@ class LoadMixture {
   void each(std::span<const std::vector<double>> weights, const Take& take) const;
 
   std::shared_ptr<const LoadPrior::Tables> tables_;
-  std::shared_ptr<const std::vector<Part>> parts_;
+  std::shared_ptr<const std::vector<LoadPrior::Part>> parts_;
   double sigma_ = 1.0;
   double degrees_ = 0.0;
   double used_ = 0.0;
