@@ -6,19 +6,14 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <tuple>
 #include <utility>
 
 namespace tactile_net {
-namespace {
 
 using Eigen::Index;
 
-/// Of each reading the one that a reflection makes of it; absent: not every one has its like.
-using Mirrors = std::optional<std::vector<std::size_t>>;
-
-Mirrors mirrors(const LinearProblem& problem, Axis along) {
+MirroredReadings mirrored_readings(const LinearProblem& problem, Axis along) {
   const SurfaceGrid& grid = problem.grid;
   const double spacing = along == Axis::y ? grid.spacing_y : grid.spacing_z;
   const double centre = along == Axis::y ? grid.centre_y : grid.centre_z;
@@ -50,13 +45,15 @@ Mirrors mirrors(const LinearProblem& problem, Axis along) {
   return of;
 }
 
+namespace {
+
 /// Whether a reading that the reflection leaves alone or exchanges is of a class: +1 even, -1 odd.
 double parity(const Site& site, Axis along, bool normal_is_odd) {
   return is_odd(site.quantity, Traction::normal, along) != normal_is_odd ? -1.0 : 1.0;
 }
 
-MirrorClass class_of(const LinearProblem& problem, const Mirrors& y, const Mirrors& z, bool odd_y,
-                     bool odd_z) {
+MirrorClass class_of(const LinearProblem& problem, const MirroredReadings& y,
+                     const MirroredReadings& z, bool odd_y, bool odd_z) {
   MirrorClass one;
   std::vector<Eigen::Triplet<double>> entries;
   Index count = 0;
@@ -100,8 +97,8 @@ MirrorClass class_of(const LinearProblem& problem, const Mirrors& y, const Mirro
 }  // namespace
 
 std::vector<MirrorClass> mirror_classes(const LinearProblem& problem) {
-  const Mirrors y = mirrors(problem, Axis::y);
-  const Mirrors z = mirrors(problem, Axis::z);
+  const MirroredReadings y = mirrored_readings(problem, Axis::y);
+  const MirroredReadings z = mirrored_readings(problem, Axis::z);
   std::vector<MirrorClass> classes;
   for (const bool odd_y : {false, true})
     for (const bool odd_z : {false, true}) {

@@ -3,12 +3,19 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
 
 namespace tactile_net {
+
+/// Of each reading the one that a reflection makes of it; absent: not every one has its like.
+using MirroredReadings = std::optional<std::vector<std::size_t>>;
+/// Of y -> -y or z -> -z. What is odd changes its sign besides.
+[[nodiscard]] MirroredReadings mirrored_readings(const LinearProblem& problem, Axis along);
 
 /// One class: combinations of readings, and the waves that show in no other one's.
 struct MirrorClass {

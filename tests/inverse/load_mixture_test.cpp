@@ -5,14 +5,18 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 
+#include "inverse/load_tables.hpp"
 #include "inverse/window_places.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
@@ -111,7 +115,7 @@ struct DenseModel {
     const Eigen::MatrixXd k = kernel();
     const Eigen::VectorXd g = as_eigen(readings) / rms;
     const Eigen::VectorXd s = as_eigen(weights);
-    const auto rows = static_cast<double>(g.size());
+    const auto rows = static_cast<double>(independent_readings(problem));
     const Eigen::Index m = g.size();
     std::vector<double> logs, means, variances;
     for (const Window& one : windows) {
@@ -368,6 +372,109 @@ TEST_CASE("a skin's mixture is the posterior of squares of cells", "[load_mixtur
   CHECK_THAT(found.mean(), WithinRel(dense.mean, 1e-9));
   CHECK_THAT(found.deviation(), WithinRel(dense.deviation, 1e-9));
   CHECK_THAT(found.cdf(at), WithinAbs(dense.below, 1e-9));
+}
+
+TEST_CASE("a dragged skin's mixture is its model's, whether windows mirror one another or not",
+          "[load_mixture]") {
+  const SkinArray skin{.rows = 4,
+                       .columns = 3,
+                       .pitch_y = 1.0,
+                       .pitch_z = 1.0,
+                       .depths = {1.0},
+                       .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}};
+  SkinProblemOptions given{.components = 3, .grid = {.spacing = 1.0}};
+  const int kind = GENERATE(0, 1, 2);
+  if (kind == 1) given.dead_taxels = {0};
+  if (kind == 2) given.unknown_offsets = true;
+  const LinearProblem problem = make_problem(skin, pad, given);
+  const LoadPriorOptions options{.depth = 1.0, .narrowest = 2.0};
+  const DenseModel model(problem, options);
+  const LoadPrior::Tables tables(problem, options);
+  CHECK(6 * tables.windows.size() == model.windows.size());
+  CHECK((tables.shapes.size() < tables.windows.size()) == (kind != 1));
+  const LoadPrior prior(problem, options);
+  const std::size_t cells = problem.grid.count();
+  std::vector<std::vector<double>> sums;
+  for (std::size_t u = 0; u < 3; ++u) {
+    sums.emplace_back(3 * cells);
+    std::fill_n(sums.back().begin() + static_cast<std::ptrdiff_t>(u * cells), cells, 1.0);
+  }
+  std::mt19937 engine(1);
+  std::normal_distribution<double> white;
+  for (const std::size_t corner : {std::size_t{1}, std::size_t{2}}) {  // near either end of both
+    const std::size_t row = corner == 1 ? 1 : problem.grid.rows - 2;
+    const std::size_t at = row * problem.grid.columns + (corner == 1 ? 3 : 1);
+    std::vector<double> readings(problem.kernel.rows);
+    for (std::size_t i = 0; i < readings.size(); ++i)
+      readings[i] = problem.kernel(i, at) + 0.3 * problem.kernel(i, cells + at) -
+                    0.2 * problem.kernel(i, 2 * cells + at) + 2e-3 * white(engine);
+    const LoadMixture mixture = prior.given(readings, {.rms = 2e-3});
+    const auto each = mixture.of_tractions();
+    const std::vector<double> mean = mixture.mean();
+    const std::vector<double> explained = weighted(problem, readings);
+    std::vector<std::vector<double>> all = sums;
+    for (const std::size_t cell : {at, cells + at, 2 * cells + at}) {
+      all.emplace_back(3 * cells);
+      all.back()[cell] = 1.0;
+    }
+    const auto found = mixture.of_each(all);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      CAPTURE(kind, corner, i);
+      const double point = found[i].mean() + 0.4 * found[i].deviation();
+      const auto dense = model.of(all[i], explained, 2e-3, 5.0, point);
+      CHECK_THAT(found[i].mean(), WithinAbs(dense.mean, 1e-9));
+      CHECK_THAT(found[i].deviation(), WithinRel(dense.deviation, 1e-9));
+      CHECK_THAT(found[i].cdf(point), WithinAbs(dense.below, 1e-9));
+      CHECK_THAT(found[i].mean(),
+                 WithinAbs(as_eigen(std::span(all[i])).dot(as_eigen(std::span(mean))), 1e-12));
+      if (i < 3) continue;
+      const Distribution& own = each[(i - 3) * cells + at];
+      CHECK_THAT(own.mean(), WithinAbs(dense.mean, 1e-9));
+      CHECK_THAT(own.deviation(), WithinRel(dense.deviation, 1e-9));
+    }
+  }
+}
+
+TEST_CASE("what answers need is made again where there was no room for it", "[load_mixture]") {
+  const LinearProblem problem = line_of(2);
+  const LoadPriorOptions options{.depth = 1.0};
+  const LoadPrior::Tables whole(problem, options);
+  LoadPrior::Tables narrow(problem, options);
+  narrow.room = 40'000;
+  std::vector<std::shared_ptr<const LoadPrior::Tables::Details>> own;
+  for (const auto& entry : whole.entries) own.push_back(whole.details(entry));
+  CHECK(whole.numbers() > 2 * narrow.room);
+  CHECK(whole.details(whole.entries.front()) == own.front());
+  std::vector<std::thread> threads;
+  std::atomic<std::size_t> same = 0;
+  for (std::size_t t = 0; t < 4; ++t)
+    threads.emplace_back([&, t] {
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        const std::size_t at = (i * (t + 1) + t) % own.size();
+        const auto made = narrow.details(narrow.entries[at]);
+        if (made->roots == own[at]->roots && made->hidden == own[at]->hidden) ++same;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  CHECK(same == 4 * own.size());
+  CHECK(narrow.numbers() <= narrow.room);
+  // K T = U diag(gamma) V', V'V = 1, and what V leaves of T is hidden.
+  const Eigen::MatrixXd kernel = as_eigen(problem.kernel);
+  for (std::size_t i = 0; i < own.size(); i += 17) {
+    CAPTURE(i);
+    const auto& entry = whole.entries[i];
+    const Eigen::MatrixXd& v = own[i]->v;
+    const Eigen::MatrixXd columns =
+        kernel(Eigen::indexing::all, whole.shapes[entry.shape].columns).transpose();
+    const Eigen::MatrixXd seen = whole.sums(entry, columns).transpose();
+    CHECK((seen - entry.u * entry.gamma.asDiagonal() * v.transpose()).norm() <
+          1e-12 * whole.entries.front().gamma(0));
+    CHECK((v.transpose() * v - Eigen::MatrixXd::Identity(v.cols(), v.cols())).norm() < 1e-13);
+    const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(v.rows(), v.rows()) - v * v.transpose();
+    const Eigen::VectorXd hidden = whole.tractions(entry, rest).rowwise().squaredNorm();
+    const Eigen::VectorXd scale = hidden + own[i]->roots.rowwise().squaredNorm() * 1e-12;
+    CHECK(((hidden - own[i]->hidden).array().abs() / scale.array()).maxCoeff() < 1e-9);
+  }
 }
 
 TEST_CASE("ranks of the model's own draws are uniform", "[load_mixture]") {

@@ -1,0 +1,178 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "inverse/load_tables.hpp"
+
+namespace tactile_net {
+
+using Eigen::Index;
+
+namespace {
+
+/// Over the largest probability: of as many components as there are, all together are less than
+/// a billionth.
+constexpr double never_counted = 1e-15;
+constexpr Index alphas_apart = 4;       // those at which every window is looked at
+constexpr double least_outside = 1e-6;  // of |g|^2, told by a difference
+
+/// Each term of q, alpha beta^2 / (gamma^2 + alpha), rises with alpha and is concave in it: between
+/// two alphas q lies above its chord. And q = g'(I + K C K' / alpha)^-1 g rises with the tangential
+/// weight, as C falls: what it is for one weight bounds it for those above. The rest of log p is in
+/// tables, so that a few alphas of the least weight say how likely a window may be at most.
+class LikelyParts {
+ public:
+  /// @param g      over sigma
+  /// @param known  nu
+  /// @param least  q is not less
+  LikelyParts(const LoadPrior::Tables& tables, const Eigen::VectorXd& g, double known, double least)
+      : tables_(tables),
+        g_(g),
+        square_(g.squaredNorm()),
+        known_(known),
+        degrees_(known + static_cast<double>(tables.weighting.rows())),
+        least_(least) {}
+
+  /// Probabilities that sum to 1, window after window.
+  [[nodiscard]] std::vector<LoadPrior::Part> found() {
+    for (const LoadPrior::Tables::Reflection& by : tables_.reflections)
+      reflected_.emplace_back(by.signs.cwiseProduct(g_(by.readings)));
+    std::vector<Look> looks;
+    looks.reserve(tables_.windows.size());
+    for (std::size_t w = 0; w < tables_.windows.size(); ++w) looks.push_back(look_at(w));
+    std::vector<std::size_t> order(looks.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return looks[a].most > looks[b].most; });
+    for (const std::size_t w : order) {
+      if (!(looks[w].most > best_ + std::log(never_counted))) break;
+      look_closely(std::move(looks[w]));
+    }
+    return likely();
+  }
+
+ private:
+  struct Look {
+    std::size_t window = 0;
+    Eigen::VectorXd beta{}, square{};
+    double outside = 0.0;    // what of |g|^2 no traction in the window explains
+    Eigen::VectorXd left{};  // q of each alpha, or less
+    double most = 0.0;       // of log p
+  };
+  struct Found {
+    std::size_t window = 0;
+    const LoadPrior::Tables::Entry* entry = nullptr;
+    Eigen::VectorXd beta{};
+    std::vector<Index> alphas{};
+    std::vector<double> left{}, log{};
+  };
+
+  void project(const LoadPrior::Tables::Entry& entry, Look& look) const {
+    const Eigen::VectorXd& g = reflected_[tables_.windows[look.window].reflection];
+    look.beta = entry.u.transpose() * g;
+    look.square = look.beta.cwiseAbs2();
+    look.outside = square_ - look.square.sum();
+    // A difference of squares has its own rounding: seen where little is left.
+    if (look.outside < least_outside * square_)
+      look.outside = (g - entry.u * look.beta).squaredNorm();
+  }
+  [[nodiscard]] double left(const LoadPrior::Tables::Entry& entry, const Look& look,
+                            Index a) const {
+    const double alpha = tables_.alphas(a);
+    return std::max(
+        least_,
+        look.outside + (alpha * look.square.array() / (entry.gamma2.array() + alpha)).sum());
+  }
+  [[nodiscard]] double log_likelihood(double q) const {
+    return std::isinf(known_) ? -0.5 * q : -0.5 * degrees_ * std::log(known_ + q);
+  }
+
+  [[nodiscard]] Look look_at(std::size_t w) const {
+    const LoadPrior::Tables::Shape& shape = tables_.shapes[tables_.windows[w].shape];
+    const LoadPrior::Tables::Entry& entry = tables_.entries[shape.first];
+    Look look{.window = w};
+    project(entry, look);
+    look.left.resize(tables_.alphas.size());
+    look.left(0) = left(entry, look, 0);
+    for (Index a = alphas_apart; a < tables_.alphas.size(); a += alphas_apart) {
+      look.left(a) = left(entry, look, a);
+      for (Index i = a - alphas_apart + 1; i < a; ++i) {
+        const double share = (tables_.alphas(i) - tables_.alphas(a)) /
+                             (tables_.alphas(a - alphas_apart) - tables_.alphas(a));
+        look.left(i) = (1.0 - share) * look.left(a) + share * look.left(a - alphas_apart);
+      }
+    }
+    look.most = -std::numeric_limits<double>::infinity();
+    for (Index a = 0; a < tables_.alphas.size(); ++a)
+      look.most = std::max(look.most, shape.most_log_prior(a) + log_likelihood(look.left(a)));
+    return look;
+  }
+
+  void look_closely(Look look) {
+    const LoadPrior::Tables::Shape& shape = tables_.shapes[tables_.windows[look.window].shape];
+    for (std::size_t i = 0; i < tables_.tangential_weights.size(); ++i) {
+      const LoadPrior::Tables::Entry& entry = tables_.entries[shape.first + i];
+      Found found{.window = look.window, .entry = &entry};
+      for (Index a = 0; a < tables_.alphas.size(); ++a)
+        if (entry.log_prior(a) + log_likelihood(look.left(a)) > best_ + std::log(never_counted))
+          found.alphas.push_back(a);
+      if (found.alphas.empty()) continue;
+      if (i > 0) project(entry, look);
+      for (const Index a : found.alphas) {
+        look.left(a) = left(entry, look, a);
+        found.left.push_back(look.left(a));
+        found.log.push_back(entry.log_prior(a) + log_likelihood(look.left(a)));
+        best_ = std::max(best_, found.log.back());
+      }
+      found.beta = look.beta;
+      found_.push_back(std::move(found));
+    }
+  }
+
+  [[nodiscard]] std::vector<LoadPrior::Part> likely() {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Found& a, const Found& b) { return a.window < b.window; });
+    double all = 0.0;
+    for (Found& found : found_)
+      for (double& log : found.log) all += log = std::exp(log - best_);
+    double kept = 0.0;
+    for (const Found& found : found_)
+      for (const double p : found.log)
+        if (p > unlikely * all) kept += p;
+    std::vector<LoadPrior::Part> parts;
+    for (Found& found : found_) {
+      LoadPrior::Part part{.entry = found.entry,
+                           .window = &tables_.windows[found.window],
+                           .beta = std::move(found.beta)};
+      for (std::size_t i = 0; i < found.log.size(); ++i)
+        if (found.log[i] > unlikely * all)
+          part.sizes.push_back(
+              {.alpha = tables_.alphas(found.alphas[i]),
+               .probability = found.log[i] / kept,
+               .scale2 = std::isinf(known_) ? 1.0 : (known_ + found.left[i]) / degrees_});
+      if (!part.sizes.empty()) parts.push_back(std::move(part));
+    }
+    return parts;
+  }
+
+  const LoadPrior::Tables& tables_;
+  const Eigen::VectorXd& g_;
+  double square_;
+  double known_;
+  double degrees_;
+  double least_;
+  std::vector<Eigen::VectorXd> reflected_{};                // g, of each reflection
+  double best_ = -std::numeric_limits<double>::infinity();  // log p
+  std::vector<Found> found_{};
+};
+
+}  // namespace
+
+std::vector<LoadPrior::Part> likely_parts(const LoadPrior::Tables& tables, const Eigen::VectorXd& g,
+                                          double known, double least) {
+  return LikelyParts(tables, g, known, least).found();
+}
+
+}  // namespace tactile_net

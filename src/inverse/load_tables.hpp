@@ -1,0 +1,161 @@
+/// @file
+/// What a mixture of loads knows before anything is read: its windows, and of each with each
+/// tangential weight a decomposition. Private.
+///
+/// Of windows that are mirror images of one another on an array that mirrors itself one is
+/// decomposed: for the others the readings are reflected instead. What only answers need is made
+/// when a frame finds a window likely.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "inverse/weighting.hpp"
+#include "inverse/window_places.hpp"
+#include "tactile_net/inverse/load_mixture.hpp"
+
+namespace tactile_net {
+
+/// T of a window, f = T c with |c|^2 the stabiliser: waves that end where the window does, each
+/// over what (1 + (d/2)^2 Q) stretches it by.
+class WindowCoordinates {
+ public:
+  WindowCoordinates(const LinearProblem& problem, const WindowPlace& place, double depth);
+
+  /// Of one component.
+  [[nodiscard]] Eigen::Index count() const noexcept { return sizes_.size(); }
+  /// T c of one component, column by column.
+  [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& c) const;
+  /// T' f.
+  [[nodiscard]] Eigen::MatrixXd sums(const Eigen::Ref<const Eigen::MatrixXd>& f) const;
+  /// The squares of each value: the diagonal of T T'.
+  [[nodiscard]] Eigen::VectorXd squares() const;
+
+ private:
+  Eigen::MatrixXd y_, z_;
+  Eigen::VectorXd sizes_;
+};
+
+struct LoadPrior::Tables {
+  /// Of readings and of tractions: y -> -y, z -> -z, both or none.
+  struct Reflection {
+    std::vector<Eigen::Index> readings{};  // the one that each becomes
+    Eigen::VectorXd signs{};               // of each
+    std::vector<double> tractions{};       // the sign of each component
+    bool of_y = false, of_z = false;
+  };
+  /// One of the windows that are each other's images.
+  struct Shape {
+    std::vector<Eigen::Index> columns{};  // of K: the window's values, of each component
+    WindowCoordinates coordinates;
+    std::size_t first = 0;             // entry of the least weight, those of the others follow
+    Eigen::VectorXd most_log_prior{};  // of the entries, of each alpha
+    std::vector<std::size_t> windows{};
+  };
+  /// Where a load may lie, with whatever tangential weight.
+  struct Window {
+    std::size_t shape = 0;
+    std::size_t reflection = 0;           // that makes the shape's window of it
+    std::vector<Eigen::Index> columns{};  // of K, the images of the shape's one after another
+  };
+  /// Of a shape and a weight.
+  struct Entry {
+    std::size_t shape = 0;
+    double tangential_weight = 1.0;
+    Eigen::MatrixXd u{};
+    Eigen::VectorXd gamma{}, gamma2{};
+    Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
+  };
+  /// What answers need of an entry.
+  struct Details {
+    Eigen::MatrixXd v{};
+    Eigen::MatrixXd roots{};   // T V, a row a value
+    Eigen::VectorXd hidden{};  // the squares of what no reading shows of each value
+  };
+
+  Tables(const LinearProblem& problem, const LoadPriorOptions& options);
+
+  /// Kept as long as there is room: those that were asked for longest ago go. Several threads may
+  /// ask.
+  [[nodiscard]] std::shared_ptr<const Details> details(const Entry& entry) const;
+
+  /// T c of all components: the tangential ones are as much smaller as they weigh more.
+  [[nodiscard]] Eigen::MatrixXd tractions(const Entry& entry, const Eigen::MatrixXd& c) const;
+  /// T' f.
+  [[nodiscard]] Eigen::MatrixXd sums(const Entry& entry, const Eigen::MatrixXd& f) const;
+
+  /// What a window holds of these columns of values, as its shape has it.
+  [[nodiscard]] Eigen::MatrixXd inside(const Window& window, const Eigen::MatrixXd& all) const;
+  /// Adds a shape's values to all.
+  void add(const Window& window, const Eigen::VectorXd& inside,
+           Eigen::Ref<Eigen::VectorXd> all) const;
+
+  /// How many numbers are kept.
+  [[nodiscard]] std::size_t numbers() const {
+    const std::lock_guard lock(mutex_);
+    return numbers_;
+  }
+
+  [[nodiscard]] Eigen::Index tractions_count() const noexcept { return components * block; }
+
+  Weighting weighting;
+  Eigen::Index components;
+  Eigen::Index block;  // values of a component
+  Eigen::VectorXd alphas{};
+  std::vector<double> tangential_weights{};  // ascending
+  std::vector<Reflection> reflections{};     // none first
+  std::vector<Shape> shapes{};
+  std::vector<Window> windows{};  // the whole surface first
+  std::vector<Entry> entries{};
+  std::size_t room = std::size_t{12} << 20;  // numbers of details: 96 MB
+
+ private:
+  void find_reflections(const LinearProblem& problem);
+  void add_window(const LinearProblem& problem, const WindowPlace& place, std::size_t shape,
+                  std::size_t reflection);
+  void decompose(Shape& shape, double prior_power, double log_prior);
+  [[nodiscard]] Details make(const Entry& entry) const;
+
+  Eigen::MatrixXd kernel_;
+  mutable std::mutex mutex_{};
+  mutable std::vector<std::shared_ptr<const Details>> kept_{};  // of each entry
+  mutable std::vector<std::size_t> asked_{};                    // when it was asked for
+  mutable std::size_t asks_ = 0;
+  mutable std::size_t numbers_ = 0;  // of those that are kept
+};
+
+/// What a frame makes of a window with one weight.
+struct LoadPrior::Part {
+  const Tables::Entry* entry = nullptr;
+  const Tables::Window* window = nullptr;
+  Eigen::VectorXd beta{};  // over sigma
+  struct Size {
+    double alpha = 0.0;
+    double probability = 0.0;
+    double scale2 = 1.0;  // of variances: (nu + q) / (nu + rows)
+  };
+  std::vector<Size> sizes{};  // those that are likely
+
+  /// What each component of the decomposition is filtered to.
+  [[nodiscard]] Eigen::VectorXd filtered(double alpha) const {
+    return entry->gamma.array() / (entry->gamma2.array() + alpha) * beta.array();
+  }
+};
+
+/// A probability that is left out.
+inline constexpr double unlikely = 1e-6;
+
+/// The likely components of a frame, found without a look at most of the others: probabilities
+/// that sum to 1, window after window.
+///
+/// @param g      readings over sigma
+/// @param known  nu
+/// @param least  q is not less
+[[nodiscard]] std::vector<LoadPrior::Part> likely_parts(const LoadPrior::Tables& tables,
+                                                        const Eigen::VectorXd& g, double known,
+                                                        double least);
+
+}  // namespace tactile_net
