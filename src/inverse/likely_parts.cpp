@@ -39,9 +39,9 @@ class LikelyParts {
   [[nodiscard]] std::vector<LoadPrior::Part> found() {
     for (const LoadPrior::Tables::Reflection& by : tables_.reflections)
       reflected_.emplace_back(by.signs.cwiseProduct(g_(by.readings)));
-    std::vector<Look> looks;
-    looks.reserve(tables_.windows.size());
-    for (std::size_t w = 0; w < tables_.windows.size(); ++w) looks.push_back(look_at(w));
+    std::vector<Look> looks(tables_.windows.size());
+    for (const LoadPrior::Tables::Shape& shape : tables_.shapes)
+      for (const std::size_t w : shape.windows) looks[w] = look_at(w);
     std::vector<std::size_t> order(looks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),

@@ -30,6 +30,8 @@ constexpr double most_alpha = 64.0;  // over the largest gamma squared
 /// as a millionth of the readings that changes no variance by more than 1e-9.
 constexpr double least_gamma2 = 1e-8;
 constexpr std::array drag_weights = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
+/// Bands of forces and drags of a skin are as wide with these as with those, and hold as often.
+constexpr std::array skin_weights = {0.5, 2.0, 8.0};
 constexpr double least_difference = 1e-5;  // of two squares, over the larger one
 
 }  // namespace
@@ -86,8 +88,12 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
       components(static_cast<Index>(problem.components)),
       block(static_cast<Index>(problem.grid.count())),
       kernel_(as_eigen(problem.kernel)) {
-  tangential_weights.assign(drag_weights.begin(), drag_weights.end());
-  if (problem.components == 1) tangential_weights = {1.0};
+  if (problem.components == 1)
+    tangential_weights = {1.0};
+  else if (problem.is_line)
+    tangential_weights.assign(drag_weights.begin(), drag_weights.end());
+  else
+    tangential_weights.assign(skin_weights.begin(), skin_weights.end());
   find_reflections(problem);
   const auto levels =
       window_levels(problem.grid, options.narrowest * options.depth, problem.is_line);
