@@ -21,6 +21,12 @@ namespace {
 constexpr double least_sigma = 1e-14;         // over the largest reading: below is rounding
 constexpr double deviations_from_zero = 5.0;  // of a ratio's denominator
 
+/// Of Student's t with these degrees of freedom.
+double student_variance(double degrees) {
+  if (std::isinf(degrees)) return 1.0;
+  return degrees > 2.0 ? degrees / (degrees - 2.0) : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 LoadPrior::LoadPrior(const LinearProblem& problem, const LoadPriorOptions& options) {
@@ -231,9 +237,7 @@ RootCovariance LoadMixture::covariance(std::span<const double> about, double noi
   const Index n = tables_->tractions_count();
   check_tractions(about, static_cast<std::size_t>(n));
   const Eigen::VectorXd f = as_eigen(about) / sigma_;
-  const double spread = std::isinf(degrees_) ? 1.0
-                        : degrees_ > 2.0     ? degrees_ / (degrees_ - 2.0)
-                                             : std::numeric_limits<double>::infinity();
+  const double spread = student_variance(degrees_);
   std::vector<Eigen::VectorXd> columns;
   const auto add = [&](const LoadPrior::Tables::Window& window, const Eigen::VectorXd& inside) {
     columns.emplace_back(Eigen::VectorXd::Zero(n));
@@ -275,6 +279,60 @@ RootCovariance LoadMixture::covariance(std::span<const double> about, double noi
   for (Index i = 0; i < s.cols(); ++i)
     s.col(i) = columns[static_cast<std::size_t>(i)] * (sigma_ / noise_rms);
   return {std::move(root), used_};
+}
+
+LoadCovariance::LoadCovariance(LoadMixture mixture, std::span<const double> about, double noise_rms)
+    : mixture_(std::move(mixture)), about_(about.begin(), about.end()), noise_rms_(noise_rms) {
+  require_positive("noise_rms", noise_rms);
+  check_tractions(about, static_cast<std::size_t>(mixture_.tables_->tractions_count()));
+}
+
+std::vector<double> LoadCovariance::deviations() const {
+  std::vector<double> all;
+  for (const Distribution& one : mixture_.of_tractions())
+    all.push_back(std::hypot(one.deviation(), one.mean() - about_[all.size()]) / noise_rms_);
+  return all;
+}
+
+double LoadCovariance::deviation(std::span<const double> weights) const {
+  return deviations_of(std::array{std::vector<double>(weights.begin(), weights.end())}).front();
+}
+
+double LoadCovariance::covariance(std::span<const double> a, std::span<const double> b) const {
+  return covariances(std::array{std::vector<double>(a.begin(), a.end()),
+                                std::vector<double>(b.begin(), b.end())})(0, 1);
+}
+
+std::vector<double> LoadCovariance::deviations_of(
+    std::span<const std::vector<double>> weights) const {
+  const std::vector<Distribution> found = mixture_.of_each(weights);
+  std::vector<double> all;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double about = as_eigen(std::span(weights[k])).dot(as_eigen(std::span(about_)));
+    all.push_back(std::hypot(found[k].deviation(), found[k].mean() - about) / noise_rms_);
+  }
+  return all;
+}
+
+Matrix LoadCovariance::covariances(std::span<const std::vector<double>> weights) const {
+  const std::size_t count = weights.size();
+  Matrix all{count, count, std::vector<double>(count * count)};
+  Eigen::VectorXd about(std::ssize(weights));
+  for (std::size_t k = 0; k < count; ++k) {
+    check_weights(weights[k], about_.size());
+    about(static_cast<Index>(k)) =
+        as_eigen(std::span(weights[k])).dot(as_eigen(std::span(about_))) / mixture_.sigma_;
+  }
+  const double spread = student_variance(mixture_.degrees_);
+  const double unit = std::pow(mixture_.sigma_ / noise_rms_, 2);
+  mixture_.each(weights, [&](const LoadMixture::Sums& sums) {
+    const Eigen::VectorXd error = sums.means - about;
+    for (Index a = 0; a < about.size(); ++a)
+      for (Index b = 0; b < about.size(); ++b)
+        all(static_cast<std::size_t>(a), static_cast<std::size_t>(b)) +=
+            unit * sums.probability * (spread * sums.covariance(a, b) + error(a) * error(b));
+  });
+  return all;
 }
 
 }  // namespace tactile_net

@@ -522,6 +522,46 @@ TEST_CASE("sums of the mean tractions are the sums' means", "[load_mixture]") {
   CHECK(mixture.alpha_quantile(0.25) <= mixture.alpha_quantile(0.75));
 }
 
+TEST_CASE("a covariance worked out sum by sum is the root's", "[load_mixture]") {
+  const std::size_t unknowns = GENERATE(std::size_t{1}, std::size_t{2});
+  const LinearProblem problem = line_of(unknowns);
+  const LoadPrior prior(problem, {.depth = 1.0});
+  const std::vector<double> loud = pressed(unknowns);
+  std::vector<double> quiet(loud.size());
+  add_noise(quiet, pad_noise, 3, 0);
+  for (const std::vector<double>& readings : {loud, quiet}) {
+    const LoadMixture mixture = prior.given(readings, {.rms = pad_noise, .model_share = 0.02});
+    std::vector<double> about = mixture.mean();
+    about[7] += 0.05;
+    const RootCovariance root = mixture.covariance(about, 3.0);
+    const LoadCovariance sums(mixture, about, 3.0);
+    CHECK(sums.degrees_of_freedom() == root.degrees_of_freedom());
+    std::vector<std::vector<double>> weights{weights_of_force(problem), weights_of_moment(problem)};
+    weights.emplace_back(problem.components * problem.grid.count());
+    weights.back()[7] = 1.0;
+    const Matrix all = sums.covariances(weights);
+    const std::vector<double> deviations = sums.deviations_of(weights);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      CHECK_THAT(sums.deviation(weights[i]), WithinRel(root.deviation(weights[i]), 1e-9));
+      CHECK_THAT(deviations[i], WithinRel(root.deviation(weights[i]), 1e-9));
+      for (std::size_t j = 0; j < weights.size(); ++j) {
+        const double scale = deviations[i] * deviations[j];
+        const double expected = root.covariance(weights[i], weights[j]);
+        CHECK_THAT(all(i, j), WithinAbs(expected, 1e-9 * scale));
+        CHECK_THAT(sums.covariance(weights[i], weights[j]), WithinAbs(expected, 1e-9 * scale));
+      }
+    }
+    const std::vector<double> expected = root.deviations();
+    const std::vector<double> found = sums.deviations();
+    for (std::size_t i = 0; i < found.size(); ++i)
+      CHECK_THAT(found[i], WithinRel(expected[i], 1e-9));
+    CHECK_THROWS_AS(LoadCovariance(mixture, about, 0.0), std::invalid_argument);
+    CHECK_THROWS_AS(LoadCovariance(mixture, readings, 1.0), std::invalid_argument);
+    CHECK_THROWS_AS(sums.deviation(readings), std::invalid_argument);
+    CHECK_THROWS_AS(sums.covariance(about, readings), std::invalid_argument);
+  }
+}
+
 TEST_CASE("the unit of readings does not matter", "[load_mixture]") {
   const LinearProblem problem = line_of(1);
   const LoadPrior prior(problem, {.depth = 1.0});

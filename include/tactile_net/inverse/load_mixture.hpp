@@ -130,7 +130,7 @@ class LoadMixture {
 
   /// The mean squares of the error of given tractions, per unit of `noise_rms` squared: about the
   /// mean the covariance. A column for each value, reading and alpha of each likely window: of a
-  /// skin's frame of noise alone gigabytes, where `of_each` takes none.
+  /// skin's frame of noise alone gigabytes, where `LoadCovariance` takes none.
   /// @throw std::invalid_argument  noise_rms is not > 0, there is not one traction per column
   [[nodiscard]] RootCovariance covariance(std::span<const double> about, double noise_rms) const;
 
@@ -146,6 +146,7 @@ class LoadMixture {
 
  private:
   friend class LoadPrior;
+  friend class LoadCovariance;
 
   explicit LoadMixture(std::shared_ptr<const LoadPrior::Tables> tables);
   /// Of one component the means and covariances of several sums, over sigma and its square.
@@ -160,6 +161,31 @@ class LoadMixture {
   double degrees_ = 0.0;
   double used_ = 0.0;
   double model_share_ = 0.0;
+};
+
+/// What `LoadMixture::covariance` is, worked out for each sum that is asked for: for skins.
+class LoadCovariance final : public Covariance {
+ public:
+  /// @param about  one per traction [Pa]
+  /// @throw std::invalid_argument  noise_rms is not > 0, there is not one traction per column
+  LoadCovariance(LoadMixture mixture, std::span<const double> about, double noise_rms);
+
+  [[nodiscard]] std::vector<double> deviations() const override;
+  [[nodiscard]] double deviation(std::span<const double> weights) const override;
+  [[nodiscard]] double covariance(std::span<const double> a,
+                                  std::span<const double> b) const override;
+  /// One pass over the likely windows for all sums.
+  [[nodiscard]] std::vector<double> deviations_of(
+      std::span<const std::vector<double>> weights) const override;
+  [[nodiscard]] Matrix covariances(std::span<const std::vector<double>> weights) const override;
+  [[nodiscard]] double degrees_of_freedom() const noexcept override {
+    return mixture_.degrees_of_freedom();
+  }
+
+ private:
+  LoadMixture mixture_;
+  std::vector<double> about_;
+  double noise_rms_;
 };
 
 }  // namespace tactile_net
