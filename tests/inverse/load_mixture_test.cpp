@@ -402,13 +402,16 @@ TEST_CASE("a dragged skin's mixture is its model's, whether windows mirror one a
   }
   std::mt19937 engine(1);
   std::normal_distribution<double> white;
-  for (const std::size_t corner : {std::size_t{1}, std::size_t{2}}) {  // near either end of both
+  // Near either end of both axes, and a frame of noise alone.
+  for (const std::size_t corner : {std::size_t{1}, std::size_t{2}, std::size_t{0}}) {
+    const double size = corner == 0 ? 0.0 : 1.0;
     const std::size_t row = corner == 1 ? 1 : problem.grid.rows - 2;
     const std::size_t at = row * problem.grid.columns + (corner == 1 ? 3 : 1);
     std::vector<double> readings(problem.kernel.rows);
     for (std::size_t i = 0; i < readings.size(); ++i)
-      readings[i] = problem.kernel(i, at) + 0.3 * problem.kernel(i, cells + at) -
-                    0.2 * problem.kernel(i, 2 * cells + at) + 2e-3 * white(engine);
+      readings[i] = size * (problem.kernel(i, at) + 0.3 * problem.kernel(i, cells + at) -
+                            0.2 * problem.kernel(i, 2 * cells + at)) +
+                    2e-3 * white(engine);
     const LoadMixture mixture = prior.given(readings, {.rms = 2e-3});
     const auto each = mixture.of_tractions();
     const std::vector<double> mean = mixture.mean();
