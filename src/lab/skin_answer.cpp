@@ -15,6 +15,7 @@
 #include "lab/skin_bands.hpp"
 #include "lab/skin_data_verdict.hpp"
 #include "lab/skin_method.hpp"
+#include "lab/skin_mixture.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
@@ -116,8 +117,10 @@ class SkinFrameMethod final : public FrameMethod {
  public:
   SkinFrameMethod(const SkinSceneProblem& given, std::span<const double> readings,
                   SkinAlphaChooser choose, std::optional<std::size_t> repeats)
-      : weight_(given.estimates_weight() ? std::optional(given.likeliest_weight(readings))
-                                         : std::nullopt),
+      : mixture_(!choose && given.answers_by_mixture() ? mixture_of(given, readings) : nullptr),
+        weight_(given.estimates_weight() && !is_mean(given)
+                    ? std::optional(given.likeliest_weight(readings))
+                    : std::nullopt),
         problem_(weight_ ? given.weighed(*weight_) : given),
         method_(method_of(problem_)),
         readings_(readings),
@@ -132,13 +135,14 @@ class SkinFrameMethod final : public FrameMethod {
   }
 
   void solve(FrameAnswer& answer) override {
-    const double alpha = answer.alpha.value;
-    answer.condition = Condition{method_->stacked_condition(alpha), Condition::Kind::bound};
-    require_full_rank(method_->condition(alpha), readings_.size() + problem_.tractions());
-    if (problem_.constraints())
-      solve_in_cones(answer);
-    else
-      solve_freely(answer);
+    answer.mixture = mixture_;
+    if (is_mean(problem_)) {
+      answer.tractions = mixture_->mean();
+      answer.degrees_of_freedom = mixture_->degrees_of_freedom();
+      answer.verdict = Verdict::ok;  // alpha's is not of it
+    } else {
+      solve_by_alpha(answer);
+    }
     if (!std::all_of(answer.tractions.begin(), answer.tractions.end(),
                      [](double f) { return std::isfinite(f); }))
       throw FrameOverflow();
@@ -157,6 +161,7 @@ class SkinFrameMethod final : public FrameMethod {
   }
   std::size_t rows() const override { return frame_.rows; }
   std::optional<double> rounding(const FrameAnswer& answer) const override {
+    if (is_mean(problem_)) return std::nullopt;
     const double alpha = answer.alpha.value;
     return rounding_bound(frame_, alpha, method_->condition(alpha), problem_.tractions());
   }
@@ -175,6 +180,10 @@ class SkinFrameMethod final : public FrameMethod {
 
   bool has_bands() const override { return true; }
   Uncertain add_bands(FrameAnswer& answer) override {
+    if (mixture_) {
+      add_mixture_bands(answer, problem_, readings_);
+      return answer.wrench.normal;
+    }
     answer.noise = estimate_noise(*answer.residual, frame_.rows, answer.degrees_of_freedom,
                                   problem_.stated_noise());
     if (!problem_.is_large())  // of which they are known
@@ -216,6 +225,29 @@ class SkinFrameMethod final : public FrameMethod {
   }
 
  private:
+  static std::shared_ptr<const LoadMixture> mixture_of(const SkinSceneProblem& problem,
+                                                       std::span<const double> readings) {
+    const NoiseModel& noise = *problem.scene().noise;
+    return std::make_shared<const LoadMixture>(
+        problem.load_prior().given(readings, {.rms = problem.stated_noise(),
+                                              .degrees = noise.degrees,
+                                              .model_share = noise.model_share}));
+  }
+  /// Whether tractions are the mixture's mean.
+  [[nodiscard]] bool is_mean(const SkinSceneProblem& problem) const {
+    return mixture_ != nullptr && !problem.constraints();
+  }
+
+  void solve_by_alpha(FrameAnswer& answer) {
+    const double alpha = answer.alpha.value;
+    answer.condition = Condition{method_->stacked_condition(alpha), Condition::Kind::bound};
+    require_full_rank(method_->condition(alpha), readings_.size() + problem_.tractions());
+    if (problem_.constraints())
+      solve_in_cones(answer);
+    else
+      solve_freely(answer);
+  }
+
   void solve_in_cones(FrameAnswer& answer) {
     const double alpha = answer.alpha.value;
     answer.cone = method_->solve_in_cones(readings_, alpha);
@@ -248,6 +280,7 @@ class SkinFrameMethod final : public FrameMethod {
     answer.degrees_of_freedom = method_->degrees_of_freedom(alpha);
   }
 
+  std::shared_ptr<const LoadMixture> mixture_;  // null: one alpha answers
   std::optional<double> weight_;  // that the readings make likeliest; absent: the scene gives it
   SkinSceneProblem problem_;      // with it
   std::unique_ptr<const SkinMethod> method_;

@@ -61,12 +61,6 @@ double assumed_share(const SkinSceneProblem& problem, const Covariance& covarian
   return covariance.deviation(sum) / prior_deviation(problem.layout(), sum, prior);
 }
 
-double sum_over(std::span<const double> tractions, std::span<const std::size_t> cells) {
-  double sum = 0.0;
-  for (const std::size_t cell : cells) sum += tractions[cell];
-  return sum;
-}
-
 /// Makes deviations small enough for the highest pressure to be certain.
 void scale_to_peak(std::vector<double>& deviations, std::span<const double> pressure) {
   const auto peak = static_cast<std::size_t>(std::max_element(pressure.begin(), pressure.end()) -
@@ -75,18 +69,6 @@ void scale_to_peak(std::vector<double>& deviations, std::span<const double> pres
   if (!(deviations[peak] > certain)) return;
   const double factor = certain / deviations[peak];
   for (double& deviation : deviations) deviation *= factor;
-}
-
-/// The variance of place that smoothing may have added to pressure: of a rectangle that stands for
-/// one degree of freedom of it.
-double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_freedom) {
-  const SkinArray& skin = problem.scene().sensor;
-  const double depth = least_depth(skin);
-  const double y = is_even(skin) && skin.rows == 1 ? depth : skin.pitch_y;
-  const double z = is_even(skin) && skin.columns == 1 ? depth : skin.pitch_z;
-  const auto components = static_cast<double>(problem.layout().components);
-  const double each = degrees_of_freedom / components / static_cast<double>(taxel_count(skin));
-  return y * z / std::max(each, 1e-3) / 12.0;
 }
 
 /// Taxels that lie further apart than this, in depths: it is constraints that decide how much
@@ -297,6 +279,22 @@ void widen_centre(UncertainWrench& wrench, const SurfaceGrid& grid,
 }
 
 }  // namespace
+
+double sum_over(std::span<const double> tractions, std::span<const std::size_t> cells) {
+  double sum = 0.0;
+  for (const std::size_t cell : cells) sum += tractions[cell];
+  return sum;
+}
+
+double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_freedom) {
+  const SkinArray& skin = problem.scene().sensor;
+  const double depth = least_depth(skin);
+  const double y = is_even(skin) && skin.rows == 1 ? depth : skin.pitch_y;
+  const double z = is_even(skin) && skin.columns == 1 ? depth : skin.pitch_z;
+  const auto components = static_cast<double>(problem.layout().components);
+  const double each = degrees_of_freedom / components / static_cast<double>(taxel_count(skin));
+  return y * z / std::max(each, 1e-3) / 12.0;
+}
 
 double pitch_in_depths(const SkinArray& skin) {
   const double y = !is_even(skin) || skin.rows > 1 ? skin.pitch_y : 0.0;

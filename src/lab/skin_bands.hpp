@@ -2,6 +2,7 @@
 /// How far a skin's tractions may be off, the cells that touch, and what these amount to. Private.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -22,6 +23,12 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
 /// Taxels that lie further apart than this, in depths, hardly see what presses between them: what
 /// constraints hold there is not certain, and no deviation holds a force under them.
 inline constexpr double far_apart = 1.75;
+
+[[nodiscard]] double sum_over(std::span<const double> values, std::span<const std::size_t> cells);
+
+/// The variance of place that smoothing may have added to pressure: of a rectangle that stands for
+/// one degree of freedom of it [m^2].
+[[nodiscard]] double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_freedom);
 
 /// How far apart a skin's taxels lie, in depths.
 [[nodiscard]] double pitch_in_depths(const SkinArray& skin);

@@ -98,6 +98,7 @@ struct SkinSceneProblem::Parts {
   std::optional<TikhonovFamily> family{};
   std::unique_ptr<LargeSkin> large{};
   std::optional<AlphaTables> alpha_tables{};
+  std::optional<LoadPrior> load_prior{};
   std::optional<DataJudge> data_judge{};
   std::optional<std::vector<bool>> unseen{};
   std::optional<std::vector<std::size_t>> border{};
@@ -256,6 +257,19 @@ std::shared_ptr<const ConeTikhonov> SkinSceneProblem::cone(double alpha) const {
     }();
     return any.with_alpha(alpha);
   });
+}
+
+bool SkinSceneProblem::answers_by_mixture() const {
+  return parts_->scene.reconstruct.answer == AnswerKind::mixture && !is_large() && stated_noise() &&
+         problem().kernel.rows <= most_mixture_readings;
+}
+
+const LoadPrior& SkinSceneProblem::load_prior() const {
+  const std::lock_guard lock(parts_->mutex);
+  if (!parts_->load_prior)
+    parts_->load_prior.emplace(
+        problem(), LoadPriorOptions{.depth = least_depth(parts_->scene.sensor), .narrowest = 3.5});
+  return *parts_->load_prior;
 }
 
 const DataJudge& SkinSceneProblem::data_judge() const {

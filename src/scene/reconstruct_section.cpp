@@ -110,6 +110,21 @@ void read_shared(Table& table, const Read& read, SceneKind auto& scene) {
   }
 }
 
+/// Understood, and knows the noise that it needs; null: neither.
+std::optional<Value> read_answer(Table& table, SceneKind auto& scene) {
+  constexpr std::array kinds = {AnswerKind::mixture, AnswerKind::alpha};
+  const auto value = table.value("answer");
+  if (!value) return std::nullopt;
+  const auto index = value->one_of("answer", names_of(kinds));
+  if (!index) return std::nullopt;
+  scene.reconstruct.answer = kinds[*index];
+  if (kinds[*index] == AnswerKind::alpha) return std::nullopt;
+  if (is_noisy(scene)) return value;
+  value->misfit("needs to know the noise",
+                "under [noise], rms = 1e-4, or one for each quantity; or answer = \"alpha\"");
+  return std::nullopt;
+}
+
 // --- lines --------------------------------------------------------------------------------------
 
 /// Where each method that was understood stands in the file.
@@ -163,25 +178,6 @@ bool uses(const std::vector<NamedMethod>& methods, Method method) {
   return methods.empty() ? method == Method::tikhonov
                          : std::any_of(methods.begin(), methods.end(),
                                        [=](const NamedMethod& n) { return n.method == method; });
-}
-
-/// After the methods are known.
-void read_answer(Table& table, const std::vector<NamedMethod>& methods, Scene& scene) {
-  constexpr std::array kinds = {AnswerKind::mixture, AnswerKind::alpha};
-  const auto value = table.value("answer");
-  if (!value) return;
-  const auto index = value->one_of("answer", names_of(kinds));
-  if (!index) return;
-  scene.reconstruct.answer = kinds[*index];
-  if (kinds[*index] == AnswerKind::alpha) return;
-  if (methods.size() > 1 || !uses(methods, Method::tikhonov))
-    value->problem(
-        "is of the method \"tikhonov\" alone, and this scene names others, which are "
-        "of one alpha",
-        "methods = [\"tikhonov\"], or answer = \"alpha\"");
-  else if (!is_noisy(scene))
-    value->misfit("needs to know the noise",
-                  "under [noise], rms = 1e-4, or one for each quantity; or answer = \"alpha\"");
 }
 
 void read_line_constraints(Table& table, const Read& read, const std::vector<NamedMethod>& methods,
@@ -408,7 +404,12 @@ void read_reconstruct(std::optional<Table> table, const std::optional<Value>&, c
   if (const auto limit = table->value("noise_gain_limit"))
     options.noise_gain_limit = limit->number(at_least_one).value_or(options.noise_gain_limit);
   read_line_constraints(*table, read, methods, scene);
-  read_answer(*table, methods, scene);
+  if (const auto mixture = read_answer(*table, scene);
+      mixture && (methods.size() > 1 || !uses(methods, Method::tikhonov)))
+    mixture->problem(
+        "is of the method \"tikhonov\" alone, and this scene names others, which are "
+        "of one alpha",
+        "methods = [\"tikhonov\"], or answer = \"alpha\"");
   read_surface(*table, read, uses_dft, scene);
   if (options.offset) check_offset(*table->value("offset"), scene, read, uses_dft);
   check_methods(methods, scene, read);
@@ -425,6 +426,13 @@ void read_reconstruct(std::optional<Table> table, const std::optional<Value>& se
       table->value("alpha")->problem(
           "looks for white noise along a line of taxels, and a skin has no such line",
           is_noisy(scene) ? "alpha = \"evidence\", or \"aicc\"" : "alpha = \"aicc\"");
+    if (const auto mixture = read_answer(*table, scene)) {
+      const std::size_t readings = channel_count(scene.sensor) * taxel_count(scene.sensor);
+      if (read.whole && readings > most_mixture_readings)
+        mixture->problem("is of at most " + std::to_string(most_mixture_readings) +
+                             " readings, and this skin has " + std::to_string(readings),
+                         "answer = \"alpha\"");
+    }
     for (const Absent& absent : absent_keys) table->not_here(absent.key, absent.why, "remove it");
     SkinGridOptions& cells = scene.reconstruct.grid;
     if (const auto margin = table->value("margin")) {

@@ -1,6 +1,7 @@
 // Lines answered by what their readings leave possible: from a scene's text to intervals.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -226,6 +228,94 @@ TEST_CASE("CSV and JSON have the intervals that an answer has", "[lab][mixture]"
   CHECK(value("normal_high_20") == answer.high[20]);
   const auto by_alpha = report::uncertainty_columns(any_problem(coarse_pad("alpha = 1e-3\n")));
   CHECK(std::find(by_alpha.begin(), by_alpha.end(), "normal_force_low") == by_alpha.end());
+}
+
+namespace {
+
+/// Of two contacts 9 depths apart, dragged apart.
+SkinScene pressed_skin(const std::string& reconstruct, const std::string& size = "8") {
+  return std::get<SkinScene>(parse_any_scene(
+      "[sensor]\nrows = " + size + "\ncolumns = " + size +
+          "\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+          "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.5\n[noise]\nrms = 4e-4\n"
+          "[[contact]]\nshape = \"sphere\"\nradius = 1.2\nplace = [-1.9, -1.9]\nforce = 0.2\n"
+          "friction = 0.4\ndirection = 200.0\n"
+          "[[contact]]\nshape = \"sphere\"\nradius = 1.2\nplace = [1.9, 1.9]\nforce = 0.12\n"
+          "friction = 0.3\ndirection = 20.0\n[reconstruct]\n" +
+          reconstruct,
+      "skin.toml"));
+}
+
+}  // namespace
+
+TEST_CASE("a skin is answered by its mixture where that is asked for", "[lab][mixture][skin]") {
+  const SkinScene scene = pressed_skin(mixture);
+  const std::vector<double> readings = simulate(scene).readings;
+  const SkinSceneProblem problem(scene);
+  const FrameAnswer answer = solve(problem, readings);
+  REQUIRE(answer.mixture);
+  CHECK(answer.verdict == Verdict::ok);
+  const SurfaceGrid& grid = problem.grid();
+  CHECK_THAT(
+      answer.wrench.normal.value,
+      WithinRel(grid.area() * sum(component(answer.tractions, grid, Traction::normal)), 1e-12));
+  const auto holds = [](const std::optional<Uncertain>& one, double truth) {
+    return one && one->interval && one->interval->low < truth && truth < one->interval->high;
+  };
+  CHECK(holds(answer.wrench.normal, 0.32));
+  CHECK(answer.wrench.normal.interval->high - answer.wrench.normal.interval->low < 0.15 * 0.32);
+  REQUIRE(answer.patches.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ContactPatch& patch = answer.patches[i];
+    const double force = i == 0 ? 0.2 : 0.12;
+    const double friction = i == 0 ? 0.4 : 0.3;
+    const double direction = (i == 0 ? 200.0 : 20.0) * std::numbers::pi / 180.0;
+    CAPTURE(i);
+    CHECK(holds(patch.wrench.normal, force));
+    CHECK(holds(patch.wrench.tangential_y, friction * force * std::cos(direction)));
+    CHECK(holds(patch.wrench.tangential_z, friction * force * std::sin(direction)));
+    CHECK(holds(patch.wrench.centre_y, i == 0 ? -1.9 : 1.9));
+    CHECK(holds(patch.wrench.centre_z, i == 0 ? -1.9 : 1.9));
+    CHECK(holds(patch.friction, friction));
+  }
+  // What presses is the two together.
+  CHECK_THAT(answer.patches[0].wrench.normal.value + answer.patches[1].wrench.normal.value,
+             WithinRel(answer.wrench.normal.value, 1e-12));
+  CHECK(answer.low.size() == answer.tractions.size());
+  for (std::size_t i = 0; i < answer.low.size(); ++i) CHECK(answer.low[i] <= answer.high[i]);
+  // Frames of a recording have the same.
+  RecordingSolver solver(AnyProblem(problem), Method::tikhonov);
+  std::vector<double> read = readings;
+  CHECK(solver.solve(read, {})->tractions == answer.tractions);
+}
+
+TEST_CASE("a skin's tractions under constraints are its cones', and its forces the mixture's",
+          "[lab][mixture][skin]") {
+  const SkinScene scene = pressed_skin("friction_limit = 0.8\n" + mixture);
+  const std::vector<double> readings = simulate(scene).readings;
+  const FrameAnswer bound = solve(SkinSceneProblem(scene), readings);
+  const FrameAnswer free = solve(SkinSceneProblem(pressed_skin(mixture)), readings);
+  const FrameAnswer by_alpha =
+      solve(SkinSceneProblem(pressed_skin("friction_limit = 0.8\n")), readings);
+  REQUIRE(bound.mixture);
+  CHECK_FALSE(by_alpha.mixture);
+  CHECK(bound.tractions == by_alpha.tractions);
+  CHECK(bound.wrench.normal.value == free.wrench.normal.value);
+  CHECK(bound.patches.size() == 2);
+  CHECK(bound.patches.front().slip_margin);
+  CHECK(bound.friction->contacts == 2);
+  const ContactPatch& worst = *nearest_to_slipping(bound.patches);
+  CHECK(bound.friction->ratio.value == worst.friction->value);
+  CHECK(bound.friction->slip_margin->value == worst.slip_margin->value);
+  CHECK(bound.friction->wrench->normal.value == worst.wrench.normal.value);
+  const std::size_t cells = bound.tractions.size() / 3;
+  const auto low = component(bound.low, cells, 0);
+  CHECK(*std::min_element(low.begin(), low.end()) == 0.0);
+}
+
+TEST_CASE("a skin of more readings than a mixture takes is refused one", "[lab][mixture][skin]") {
+  CHECK_THROWS_WITH(pressed_skin(mixture, "20"),
+                    ContainsSubstring("at most 1024 readings") && ContainsSubstring("1200"));
 }
 
 TEST_CASE("an answer that cannot be given is refused", "[lab][mixture]") {

@@ -16,6 +16,7 @@
 #include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/data_verdict.hpp"
+#include "tactile_net/inverse/load_mixture.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/lab/alpha.hpp"
 #include "tactile_net/scene/skin_scene.hpp"
@@ -82,6 +83,13 @@ class SkinSceneProblem {
 
   /// Of this alpha, kept at least until another alpha is asked for. @pre  there are constraints
   [[nodiscard]] std::shared_ptr<const ConeTikhonov> cone(double alpha) const;
+
+  /// Whether the answer is what the readings leave on average of all windows, and not the minimiser
+  /// of one alpha: where the scene asks for it, the noise is known, and the skin has at most
+  /// `most_mixture_readings`. Under constraints the tractions are the minimiser's all the same.
+  [[nodiscard]] bool answers_by_mixture() const;
+  /// Of windows from three and a half depths on. A second or so.
+  [[nodiscard]] const LoadPrior& load_prior() const;
 
   /// Whether readings can be true.
   [[nodiscard]] const DataJudge& data_judge() const;

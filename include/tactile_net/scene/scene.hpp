@@ -66,6 +66,9 @@ struct SharedReconstructOptions {
   bool nonnegative = false;          ///< f_v >= 0
   std::optional<double> friction_limit{};  ///< |f_t| <= limit f_v; implies f_v >= 0
   bool offset = false;  ///< each channel's readings have a constant that is not known
+  /// Absent: of lines the mixture where no alpha and no rule for it is stated, else that alpha's;
+  /// of skins one alpha's.
+  std::optional<AnswerKind> answer{};
 };
 
 /// Constraints and offsets are for tikhonov, closed_form and network: dft knows neither.
@@ -75,8 +78,6 @@ struct ReconstructOptions : SharedReconstructOptions {
   double smoothing_length = 0.0;     ///< l [m]; default: the first depth
   double noise_gain_limit = 1e8;     ///< dft: largest noise gain that is accepted
   bool alpha_on_active_set = false;  ///< a rule chooses alpha for what constraints leave free
-  /// Absent: the mixture where no alpha and no rule for it is stated, else that alpha's.
-  std::optional<AnswerKind> answer{};
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
 };
 

@@ -9,6 +9,9 @@
 
 namespace tactile_net {
 
+/// Readings of a skin that a mixture answers, at most: its windows take a decomposition each.
+inline constexpr std::size_t most_mixture_readings = 1024;
+
 /// Tractions beyond `most_skin_tractions`, by products without a matrix: those of about 512 x 512
 /// taxels.
 inline constexpr std::size_t most_large_skin_tractions = std::size_t{1} << 20;

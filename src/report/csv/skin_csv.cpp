@@ -18,9 +18,20 @@ std::vector<std::string> traction_columns(const SurfaceGrid& grid, std::size_t c
   return names;
 }
 
-std::vector<std::string> resultant_columns() { return columns_of<ResultantRow>(true); }
+namespace {
 
-std::vector<double> resultant_values(const lab::FrameAnswer& answer) {
+/// Whether frames may have them: one that is answered by an alpha all the same has none.
+bool has_intervals(const SkinScene& scene) {
+  return scene.reconstruct.answer == AnswerKind::mixture;
+}
+
+}  // namespace
+
+std::vector<std::string> resultant_columns(bool intervals) {
+  return columns_of<ResultantRow>(true, intervals);
+}
+
+std::vector<double> resultant_values(const lab::FrameAnswer& answer, bool intervals) {
   ResultantRow row{answer.wrench};
   if (const auto& friction = answer.friction) {
     const double ratio = friction->ratio.value;
@@ -28,11 +39,11 @@ std::vector<double> resultant_values(const lab::FrameAnswer& answer) {
     row.angle = Uncertain{std::atan(ratio), friction->ratio.deviation / (1.0 + ratio * ratio)};
     row.slip_margin = friction->slip_margin;
   }
-  return values_of(row, true);
+  return values_of(row, true, intervals);
 }
 
 std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
-  std::vector<std::string> names = resultant_columns();
+  std::vector<std::string> names = resultant_columns(has_intervals(scene));
   if (scene.reconstruct.offset)
     for (const Channel& channel : channels(scene.sensor)) names.push_back("offset_" + channel.name);
   for (std::string& name : columns_of<TrustRow>(true)) names.push_back(std::move(name));
@@ -41,7 +52,7 @@ std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
 }
 
 std::vector<double> uncertainty_values(const lab::FrameAnswer& answer, const SkinScene& scene) {
-  std::vector<double> values = resultant_values(answer);
+  std::vector<double> values = resultant_values(answer, has_intervals(scene));
   if (scene.reconstruct.offset)
     values.insert(values.end(), answer.offsets.begin(), answer.offsets.end());
   for (const double value : values_of(trust_row(answer.data, answer.alpha.value), true))

@@ -17,8 +17,10 @@ namespace tactile_net::report {
 /// What one frame amounts to, each value with its deviation; NaN where there is none: forces,
 /// centre, torsion, friction, the angle of the force to the normal [rad], and what is left of the
 /// friction limit.
-[[nodiscard]] std::vector<std::string> resultant_columns();
-[[nodiscard]] std::vector<double> resultant_values(const lab::FrameAnswer& answer);
+/// @param intervals  whether the ends of each one's interval stand behind its deviation
+[[nodiscard]] std::vector<std::string> resultant_columns(bool intervals = false);
+[[nodiscard]] std::vector<double> resultant_values(const lab::FrameAnswer& answer,
+                                                   bool intervals = false);
 
 /// Of `solve --uncertainty`: those, then the constant found in each channel where offsets are not
 /// known, whether the readings can be true (0, or 1 + the worst `DataDoubt`), and alpha, all in SI

@@ -1,0 +1,220 @@
+#include "lab/skin_mixture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lab/skin_bands.hpp"
+#include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/lab/skin_sight.hpp"
+
+namespace tactile_net::lab {
+namespace {
+
+using Cells = std::vector<std::size_t>;
+
+/// Of all cells, those that lie nearest to each contact.
+std::vector<Cells> regions_of(const SurfaceGrid& grid, std::span<const Cells> contacts) {
+  std::vector<Cells> regions(contacts.size());
+  for (std::size_t cell = 0; cell < grid.count(); ++cell) {
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+      for (const std::size_t other : contacts[k])
+        if (const double apart =
+                std::hypot(grid.y(cell / grid.columns) - grid.y(other / grid.columns),
+                           grid.z(cell % grid.columns) - grid.z(other % grid.columns));
+            apart < least) {
+          least = apart;
+          nearest = k;
+        }
+    regions[nearest].push_back(cell);
+  }
+  return regions;
+}
+
+/// Cells above a tenth of the highest pressure that lie side by side, the strongest first: those
+/// whose part of the force is a tenth of the strongest one's and six deviations of the whole. None
+/// where the whole is no more than noise. As `patches_of` has the contacts on a line.
+std::vector<Cells> contacts_in(const SurfaceGrid& grid, std::span<const double> tractions,
+                               std::span<const double> mean, const Uncertain& force) {
+  constexpr double least_share = 0.1;
+  constexpr double that_press = 3.0;  // deviations that noise alone hardly ever makes
+  constexpr double that_part = 6.0;   // deviations of each of several contacts
+  if (!(force.value > that_press * force.deviation)) return {};
+  const std::span<const double> pressure = tractions.first(grid.count());
+  const double limit = least_share * *std::max_element(pressure.begin(), pressure.end());
+  Cells pressed;
+  for (std::size_t cell = 0; cell < pressure.size(); ++cell)
+    if (pressure[cell] > limit) pressed.push_back(cell);
+  std::vector<Cells> contacts = separate_contacts(grid, tractions, pressed);
+  if (contacts.size() < 2) return contacts;
+  const std::vector<Cells> regions = regions_of(grid, contacts);
+  std::vector<double> forces;
+  for (const Cells& region : regions) forces.push_back(grid.area() * sum_over(mean, region));
+  const double least = std::max(least_share * *std::max_element(forces.begin(), forces.end()),
+                                that_part * force.deviation);
+  std::vector<Cells> counted;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (forces[k] > least) counted.push_back(std::move(contacts[k]));
+  if (counted.empty()) counted.push_back(std::move(contacts.front()));
+  return counted;
+}
+
+/// The intervals of what presses in some cells.
+class Intervals {
+ public:
+  Intervals(const LoadMixture& mixture, const SurfaceGrid& grid, std::size_t components,
+            double level)
+      : mixture_(mixture), grid_(grid), components_(components), level_(level) {}
+
+  void add(UncertainWrench& wrench, std::span<const std::size_t> cells) const {
+    const auto of = [&](std::optional<Uncertain>& one, std::size_t component) {
+      if (one) one->interval = mixture_.of(sum(cells, component)).interval(level_);
+    };
+    const std::vector<double> force = sum(cells, 0);
+    wrench.normal.interval = mixture_.of(force).interval(level_);
+    of(wrench.tangential_y, 1);
+    of(wrench.tangential_z, 2);
+    const auto centre = [&](std::optional<Uncertain>& one, bool along_z) {
+      if (!one) return;
+      std::vector<double> moment = force;
+      for (const std::size_t cell : cells)
+        moment[cell] *= along_z ? grid_.z(cell % grid_.columns) : grid_.y(cell / grid_.columns);
+      if (const auto known = mixture_.ratio(moment, force)) one->interval = known->interval(level_);
+    };
+    centre(wrench.centre_y, false);
+    centre(wrench.centre_z, true);
+  }
+
+  /// Of the drag over the force, along the drag that was found; none where that may point anywhere.
+  [[nodiscard]] std::optional<CentralInterval> friction(const UncertainWrench& wrench,
+                                                        std::span<const std::size_t> cells) const {
+    constexpr double deviations = 2.0;  // of a drag whose direction is known
+    if (!wrench.tangential_y || !wrench.tangential_z) return std::nullopt;
+    const Uncertain drag = drag_of(wrench);
+    if (!(drag.value > deviations * drag.deviation)) return std::nullopt;
+    std::vector<double> along(components_ * grid_.count());
+    for (const std::size_t cell : cells) {
+      along[grid_.count() + cell] = grid_.area() * wrench.tangential_y->value / drag.value;
+      along[2 * grid_.count() + cell] = grid_.area() * wrench.tangential_z->value / drag.value;
+    }
+    const auto known = mixture_.ratio(along, sum(cells, 0));
+    if (!known) return std::nullopt;
+    CentralInterval interval = known->interval(level_);
+    interval.low = std::max(interval.low, 0.0);
+    return interval;
+  }
+
+ private:
+  /// The weights of a sum over cells of one component.
+  [[nodiscard]] std::vector<double> sum(std::span<const std::size_t> cells,
+                                        std::size_t component) const {
+    std::vector<double> weights(components_ * grid_.count());
+    for (const std::size_t cell : cells) weights[component * grid_.count() + cell] = grid_.area();
+    return weights;
+  }
+
+  const LoadMixture& mixture_;
+  const SurfaceGrid& grid_;
+  std::size_t components_;
+  double level_;
+};
+
+/// Friction and margin with their intervals, of a contact's wrench and lever.
+void judge(ContactPatch& patch, std::optional<double> limit,
+           const std::optional<CentralInterval>& friction) {
+  judge_slip(patch, limit);
+  if (!friction || !patch.friction) return;
+  patch.friction->interval = friction;
+  const bool twists = patch.wrench.torsion && patch.wrench.torsion->value != 0.0;
+  if (patch.slip_margin && !twists)
+    patch.slip_margin->interval = CentralInterval{.level = friction->level,
+                                                  .low = 1.0 - friction->high / *limit,
+                                                  .high = 1.0 - friction->low / *limit};
+}
+
+/// Deviations, and intervals; of constrained tractions deviations are about them, and no interval
+/// of a pressure reaches below 0.
+void add_bands_of_cells(FrameAnswer& answer, std::span<const double> mean, std::size_t cells,
+                        double level) {
+  const bool bound = answer.cone.has_value();
+  const std::vector<Distribution> each = answer.mixture->of_tractions();
+  answer.deviations.clear();
+  answer.low.clear();
+  answer.high.clear();
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    answer.deviations.push_back(std::hypot(each[i].deviation(), mean[i] - answer.tractions[i]));
+    const CentralInterval interval =
+        (bound && i < cells ? each[i].at_least(0.0) : each[i]).interval(level);
+    answer.low.push_back(interval.low);
+    answer.high.push_back(interval.high);
+  }
+}
+
+}  // namespace
+
+void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
+                       std::span<const double> readings) {
+  const LoadMixture& mixture = *answer.mixture;
+  const LinearProblem& solved = problem.problem();
+  const SurfaceGrid& grid = solved.grid;
+  const double rms = *problem.stated_noise();
+  const std::vector<double> mean = mixture.mean();
+  const std::span<const double> f = answer.tractions;
+  answer.noise =
+      estimate_noise(solved, readings, mean, mixture.degrees_of_freedom(), problem.stated_noise());
+  answer.offsets = offsets(solved, readings, mean);
+  const double level = problem.scene().interval_level;
+  add_bands_of_cells(answer, mean, grid.count(), level);
+
+  const LoadCovariance covariance(mixture, mean, rms);
+  const Intervals intervals(mixture, grid, solved.components, level);
+  Cells all(grid.count());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  answer.wrench = resultant_of(grid, mean, all, covariance, rms);
+  intervals.add(answer.wrench, all);
+  const std::vector<Cells> contacts = contacts_in(grid, f, mean, answer.wrench.normal);
+  answer.cells.clear();
+  for (const Cells& contact : contacts)
+    answer.cells.insert(answer.cells.end(), contact.begin(), contact.end());
+  std::sort(answer.cells.begin(), answer.cells.end());
+  answer.unseen = unseen_share(mean, answer.cells.empty() ? all : answer.cells, problem.unseen());
+  if (contacts.empty()) return;
+
+  const std::optional<double> limit = problem.scene().reconstruct.friction_limit;
+  const std::vector<Cells> regions = regions_of(grid, contacts);
+  const LoadCovariance about(mixture, f, rms);
+  answer.patches.clear();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    // Its cells tell its size, and all that lies nearest to them what presses.
+    ContactPatch patch =
+        patches_of(grid, f, std::span(&contacts[k], 1), about, rms,
+                   {.friction_limit = limit,
+                    .smoothed_variance = smoothed_variance(problem, mixture.degrees_of_freedom())})
+            .front();
+    patch.wrench = contacts.size() == 1 ? answer.wrench
+                                        : resultant_of(grid, mean, regions[k], covariance, rms);
+    if (contacts.size() > 1) intervals.add(patch.wrench, regions[k]);
+    judge(patch, limit, intervals.friction(patch.wrench, regions[k]));
+    answer.patches.push_back(std::move(patch));
+  }
+  std::stable_sort(answer.patches.begin(), answer.patches.end(), [](const auto& a, const auto& b) {
+    return a.wrench.normal.value > b.wrench.normal.value;
+  });
+  answer.ellipse = answer.patches.front().ellipse;
+  answer.friction = friction_of(grid, f, answer.cells, about, rms, limit);
+  const ContactPatch* const worst =
+      answer.patches.size() == 1 ? &answer.patches.front() : nearest_to_slipping(answer.patches);
+  if (!answer.friction || worst == nullptr || !worst->friction) return;
+  answer.friction->ratio = *worst->friction;
+  answer.friction->slip_margin = worst->slip_margin;
+  if (answer.friction->wrench) answer.friction->wrench = worst->wrench;
+}
+
+}  // namespace tactile_net::lab

@@ -1,0 +1,19 @@
+/// @file
+/// What a skin's frame amounts to by all that its readings leave possible. Private.
+#pragma once
+
+#include <span>
+
+#include "tactile_net/lab/answer.hpp"
+
+namespace tactile_net::lab {
+
+/// Noise, deviations, intervals, the cells that touch, and what presses: forces and centre of all
+/// cells, and of each contact those of the cells that lie nearest to it. Under constraints the
+/// tractions are the cones', the rest is the mixture's.
+///
+/// @pre  the answer has a mixture and tractions
+void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
+                       std::span<const double> readings);
+
+}  // namespace tactile_net::lab
