@@ -108,9 +108,10 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
     if (reflection.of_z) place.columns = turned(place.columns, problem.grid.columns);
     return place;
   };
-  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {  // the whole surface first
+  for (std::size_t i = levels.size(); i-- > 0;) {  // the whole surface first
+    const std::vector<WindowPlace>& level = levels[i];
     std::map<decltype(key({})), std::size_t> known;
-    for (const WindowPlace& place : *level) {
+    for (const WindowPlace& place : level) {
       std::size_t reflection = 0;
       while (reflection < reflections.size() &&
              !known.contains(key(image(place, reflections[reflection]))))
@@ -125,7 +126,7 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
       shape.windows.push_back(windows.size() - 1);
       if (shape.columns.empty()) {
         shape.columns = windows.back().columns;
-        decompose(shape, options.prior_power, -std::log(static_cast<double>(level->size())));
+        decompose(shape, options.prior_power, -std::log(static_cast<double>(level.size())));
       }
     }
   }
@@ -220,9 +221,8 @@ void LoadPrior::Tables::decompose(Shape& shape, double prior_power, double log_p
     entry.u = parts.v.leftCols(shown);
     entry.gamma = size * parts.values.head(shown);
     entry.gamma2 = entry.gamma.cwiseAbs2();
-    entry.log_prior.resize(mixture_alphas);
-    if (components > 1) entry.log_prior.setConstant(log_prior - negative_log_prior(weight));
-    if (components == 1) entry.log_prior.setConstant(log_prior);
+    entry.log_prior = Eigen::VectorXd::Constant(
+        mixture_alphas, components == 1 ? log_prior : log_prior - negative_log_prior(weight));
     for (Index a = 0; a < mixture_alphas; ++a)
       entry.log_prior(a) += 0.5 * (alphas(a) / (entry.gamma2.array() + alphas(a))).log().sum() -
                             prior_power * std::log(2.0) * static_cast<double>(a);
