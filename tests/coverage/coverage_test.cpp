@@ -19,7 +19,7 @@ TEST_CASE("two deviations hold the truth of a contact inside a coarse array", "[
     Setting setting;
     double least;  // share of contacts
   };
-  const Contacts contacts(contacts_each, Place::inside, false);
+  const Contacts contacts(contacts_each);
   for (const auto& [setting, least] :
        {Case{{.pitch = 2.0}, 0.92}, Case{{.pitch = 1.0, .unknowns = 2}, 0.92},
         Case{{.pitch = 4.0}, 0.9}}) {
@@ -39,7 +39,7 @@ TEST_CASE("two deviations hold the truth of a contact inside a coarse array", "[
 
 TEST_CASE("two deviations hold the force of a contact narrower than the depth, wherever it presses",
           "[coverage]") {
-  const Contacts contacts(contacts_each, Place::inside, false, {.least = 0.1, .most = 0.5});
+  const Contacts contacts(contacts_each, {.half_widths = {.least = 0.1, .most = 0.5}});
   for (const double pitch : {1.0, 2.0})
     for (const char* constraint : {"", "nonnegative = true\n"}) {
       CAPTURE(pitch, constraint);
@@ -52,7 +52,7 @@ TEST_CASE("two deviations hold the force of a contact narrower than the depth, w
 
 TEST_CASE("two deviations hold the force of a contact that hangs over an array's end",
           "[coverage]") {
-  const Contacts contacts(contacts_each, Place::overhangs, false);
+  const Contacts contacts(contacts_each, {.place = Place::overhangs});
   for (const Setting& setting :
        {Setting{.pitch = 1.0}, Setting{.pitch = 2.0}, Setting{.pitch = 4.0}, Setting{.pitch = 0.5},
         Setting{.pitch = 0.25, .stated = false},
@@ -65,8 +65,8 @@ TEST_CASE("two deviations hold the force of a contact that hangs over an array's
 }
 
 TEST_CASE("two deviations hold the truth under constraints, over the ends too", "[coverage]") {
-  const Contacts inside(contacts_each, Place::inside, false);
-  const Contacts over(contacts_each, Place::overhangs, false);
+  const Contacts inside(contacts_each);
+  const Contacts over(contacts_each, {.place = Place::overhangs});
   const std::string cone = "friction_limit = 0.8\n";
   for (const Setting& setting :
        {Setting{.pitch = 0.5, .reconstruct = "nonnegative = true\n"},
@@ -90,7 +90,7 @@ TEST_CASE("two deviations hold the truth under constraints, over the ends too", 
 
 TEST_CASE("two deviations hold the truth where each channel has an offset that nobody knows",
           "[coverage]") {
-  const Contacts inside(contacts_each, Place::inside, false);
+  const Contacts inside(contacts_each);
   const std::string unknown = "offset = true\n";
   for (const Setting& setting :
        {Setting{.pitch = 2.0, .offset = 0.3, .reconstruct = unknown},
@@ -110,7 +110,7 @@ TEST_CASE("two deviations hold the truth where each channel has an offset that n
 }
 
 TEST_CASE("two deviations hold the truth of a contact inside a dense array", "[coverage]") {
-  const Contacts contacts(contacts_each, Place::inside, false);
+  const Contacts contacts(contacts_each);
   for (const Setting& setting : {Setting{.pitch = 0.5}, Setting{.pitch = 0.5, .grid = true},
                                  Setting{.pitch = 0.25, .stated = false}}) {
     CAPTURE(setting.grid, setting.stated);

@@ -1,12 +1,11 @@
-// What the readings leave of a load: a mixture that is its model's posterior, and whose ranks of
-// the model's own draws are uniform.
+// What the readings leave of a load: a mixture that is its model's posterior. How often it is
+// right: tests/coverage.
 #include "tactile_net/inverse/load_mixture.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -17,14 +16,13 @@
 #include <utility>
 
 #include "inverse/load_tables.hpp"
-#include "inverse/window_places.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
-#include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/sensing/effects/noise.hpp"
 #include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tests/catch.hpp"
+#include "tests/inverse/load_draws.hpp"
 #include "tests/inverse/pads.hpp"
 
 using namespace tactile_net;
@@ -32,8 +30,6 @@ using namespace tactile_net;
 namespace {
 
 constexpr double certain = std::numeric_limits<double>::infinity();
-const std::vector<double> weights_of_drag = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
-const std::vector<double> weights_of_skins = {0.5, 2.0, 8.0};
 
 LinearProblem line_of(std::size_t unknowns) {
   SensorArray array = coarse_array;
@@ -44,66 +40,13 @@ LinearProblem line_of(std::size_t unknowns) {
                        .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5}});
 }
 
-/// Of the model, window by window, as matrices that are inverted.
+/// The posterior by matrices that are inverted, component by component.
 struct DenseModel {
   LinearProblem problem;
-  LoadPriorOptions options;
-  struct Window {
-    Eigen::MatrixXd c;  // of all tractions
-    double log_prior;
-    WindowPlace place;
-    double weight;
-  };
-  std::vector<Window> windows{};
-  std::vector<double> alphas{};
+  LoadDraws model;
 
-  DenseModel(LinearProblem of, LoadPriorOptions with) : problem(std::move(of)), options(with) {
-    const auto n = static_cast<Eigen::Index>(problem.grid.count());
-    const auto unknowns = static_cast<Eigen::Index>(problem.components);
-    const auto levels =
-        window_levels(problem.grid, options.narrowest * options.depth, problem.is_line);
-    for (const auto& level : levels)
-      for (const WindowPlace& place : level)
-        for (const double weight : problem.is_line ? weights_of_drag : weights_of_skins) {
-          if (unknowns == 1 && weight != (problem.is_line ? 1.0 : 2.0)) continue;
-          const Eigen::Index across = place.columns.count;
-          const Eigen::Index count = place.rows.count * across;
-          const auto share = [&](double spacing) {
-            return std::pow(0.5 * options.depth / spacing, 2);
-          };
-          const double y = share(problem.grid.spacing_y);
-          const double z = problem.is_line ? 0.0 : share(problem.grid.spacing_z);
-          Eigen::MatrixXd root = Eigen::MatrixXd::Identity(count, count) * (1.0 + 2.0 * (y + z));
-          for (Eigen::Index i = 0; i < count; ++i) {
-            if (i + across < count) root(i, i + across) = root(i + across, i) = -y;
-            if (i % across + 1 < across) root(i, i + 1) = root(i + 1, i) = -z;
-          }
-          const Eigen::MatrixXd inside = (problem.measure * root * root).inverse();
-          std::vector<Eigen::Index> cells;
-          for (Eigen::Index i = 0; i < count; ++i)
-            cells.push_back((place.rows.first + i / across) *
-                                static_cast<Eigen::Index>(problem.grid.columns) +
-                            place.columns.first + i % across);
-          Eigen::MatrixXd c = Eigen::MatrixXd::Zero(unknowns * n, unknowns * n);
-          for (Eigen::Index u = 0; u < unknowns; ++u)
-            c.block(u * n, u * n, n, n)(cells, cells) =
-                u == 0 ? inside : Eigen::MatrixXd(inside / (weight * weight));
-          windows.push_back({c,
-                             -std::log(static_cast<double>(level.size())) -
-                                 (unknowns == 1 ? 0.0 : negative_log_prior(weight)),
-                             place, weight});
-        }
-    // As many as the class tries: halves, from 64 times the largest gamma squared on.
-    const auto k = kernel();
-    double largest = 0.0;
-    for (const Window& one : windows)
-      if (one.place.rows.count * one.place.columns.count == n &&
-          (unknowns == 1 || one.weight == 0.5))
-        largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k * one.c * k.transpose())
-                      .eigenvalues()
-                      .maxCoeff();
-    for (int a = 0; a < 61; ++a) alphas.push_back(64.0 * largest * std::ldexp(1.0, -a));
-  }
+  DenseModel(LinearProblem of, const LoadPriorOptions& with)
+      : problem(std::move(of)), model(problem, with) {}
 
   [[nodiscard]] Eigen::MatrixXd kernel() const { return as_eigen(problem.kernel); }
 
@@ -119,18 +62,17 @@ struct DenseModel {
     const auto rows = static_cast<double>(independent_readings(problem));
     const Eigen::Index m = g.size();
     std::vector<double> logs, means, variances;
-    for (const Window& one : windows) {
-      const Eigen::MatrixXd spread = k * one.c * k.transpose();
-      const Eigen::VectorXd of_sum = k * (one.c * s);
-      const double own = s.dot(one.c * s);
+    const auto add = [&](const Eigen::MatrixXd& c, double log_prior) {
+      const Eigen::MatrixXd spread = k * c * k.transpose();
+      const Eigen::VectorXd of_sum = k * (c * s);
+      const double own = s.dot(c * s);
       for (std::size_t a = 0; a < 40; ++a) {  // beyond, these readings leave nothing
-        const double alpha = alphas[a];
+        const double alpha = model.alphas()[a];
         const Eigen::LDLT<Eigen::MatrixXd> factor(spread + alpha * Eigen::MatrixXd::Identity(m, m));
         const double q = alpha * g.dot(factor.solve(g));
         const double log_determinant =
             (factor.vectorD().array() / alpha).log().sum();  // of I + K C K' / alpha
-        double log_p =
-            one.log_prior - 0.5 * log_determinant + options.prior_power * std::log(alpha);
+        double log_p = log_prior - 0.5 * log_determinant + model.log_prior_of_alpha(alpha);
         double scale = 1.0;
         if (std::isinf(degrees)) {
           log_p -= 0.5 * q;
@@ -142,7 +84,12 @@ struct DenseModel {
         means.push_back(rms * of_sum.dot(factor.solve(g)));
         variances.push_back(rms * rms * scale * (own - of_sum.dot(factor.solve(of_sum))) / alpha);
       }
-    }
+    };
+    for (const LoadDraws::Window& window : model.windows())
+      for (const auto& [weight, log_prior] : model.weights()) {
+        const Eigen::MatrixXd root = model.all_of(window, weight);
+        add(root * root.transpose(), window.log_prior + log_prior);
+      }
     const double most = *std::max_element(logs.begin(), logs.end());
     double sum = 0.0;
     for (double& one : logs) sum += one = std::exp(one - most);
@@ -190,104 +137,6 @@ std::vector<double> pressed(std::size_t unknowns, double centre = 1.3) {
   return readings;
 }
 
-/// Draws of the model, and where the mixture has the truth.
-class Ranks {
- public:
-  Ranks(std::size_t unknowns, LoadPriorOptions options, double degrees, unsigned seed)
-      : model_(line_of(unknowns), options),
-        prior_(model_.problem, options),
-        degrees_(degrees),
-        engine_(seed) {
-    for (const auto& one : model_.windows) {
-      roots_.emplace_back(one.c.rows(), one.c.cols());
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(one.c);
-      roots_.back() =
-          parts.eigenvectors() * parts.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
-      chances_.push_back(std::exp(one.log_prior));
-    }
-  }
-
-  /// Ranks of force, centre, drag and some cells of so many frames.
-  void draw(int frames) {
-    const LinearProblem& problem = model_.problem;
-    const Eigen::MatrixXd k = model_.kernel();
-    std::discrete_distribution<std::size_t> windows(chances_.begin(), chances_.end());
-    std::uniform_int_distribution<std::size_t> sizes(0, model_.alphas.size() - 1);
-    std::chi_squared_distribution<double> level(std::isinf(degrees_) ? 1.0 : degrees_);
-    std::normal_distribution<double> white;
-    std::uniform_real_distribution<double> uniform;
-    std::vector<std::vector<double>> sums{weights_of_force(problem)};
-    if (problem.components == 2) sums.push_back(weights_of_force(problem, 1));
-    const std::vector<double> moment = weights_of_moment(problem);
-    for (int i = 0; i < frames; ++i) {
-      const std::size_t window = windows(engine_);
-      const double alpha = model_.alphas[sizes(engine_)];
-      const double rms =
-          pad_noise * (std::isinf(degrees_) ? 1.0 : std::sqrt(degrees_ / level(engine_)));
-      Eigen::VectorXd z(roots_[window].cols());
-      for (double& one : z) one = white(engine_);
-      const Eigen::VectorXd f = rms / std::sqrt(alpha) * (roots_[window] * z);
-      Eigen::VectorXd g = k * f;
-      for (double& one : g) one += rms * white(engine_);
-      const std::vector<double> readings(g.begin(), g.end());
-      const LoadMixture mixture = prior_.given(readings, {.rms = pad_noise, .degrees = degrees_});
-      const auto rank = [&](const Distribution& known, double truth) {
-        // What is certain has a rank anywhere in its jump.
-        const double below = known.cdf(std::nextafter(truth, -certain));
-        return below + uniform(engine_) * (known.cdf(truth) - below);
-      };
-      const auto of = mixture.of_each(sums);
-      const auto sum = [&](const std::vector<double>& weights) {
-        return as_eigen(std::span(weights)).dot(f);
-      };
-      force.push_back(rank(of[0], sum(sums[0])));
-      if (of.size() > 1) drag.push_back(rank(of[1], sum(sums[1])));
-      if (const auto known = mixture.ratio(moment, sums[0]))
-        centre.push_back(rank(*known, sum(moment) / sum(sums[0])));
-      const auto tractions = mixture.of_tractions();
-      for (const std::size_t cell : {std::size_t{3}, problem.grid.count() / 2})
-        cells.push_back(rank(tractions[cell], f(static_cast<Eigen::Index>(cell))));
-    }
-  }
-
-  std::vector<double> force{}, centre{}, drag{}, cells{};
-
- private:
-  DenseModel model_;
-  LoadPrior prior_;
-  double degrees_;
-  std::mt19937 engine_;
-  std::vector<Eigen::MatrixXd> roots_{};
-  std::vector<double> chances_{};
-};
-
-/// sqrt(N) sup |ECDF - u|: above 1.63 in 1 % of uniform samples, above 1.95 in 1 of 1000.
-double kolmogorov(std::vector<double> ranks) {
-  std::sort(ranks.begin(), ranks.end());
-  const auto n = static_cast<double>(ranks.size());
-  double most = 0.0;
-  for (std::size_t i = 0; i < ranks.size(); ++i)
-    most = std::max(
-        {most, ranks[i] - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - ranks[i]});
-  return std::sqrt(n) * most;
-}
-
-/// Of a deviation: the mean square of the ranks' normal scores less 1, over its own deviation. What
-/// is rarer than 1 of 10 000 counts as that.
-double dispersion(const std::vector<double>& ranks) {
-  const boost::math::normal_distribution<double> normal;
-  double sum = 0.0;
-  for (const double rank : ranks)
-    sum += std::pow(boost::math::quantile(normal, std::clamp(rank, 1e-4, 1.0 - 1e-4)), 2) - 1.0;
-  return sum / std::sqrt(2.0 * static_cast<double>(ranks.size()));
-}
-
-void check_uniform(const std::vector<double>& ranks) {
-  CHECK(ranks.size() > 300);
-  CHECK(kolmogorov(ranks) < 1.95);
-  CHECK(std::abs(dispersion(ranks)) < 3.3);
-}
-
 }  // namespace
 
 TEST_CASE("the mixture is the posterior of its model, as dense inverses have it",
@@ -297,7 +146,8 @@ TEST_CASE("the mixture is the posterior of its model, as dense inverses have it"
   const LoadPriorOptions options{.depth = 1.0, .narrowest = 6.0, .prior_power = power};
   const DenseModel model(line_of(unknowns), options);
   const LoadPrior prior(model.problem, options);
-  CHECK(prior.count() * (unknowns == 1 ? 1 : 6) == model.windows.size());
+  CHECK(prior.count() == model.model.windows().size());
+  CHECK(model.model.weights().size() == (unknowns == 1 ? 1 : 6));
   const std::vector<double> readings = pressed(unknowns);
   std::vector<std::vector<double>> sums{weights_of_force(model.problem)};
   sums.emplace_back(model.problem.components * model.problem.grid.count());
@@ -360,7 +210,7 @@ TEST_CASE("a skin's mixture is the posterior of squares of cells", "[load_mixtur
   const LoadPriorOptions options{.depth = 1.0, .narrowest = 2.0};
   const DenseModel model(problem, options);
   const LoadPrior prior(problem, options);
-  CHECK(prior.count() == model.windows.size());
+  CHECK(prior.count() == model.model.windows().size());
   CHECK(prior.count() > 4);
   std::vector<double> readings(problem.kernel.rows);
   for (std::size_t i = 0; i < readings.size(); ++i)  // of one cell that presses
@@ -391,7 +241,7 @@ TEST_CASE("a dragged skin's mixture is its model's, whether windows mirror one a
   const LoadPriorOptions options{.depth = 1.0, .narrowest = 2.0};
   const DenseModel model(problem, options);
   const LoadPrior::Tables tables(problem, options);
-  CHECK(3 * tables.windows.size() == model.windows.size());
+  CHECK(tables.windows.size() == model.model.windows().size());
   CHECK((tables.shapes.size() < tables.windows.size()) == (kind != 1));
   const LoadPrior prior(problem, options);
   const std::size_t cells = problem.grid.count();
@@ -479,18 +329,6 @@ TEST_CASE("what answers need is made again where there was no room for it", "[lo
     const Eigen::VectorXd scale = hidden + own[i]->roots.rowwise().squaredNorm() * 1e-12;
     CHECK(((hidden - own[i]->hidden).array().abs() / scale.array()).maxCoeff() < 1e-9);
   }
-}
-
-TEST_CASE("ranks of the model's own draws are uniform", "[load_mixture]") {
-  const auto [unknowns, degrees, frames] = GENERATE(
-      table<std::size_t, double, int>({{1, certain, 1500}, {1, 5.0, 1500}, {2, certain, 800}}));
-  CAPTURE(unknowns, degrees);
-  Ranks ranks(unknowns, {.depth = 1.0, .narrowest = 3.5}, degrees, 4);
-  ranks.draw(frames);
-  check_uniform(ranks.force);
-  check_uniform(ranks.centre);
-  check_uniform(ranks.cells);
-  if (unknowns == 2) check_uniform(ranks.drag);
 }
 
 TEST_CASE("sums of the mean tractions are the sums' means", "[load_mixture]") {
