@@ -101,8 +101,8 @@ std::string constrained_coverage_section() {
       Kind{"cone, weight", true, false, true}};
   std::ostringstream out;
   out << constrained_introduction;
-  const Contacts inside(contacts_each / 4, Place::inside, false);
-  const Contacts overhanging(contacts_each / 4, Place::overhangs, false);
+  const Contacts inside(contacts_each / 4);
+  const Contacts overhanging(contacts_each / 4, {.place = Place::overhangs});
   for (const std::size_t unknowns : {1U, 2U})
     for (const double pitch : {0.5, 1.0, 2.0})
       for (const double noise : {0.001, 0.01, 0.05})
@@ -125,8 +125,8 @@ std::string coverage_section() {
   out << introduction;
   for (const bool layer : {false, true}) {
     std::cerr << "contacts on a " << (layer ? "layer" : "half plane") << '\n';
-    const Contacts inside(contacts_each, Place::inside, layer);
-    const Contacts overhanging(contacts_each, Place::overhangs, layer);
+    const Contacts inside(contacts_each, {.layer = layer});
+    const Contacts overhanging(contacts_each, {.place = Place::overhangs, .layer = layer});
     for (const std::size_t unknowns : {1U, 2U})
       for (const double pitch : {0.25, 0.5, 1.0, 2.0, 4.0}) {
         std::cerr << "bands of " << unknowns << " unknowns, pitch " << pitch << '\n';
