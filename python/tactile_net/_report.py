@@ -12,6 +12,7 @@ from . import _core
 from ._documents import Document
 from ._optional import optional
 from ._progress import Progress
+from ._refusal import refused
 from .errors import InputError, UnsolvableError
 
 if TYPE_CHECKING:
@@ -59,6 +60,8 @@ def report(
     recordings: files, CSV or .npy, and folders that hold some.
     columns: as of `Scene.read`; missing: as of `Scene.solve`.
     A file that cannot be read or solved is a row that says why.
+
+    Raises InputError for a path that is not there, and for a folder without a .csv or .npy.
     """
     rows: list[_core.RecordingRow] = []
     for path in _files(recordings):
@@ -76,10 +79,19 @@ def _files(recordings: str | PathLike[str] | Iterable[str | PathLike[str]]) -> l
         path = Path(one)
         found = [path]
         if path.is_dir():
-            found = sorted(inside for inside in path.iterdir() if inside.suffix.lower() in {".csv", ".npy"})
+            found = sorted(inside for inside in path.iterdir() if _is_recording(inside))
+            if not found:
+                raise refused(fspath(one), "holds no file that ends in .csv or .npy", "give the files themselves")
+        elif not path.exists():
+            raise refused(fspath(one), "is not there", "name a recording, or a folder of some")
         for file in found:
             files.setdefault(file.resolve(), fspath(file))
     return list(files.values())
+
+
+def _is_recording(path: Path) -> bool:
+    """A hidden one is the system's own."""
+    return path.suffix.lower() in {".csv", ".npy"} and not path.name.startswith(".") and not path.is_dir()
 
 
 def _row(

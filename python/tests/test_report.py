@@ -56,3 +56,14 @@ def test_a_report_is_a_table(tmp_path: Path, two: tn.Scene) -> None:
     assert isinstance(table, pandas.DataFrame)
     assert list(table["recording"]) == [str(tmp_path / "one.csv")]
     assert table["frames"][0] == 5
+
+
+def test_what_is_not_there_is_refused(tmp_path: Path, two: tn.Scene) -> None:
+    two.simulate().save(tmp_path / "one.csv")
+    (tmp_path / ".hidden.csv").write_text("stress_x_0\n1\n")
+    assert len(tn.report(tmp_path, two)) == 1
+    with pytest.raises(tn.InputError, match="gone.csv: error: is not there"):
+        tn.report([tmp_path / "one.csv", tmp_path / "gone.csv"], two)
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(tn.InputError, match="holds no file"):
+        tn.report(tmp_path / "empty", two)

@@ -133,7 +133,59 @@ TEST_CASE("report says what it lacks before it solves anything", "[report]") {
   CHECK(none.code == 2);
   CHECK_THAT(none.errors, ContainsSubstring("--recursive"));
   CHECK(run_tool({"report", "-", "--scene", scene}).code == 2);
-  const ProcessResult gone = run_tool({"report", folder / "gone.csv", "--scene", scene});
-  CHECK(gone.code == 1);
-  CHECK_THAT(gone.output, ContainsSubstring("gone.csv"));
+  const std::string there = folder.write("there.csv", recording(3));
+  const ProcessResult gone = run_tool({"report", there, folder / "gone.csv", "--scene", scene,
+                                       "--out", folder / "new/out", "--csv", folder / "rows.csv"});
+  CHECK(gone.code == 2);
+  CHECK_THAT(gone.errors, ContainsSubstring("gone.csv"));
+  CHECK(gone.output.empty());
+  CHECK_FALSE(fs::exists(folder / "new"));
+  CHECK_FALSE(fs::exists(folder / "rows.csv"));
+}
+
+TEST_CASE("pages of recordings that are gone go, and nothing that is somebody else's", "[report]") {
+  const Folder folder;
+  const std::string scene = folder.write("pad.toml", eleven_taxels);
+  fs::create_directories(folder / "all");
+  for (const char* name : {"stays", "goes", "noted", "replaced", "linked"})
+    folder.write(std::string("all/") + name + ".csv", recording(3));
+  const fs::path out = folder / "out";
+  const auto page = [&](const std::string& name) { return out / "recordings" / name; };
+  const auto again = [&](bool pages = true) {
+    std::vector<std::string> asked = {"report", folder / "all", "--scene", scene, "--out", out};
+    if (!pages) asked.emplace_back("--no-pages");
+    const ProcessResult result = run_tool(asked);
+    CAPTURE(result.errors);
+    REQUIRE(result.code == 0);
+    return result.errors;
+  };
+  again();
+  folder.write("out/recordings/noted/notes.txt", "mine");
+  folder.write("out/recordings/replaced/report.html", "mine");
+  fs::copy(page("stays"), page("copied"), fs::copy_options::recursive);  // in no table
+  fs::rename(page("linked"), folder / "elsewhere");
+  fs::create_directory_symlink(folder / "elsewhere", page("linked"));
+  for (const char* name : {"goes", "noted", "replaced", "linked"})
+    fs::remove(folder / ("all/" + std::string(name) + ".csv"));
+  CHECK_THAT(again(), ContainsSubstring("2 pages of an earlier run"));
+  CHECK(fs::exists(page("stays") / "report.html"));
+  CHECK_FALSE(fs::exists(page("goes")));
+  CHECK(read_text(page("noted") / "notes.txt") == "mine");
+  CHECK_FALSE(fs::exists(page("noted") / "report.html"));
+  CHECK(read_text(page("replaced") / "report.html") == "mine");
+  CHECK(fs::exists(page("replaced") / "result.json"));
+  CHECK(fs::exists(page("copied") / "report.html"));
+  CHECK(fs::exists(fs::path(folder / "elsewhere") / "report.html"));
+  CHECK(again().empty());
+  // A table that somebody has changed leads nowhere else.
+  const std::string outside = folder / "outside";
+  fs::copy(page("stays"), outside, fs::copy_options::recursive);
+  folder.write(
+      "out/result.json",
+      R"({"kind": "report", "recordings": [{"page": "recordings/../../outside/report.html"},
+                   {"page": "../outside/report.html"}, {"page": 3}, 4]})");
+  CHECK(again().empty());
+  CHECK(fs::exists(fs::path(outside) / "report.html"));
+  again(false);
+  CHECK_FALSE(fs::exists(page("stays")));
 }

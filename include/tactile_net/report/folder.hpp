@@ -8,6 +8,9 @@
 
 namespace tactile_net::report {
 
+/// Whether a page is there, and tactile-net has written it.
+[[nodiscard]] bool is_own_report(const std::filesystem::path& file);
+
 /// Whether the results in a folder are those of an earlier run, by their report.html. Without one,
 /// what stands there is somebody's own, and stays unless `force` says otherwise.
 ///

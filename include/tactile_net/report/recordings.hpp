@@ -8,6 +8,7 @@
 #include <iosfwd>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactile_net/lab/recording_row.hpp"
@@ -22,6 +23,9 @@ using RecordingRows = std::span<const lab::RecordingRow>;
 /// The document kind `report`, the rows in their order.
 /// @param scene  that all were solved with
 [[nodiscard]] std::string recordings_json(RecordingRows rows, const AnyScene& scene);
+
+/// The pages that such a document links to, each relative to it; none of another text.
+[[nodiscard]] std::vector<std::string> linked_pages(std::string_view json);
 
 /// The same rows: a header, then one for each.
 [[nodiscard]] std::string recordings_csv(RecordingRows rows, const AnyScene& scene);

@@ -44,6 +44,16 @@ std::string recordings_json(RecordingRows rows, const AnyScene& scene) {
   return document_text(kind::report, all);
 }
 
+std::vector<std::string> linked_pages(std::string_view json) {
+  std::vector<std::string> pages;
+  const Json all = Json::parse(json, nullptr, false);
+  if (!all.is_object() || all.value("kind", "") != kind::report.name) return pages;
+  for (const Json& row : all.value("recordings", Json::array()))
+    if (row.is_object() && row.contains("page") && row["page"].is_string())
+      pages.push_back(row["page"]);
+  return pages;
+}
+
 std::string recording_keys_json(RecordingRows rows, const AnyScene& scene) {
   Json all = Json::array();
   for (const lab::RecordingRow& row : rows) {

@@ -4,13 +4,16 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <optional>
 #include <ostream>
 #include <set>
 #include <span>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -43,7 +46,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view table_file = "recordings.csv";
+constexpr std::string_view table_json = "result.json";
 constexpr std::string_view pages_folder = "recordings";
+constexpr std::string_view page_files[] = {"report.html", "result.json", "shown.csv"};
+
+/// In the results' folder, of the recording whose page's folder has that name.
+std::string page_of(const std::string& name) {
+  return std::string(pages_folder) + '/' + name + "/report.html";
+}
 
 // Which files there are.
 
@@ -102,7 +112,10 @@ std::vector<std::string> files_of(const ReportOptions& options) {
     if (is_standard_input(given))
       throw WrongUsage("RECORDING", "standard input is one recording: that is for solve");
     std::error_code none;
-    if (!fs::is_directory(given, none)) {
+    const fs::file_type type = fs::status(given, none).type();
+    if (type == fs::file_type::not_found)
+      throw WrongUsage("RECORDING", given + " is not there: name a recording, or a folder of some");
+    if (type != fs::file_type::directory) {
       take(given);
       continue;
     }
@@ -117,19 +130,21 @@ std::vector<std::string> files_of(const ReportOptions& options) {
   return files;
 }
 
-/// A folder's name for each file, of letters that need no care in links; no two are alike, on file
-/// systems without capitals too.
+/// A letter that needs no care in links.
+bool is_plain(char letter) {
+  const auto code = static_cast<unsigned char>(letter);
+  return code < 128 && (std::isalnum(code) != 0 || letter == '-' || letter == '_');
+}
+
+/// A folder's name for each file, of plain letters; no two are alike, on file systems without
+/// capitals too.
 std::vector<std::string> folder_names(std::span<const std::string> files) {
   constexpr std::size_t longest = 80;
   std::set<std::string> taken;
   std::vector<std::string> names;
   for (const std::string& file : files) {
     std::string name = fs::path(file).stem().string().substr(0, longest);
-    for (char& letter : name) {
-      const auto code = static_cast<unsigned char>(letter);
-      const bool plain = code < 128 && (std::isalnum(code) != 0 || letter == '-' || letter == '_');
-      if (!plain) letter = '_';
-    }
+    std::replace_if(name.begin(), name.end(), std::not_fn(is_plain), '_');
     if (name.empty()) name = "_";
     std::string own = name;
     for (std::size_t i = 2; !taken.insert(lower_case(own)).second; ++i)
@@ -253,6 +268,33 @@ void write_page(const SolvedFile& file, const fs::path& folder, bool force) {
   (void)place.commit();
 }
 
+/// The folders of pages that an earlier run of this command left: those that its table links to.
+std::set<std::string> earlier_pages(const fs::path& out) {
+  std::set<std::string> names;
+  std::ifstream table(out / table_json, std::ios::binary);
+  const std::string json{std::istreambuf_iterator<char>(table), {}};
+  for (const std::string& page : report::linked_pages(json)) {
+    const std::string name = fs::path(page).parent_path().filename().string();
+    const bool is_own = std::all_of(name.begin(), name.end(), is_plain) && page == page_of(name);
+    if (is_own) names.insert(name);
+  }
+  return names;
+}
+
+/// Removes those pages. What else is in their folders stays, and so do pages that somebody else
+/// put into their places. @return  how many
+std::size_t remove_pages(const fs::path& out, const std::set<std::string>& names) {
+  std::size_t removed = 0;
+  for (const std::string& name : names) {
+    const fs::path folder = out / pages_folder / name;
+    if (fs::is_symlink(folder) || !report::is_own_report(folder / "report.html")) continue;
+    for (const std::string_view file : page_files) fs::remove(folder / file);
+    if (fs::is_empty(folder)) fs::remove(folder);
+    ++removed;
+  }
+  return removed;
+}
+
 /// @param problem  of one recording; of lines one of its own, as what they share is not made by two
 ///                 threads at once
 /// @param threads  that solve a recording each
@@ -285,7 +327,7 @@ std::vector<lab::RecordingRow> rows_of(const std::function<lab::AnyProblem()>& p
           const std::string& name = names[job.index];
           fs::create_directories(pages);
           write_page(job.solved, pages / name, results.force);
-          job.solved.row.page = std::string(pages_folder) + '/' + name + "/report.html";
+          job.solved.row.page = page_of(name);
         }
         rows.push_back(std::move(job.solved.row));
         if (progress.due()) say();
@@ -297,10 +339,10 @@ std::vector<lab::RecordingRow> rows_of(const std::function<lab::AnyProblem()>& p
 }  // namespace
 
 void run(const ReportOptions& options, const Streams& streams) {
+  const std::vector<std::string> files = files_of(options);
   Results results(options.results, streams);
   const auto csv = output_if(options.csv, streams);
   const AnyScene scene = read_any_scene(options.scene, streams.in);
-  const std::vector<std::string> files = files_of(options);
   const Asked asked{.options = options,
                     .command = streams.command,
                     .wants_page = !options.results.folder.empty() && !options.no_pages};
@@ -323,6 +365,14 @@ void run(const ReportOptions& options, const Streams& streams) {
                     }};
   if (options.csv != "-")
     result.print = [&](std::ostream& out) { report::print_recordings(out, rows, scene); };
+  if (const fs::path out = options.results.folder; !out.empty()) {
+    std::set<std::string> stale = earlier_pages(out);
+    for (const lab::RecordingRow& row : rows)
+      stale.erase(fs::path(row.page).parent_path().filename().string());
+    if (const std::size_t removed = remove_pages(out, stale); removed > 0)
+      streams.err << "note: " << counted(removed, "page")
+                  << " of an earlier run, of recordings that have none now, removed\n";
+  }
   results.write(result, progress);
   if (csv) write(csv.get(), report::recordings_csv(rows, scene));
   const auto failed = static_cast<std::size_t>(std::count_if(
