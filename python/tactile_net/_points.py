@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import os
 import random
 import tempfile
 import threading
+import time
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from dataclasses import dataclass
@@ -22,6 +25,7 @@ _arriving = threading.Lock()
 
 
 patience = 300.0  # [s] without a worker: more may be on their way
+long_enough = 0.5  # [s] of a task, where there are points enough
 
 
 class _NobodyLeft(Exception):
@@ -95,7 +99,7 @@ def computed(
     if client is not None:
         optional("dask.distributed", "dask")
         count = max(1, sum(client.nthreads().values()))
-    size = 4 if client is None else 32  # Dask's own cost is small beside so many points of some milliseconds
+    size = 4 if client is None else 32
     shuffled = random.Random(0).shuffle
     while left:
         rising = sorted(left)
@@ -136,6 +140,28 @@ def _on_threads(
                 future.cancel()
 
 
+def _timed(compute: Compute, study: StudyHere | StudyCopy, part: list[int]) -> tuple[Any, float]:
+    """What is computed, and in how many seconds a point."""
+    begin = time.perf_counter()
+    found = compute(study, part)
+    return found, (time.perf_counter() - begin) / len(part)
+
+
+def _joined(rest: deque[list[int]], tasks: int, seconds: float) -> list[int]:
+    """The next part, with as many of those behind it as take `long_enough`, but no more than a share of `tasks`.
+
+    Dask's own cost is milliseconds for each task. Points that are tried alone stay alone.
+
+    seconds: that a point took.
+    """
+    part = rest.popleft()
+    if len(part) > 1:
+        most = min(len(part) * (1 + len(rest)) // tasks, long_enough / max(seconds, 1e-9))
+        while rest and len(part) + len(rest[0]) <= most:
+            part = part + rest.popleft()
+    return sorted(part)
+
+
 def _by_dask(
     compute: Compute, study: StudyHere | StudyCopy, parts: list[list[int]], client: Any, threads: int
 ) -> Iterator[tuple[list[int], Any]]:
@@ -144,13 +170,14 @@ def _by_dask(
     Raises _NobodyLeft.
     """
     distributed = optional("dask.distributed", "dask")
-    rest = iter(parts)
+    rest = deque(parts)
     running: dict[Any, list[int]] = {}
-    deaths, alone = 0, 0.0
+    deaths, alone, seconds = 0, 0.0, math.inf
     try:
         while True:
-            while len(running) < 4 * threads and (part := next(rest, None)) is not None:
-                running[client.submit(compute, study, part, pure=False)] = part
+            while len(running) < 4 * threads and rest:
+                part = _joined(rest, 4 * threads, seconds)
+                running[client.submit(_timed, compute, study, part, pure=False)] = part
             if not running:
                 return
             try:
@@ -163,7 +190,7 @@ def _by_dask(
             for future in [one for one in running if one in done]:
                 part = running.pop(future)
                 try:
-                    found = future.result()
+                    found, seconds = future.result()
                 except distributed.KilledWorker:
                     deaths += 1
                     continue

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import signal
+from collections import deque
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -51,6 +52,34 @@ def test_the_rows_are_those_of_this_machine(client: Any, study: tn.Study, tmp_pa
     assert table.to_dict()["points_resumed"] == 47 and told[-1] == "73 of 73 points"
     with pytest.raises(tn.InputError, match="another study"):
         tn.sweep(tn.Study(study.scene, study.axes), tmp_path / "rows.csv", client=client)
+
+
+def test_quick_points_travel_together(
+    client: Any, scene: tn.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = tn.Study(scene, {"sensor.depth": {"from": 1e-3, "to": 2e-3, "count": 30}}, repeats=40)
+    tasks: list[int] = []
+    submit = client.submit
+
+    def counted(*given: Any, **how: Any) -> Any:
+        tasks.append(len(given[-1]))
+        return submit(*given, **how)
+
+    monkeypatch.setattr(client, "submit", counted)
+    table = tn.sweep(study, tmp_path / "rows.csv", client=client)
+    assert table is not None and table.sha256 == hash_here(study, tmp_path)
+    assert sum(tasks) == 1200 and len(tasks) < 150
+    assert max(tasks) <= 1200 // 8
+
+
+def test_slow_points_and_those_that_are_tried_alone_do_not() -> None:
+    def joined(parts: list[list[int]], seconds: float) -> list[int]:
+        return _points._joined(deque(parts), 2, seconds)
+
+    pairs = [[8, 9], [0, 1], [2, 3], [4, 5], [6, 7]]
+    assert joined(pairs, 1e-6) == [0, 1, 8, 9]
+    assert joined(pairs, _points.long_enough) == [8, 9]
+    assert joined([[i] for i in range(10)], 1e-6) == [0]
 
 
 def test_workers_that_are_killed_cost_nothing_but_time(client: Any, study: tn.Study, tmp_path: Path) -> None:
