@@ -65,8 +65,10 @@ Section broken_section(const Options& options) {
     Setting setting = rows[i / pitches.size()].setting;
     setting.pitch = pitches[i % pitches.size()];
     const Contacts& pad = pads[setting.layer ? 1 : setting.strain ? 2 : 0];
+    const std::string stated = setting.reconstruct;
+    setting.reconstruct = stated + by_alpha;
     cells[i].alpha = interval_score(setting, pad);
-    setting.reconstruct += by_mixture;
+    setting.reconstruct = stated + by_mixture;
     cells[i].mixture = interval_score(setting, pad);
   });
   Section section;

@@ -85,8 +85,8 @@ std::string in_short(const std::vector<Cell>& cells) {
   for (const Cell& cell : cells) alpha += cell.alpha.force;
   const Cell& least = *std::min_element(cells.begin(), cells.end(), less);
   return rows + text(R"(
-The least of all: %s at a pitch of %s with %g %% of noise, %.0f %%. The less noise, the more it counts that a load is not as smooth as the model takes it to be. Bands of one alpha (`answer = "alpha"`, the
-default) hold %s %% and are %.1f to %.1f times as wide.
+The least of all: %s at a pitch of %s with %g %% of noise, %.0f %%. The less noise, the more it counts that a load is not as smooth as the model takes it to be. Bands of one alpha (`answer = "alpha"`)
+hold %s %% and are %.1f to %.1f times as wide.
 )",
                      kinds[least.kind].name, arrays[least.array].name, 100.0 * noises[least.noise],
                      least.mixture.force.percent(2), percents(alpha).c_str(),
@@ -119,6 +119,7 @@ Section contacts_section(const Options& options) {
     Setting setting = arrays[cell.array].setting;
     setting.noise = noises[cell.noise];
     const Contacts& of = contacts[2 * cell.kind + (setting.layer ? 0 : 1)];
+    setting.reconstruct = by_alpha;
     cell.alpha = interval_score(setting, of);
     setting.reconstruct = by_mixture;
     cell.mixture = interval_score(setting, of, true);

@@ -20,7 +20,7 @@ constexpr const char* introduction = R"(# How often we are right
 The force is 506 N/m, it says, and with 95 %: 493 to 519. How often does the true one lie in there? About 95 times in 100 as long as pad and noise are as the scene says, whatever
 presses: the [table](#in-short) below has every kind of array and contact that was tried. If they are not, less often: [what breaks it](#what-breaks-it) says how much, and what to do.
 
-This page is about lines with `answer = "mixture"` under `[reconstruct]` ([scene.md](scene.md#reconstruct); what that is: [internals/mixture.md](internals/mixture.md)). Nothing in the
+This page is about lines that are answered by the [mixture](scene.md#reconstruct), the default where the noise is stated (what that is: [internals/mixture.md](internals/mixture.md)). Nothing in the
 mixture was fitted to these contacts.
 )";
 

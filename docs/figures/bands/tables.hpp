@@ -38,6 +38,7 @@ struct Section {
 
 /// Lines of a scene's [reconstruct].
 inline constexpr const char* by_mixture = "answer = \"mixture\"\n";
+inline constexpr const char* by_alpha = "answer = \"alpha\"\n";
 
 std::string text(const char* format, auto... values) {
   std::string all(static_cast<std::size_t>(std::snprintf(nullptr, 0, format, values...)), ' ');
