@@ -7,6 +7,11 @@
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net::pages {
+namespace {
+
+constexpr std::size_t colours = 6;  // of curves, in web/chart.js
+
+}  // namespace
 
 drawing::Figure alpha_figure(const AlphaSweep& sweep, std::optional<AlphaRule> used,
                              std::string_view section) {
@@ -30,6 +35,7 @@ drawing::Figure alpha_figure(const AlphaSweep& sweep, std::optional<AlphaRule> u
     drawing::Curve drawn{std::string(name(curve.rule)) + " " + brief(curve.choice.alpha), values,
                          1 + plot.curves.size()};
     drawn.width = curve.rule == used ? 4.0 : 1.5;
+    drawn.dashed = plot.curves.size() >= colours;  // which then come again
     const auto chosen = std::lower_bound(sweep.alphas.begin(), sweep.alphas.end() - 1,
                                          curve.choice.alpha * (1.0 - 1e-9));
     drawn.names.resize(sweep.alphas.size());

@@ -294,7 +294,9 @@ std::string methods_section(const lab::Experiment& experiment) {
     if (const auto& found = result.answer.bands) {
       html += element("p", method + resultant_in_words(scene, found->resultant) +
                                " (one standard deviation; bands in the plots are two).");
-      if (const auto rows = report::patch_cells(scene.units, found->patches); !rows.empty())
+      if (const auto rows = report::patch_cells(scene.units, found->patches, {},
+                                                report::true_contacts(experiment.scene));
+          !rows.empty())
         html += element("p", method + "each contact by itself:") + drawing::html_table(rows);
     }
     html += remarks_html(remarks_in_words(experiment, result), method);

@@ -44,7 +44,9 @@ std::string judgement(const lab::Experiment& experiment) {
   std::string html =
       element("h2", experiment.has_truth() ? "Found beside true" : "What was found") +
       drawing::html_table(report::found_cells(experiment));
-  if (const auto rows = report::patch_cells(scene.units, answer.patches); !rows.empty())
+  if (const auto rows = report::patch_cells(scene.units, answer.patches, {},
+                                            report::true_contacts(experiment.scene));
+      !rows.empty())
     html += element("p", "Each contact by itself:") + drawing::html_table(rows);
   html += "<p>" + verdict_mark(std::string(name(answer.verdict))) + " " +
           drawing::escaped(drawing::typeset(

@@ -218,6 +218,12 @@ TEST_CASE("a check says where, how much and what to write", "[lab][check]") {
     CHECK(run.worst == 30);
     CHECK(run.first == 100);
     CHECK(run.frames == 150);
+    RecordedLine clean_copy = clean;  // from before anything presses on, and so at rest
+    for (std::size_t k = 50; k < 400; ++k) clean_copy.frames[k][20] = clean.frames[50][20];
+    const auto at_rest = finding_of<finding::StuckTaxels>(check(clean_copy));
+    CHECK(at_rest.worst == 20);
+    CHECK(at_rest.first == 50);
+    CHECK(at_rest.frames == 350);
   }
   {
     RecordedLine spiked = clean;

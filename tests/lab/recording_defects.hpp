@@ -84,6 +84,12 @@ std::vector<RecordingDefect<Recording>> recording_defects(std::size_t middle) {
       {"stuck from the start", one(4, [](double, auto) { return 123.0; }), "stuck_taxels"},
       {"stuck from frame 200 on",
        one(4, [](double g, std::size_t k) { return k < 200 ? g : 77.0; }), "stuck_taxels"},
+      {"stuck at rest, before anything presses",
+       [middle](Recording& r, std::mt19937&) {
+         for (std::size_t k = 40; k < r.frames.size(); ++k)
+           r.frames[k][middle] = r.frames[40][middle];
+       },
+       "stuck_taxels"},
       {"saturated", each([](double g, auto, auto) { return std::min(g, 3000.0); }),
        "saturated_taxels"},
       {"baseline of each taxel", drawn_once(15.0 * pad_noise, [](double) { return 1.0; }),

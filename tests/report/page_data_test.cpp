@@ -50,6 +50,30 @@ TEST_CASE("a load alone is drawn as the same load of an experiment is", "[report
   CHECK(alone["readings"].empty());
 }
 
+TEST_CASE("contacts of an experiment are numbered on its map as in their table",
+          "[report][pages]") {
+  const SurfaceGrid grid{.rows = 4, .columns = 3, .spacing_y = 1e-3, .spacing_z = 1e-3};
+  lab::Experiment experiment{
+      .scene = skin(), .frame = {.readings = std::vector<double>(36)}, .grid = grid};
+  lab::MethodResult& result = experiment.results.emplace_back();
+  result.answer.tractions = std::vector<double>(36, 1.0);
+  result.answer.data.emplace();
+  for (const double place : {1e-3, -2e-3})
+    result.answer.patches.push_back({.cells = {0},
+                                     .wrench = {.normal = {place, 0.1},
+                                                .centre_y = Uncertain{place, 1e-4},
+                                                .centre_z = Uncertain{-place, 1e-4}}});
+  const json contacts = json::parse(frames_json(experiment))["contacts"];
+  REQUIRE(contacts["rows"].size() == 1);
+  REQUIRE(contacts["rows"][0].size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) CHECK(contacts["rows"][0][i][0] == i + 1);
+  std::size_t column = 1;
+  while (contacts["columns"].at(column - 1)["label"] != "centre, y") ++column;
+  CHECK(contacts["rows"][0][1][column][0] == -2e-3);
+  result.answer.patches.pop_back();  // one alone needs no number
+  CHECK(json::parse(frames_json(experiment))["contacts"].is_null());
+}
+
 TEST_CASE("a wave's map times its deviation is the ripple, and waves to either side are one",
           "[report][pages]") {
   constexpr double k = 2.0 * std::numbers::pi;

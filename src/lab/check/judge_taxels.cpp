@@ -272,9 +272,16 @@ StillNoise judge_taxels(Evidence& evidence, Findings& findings) {
     const auto silent_taxels = taxels_where(
         evidence, [&](std::size_t i) { return feels_nothing(evidence, noise, middles, i); });
     evidence.bury(silent_taxels);
-    dead.insert(dead.end(), silent_taxels.begin(), silent_taxels.end());
 
     const std::vector<double> repeating = usual_repeating(evidence);
+    // One that lived before it held its value is not dead from the beginning.
+    for (const std::size_t taxel : silent_taxels) {
+      bool holds = false;
+      for (std::size_t i = 0; i < evidence.tracks.size(); ++i)
+        holds =
+            holds || (evidence.sites()[i].taxel == taxel && sticks(evidence, noise, repeating, i));
+      (holds ? stuck : dead).push_back(taxel);
+    }
     finding::SaturatedTaxels saturated;
     saturated.taxels = taxels_where(evidence, [&](std::size_t i) {
       const RangeEnd* end = saturated_end(evidence, noise, repeating, i);

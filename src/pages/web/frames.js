@@ -76,7 +76,7 @@ function showFrames(root, d) {
 
   // ---- Contacts of the frame shown: always as many rows, so that nothing below moves.
   const contacts = find('contacts');
-  const most = contacts ? Math.max(...d.contacts.rows.map((rows) => rows.length)) : 0;
+  const most = d.contacts ? Math.max(...d.contacts.rows.map((rows) => rows.length)) : 0;
   /** The contacts' numbers, where they press. */
   const namesOf = (k) => {
     if (most < 2) return undefined;

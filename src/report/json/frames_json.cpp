@@ -551,10 +551,15 @@ std::string frames_json(const lab::Experiment& experiment) {
   // A truth of more components than were solved for begins with these.
   if (solved && experiment.has_truth() && experiment.frame.truth.size() >= tractions.size())
     frame.truth = FrameValues(experiment.frame.truth).first(tractions.size());
+  std::vector<lab::FollowedContact> contacts;  // with their numbers in the table of them
   if (solved) {
     frame.deviations = result.answer.deviations;
     frame.touching = result.answer.cells;
     frame.words = frame_words(experiment);
+    if (result.answer.patches.size() > 1)
+      for (const ContactPatch& patch : result.answer.patches)
+        contacts.push_back({contacts.size() + 1, patch});
+    frame.contacts = contacts;
   }
   all.frames.push_back(std::move(frame));
   return text_of(frames_document(all), -1);

@@ -110,9 +110,16 @@ std::string failure_in_words(const lab::Experiment& experiment, const lab::Metho
 
 std::vector<std::vector<std::string>> rule_cells(const AlphaSweep& sweep) {
   std::vector<std::vector<std::string>> rows = {{"rule", "alpha", "verdict"}};
+  // Where the noise is stated, nobody needs to be told to state it: such a rule is none for so few
+  // readings.
+  const bool stated =
+      std::any_of(sweep.curves.begin(), sweep.curves.end(),
+                  [](const AlphaSweep::Curve& curve) { return needs_noise(curve.rule); });
   for (const AlphaSweep::Curve& curve : sweep.curves)
     rows.push_back({std::string(name(curve.rule)), brief(curve.choice.alpha),
-                    std::string(name(curve.choice.verdict))});
+                    stated && curve.choice.verdict == AlphaVerdict::noise_needed
+                        ? "not for so few readings"
+                        : std::string(name(curve.choice.verdict))});
   return rows;
 }
 
@@ -225,7 +232,9 @@ void print_skin(std::ostream& out, const lab::Experiment& experiment) {
   }
   const lab::FrameAnswer& answer = result.answer;
   print_cells(out, found_cells(experiment));
-  if (const auto rows = patch_cells(scene.units, answer.patches); !rows.empty()) {
+  if (const auto rows =
+          patch_cells(scene.units, answer.patches, {}, true_contacts(experiment.scene));
+      !rows.empty()) {
     out << '\n';
     print_cells(out, rows);
   }
@@ -268,7 +277,9 @@ void print_experiment(std::ostream& out, const lab::Experiment& experiment) {
   for (const lab::MethodResult& result : experiment.results) {
     if (const auto& bands = result.answer.bands) {
       out << name(result.method) << ": " << resultant_in_words(scene, bands->resultant) << '\n';
-      if (const auto rows = patch_cells(scene.units, bands->patches); !rows.empty())
+      if (const auto rows =
+              patch_cells(scene.units, bands->patches, {}, true_contacts(experiment.scene));
+          !rows.empty())
         print_cells(out, rows);
     }
     print_remarks(out, std::string(name(result.method)) + ": ",
