@@ -278,7 +278,7 @@ class Scene:
         return _core.Solver(self._core, method, alpha)
 
     def solver(self, method: str = "tikhonov", *, alpha: float | None = None) -> Solver:
-        """A method made ready: "tikhonov", "closed_form" or "dft". alpha: in place of the scene's.
+        """A method made ready, of one alpha: "tikhonov", "closed_form" or "dft". alpha: in place of the scene's.
 
         Raises ValueError where the method cannot take the scene, UnsolvableError where its answer would be noise.
         """

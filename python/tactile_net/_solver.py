@@ -21,7 +21,10 @@ AnySolver: TypeAlias = "_core.Solver | _core.SkinSolver"
 
 
 class Solver:
-    """A method of a scene, made ready: readings in, tractions out. Made by `Scene.solver`."""
+    """A method of a scene, made ready: readings in, tractions out. Made by `Scene.solver`.
+
+    Its answers are of one alpha, where those of `Scene.solve` may be of all that the readings leave possible.
+    """
 
     def __init__(self, scene: Scene, method: str, alpha: float | None) -> None:
         self.scene = scene

@@ -113,7 +113,9 @@ def test_answers_to_a_recording(
     solution = ours.read(readings).solve(method)
     rows = solution.tractions.reshape(len(solution), -1)
     assert np.array_equal(rows, numbers(file, "normal_", "tangential_"))
-    assert np.array_equal(ours.solver(method)(ours.read(readings).readings), solution.tractions)
+    # A solver made ready is of one alpha, whatever answers a recording.
+    by_alpha = ours.replace({"reconstruct.answer": "alpha"}).read(readings).solve(method)
+    assert np.array_equal(ours.solver(method)(ours.read(readings).readings), by_alpha.tractions)
     said = columns(bands)
     assert solution.verdict.tolist() == said["verdict"]
     assert np.array_equal(solution.alpha, [float(v) for v in said["alpha"]])
