@@ -58,6 +58,8 @@ double least_force(const RecordingOverview& overview, const FrameGroup& group) {
 FrameAnswer pictured(const FrameAnswer& answer) {
   return {.tractions = answer.tractions,
           .deviations = answer.deviations,
+          .low = answer.low,
+          .high = answer.high,
           .alpha = answer.alpha,
           .verdict = answer.verdict,
           .data = answer.data,

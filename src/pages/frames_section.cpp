@@ -66,8 +66,16 @@ std::string table_of(const std::vector<FrameWords>& all, std::size_t start) {
 constexpr std::string_view over_time =
     "One mark for all pictures: a click in one of them chooses the frame, a stroke along it shows "
     "that part of the time in all, a double click everything again.";
-constexpr std::string_view bands =
-    " Bands are two standard deviations, of noise and of what alpha smooths away together.";
+/// What the bands of a frame's tractions are; empty: there are none.
+std::string_view bands(const lab::FrameAnswer& answer) {
+  if (!answer.low.empty())
+    return " Bands are intervals: as often as their label says the truth lies inside, where pad "
+           "and "
+           "noise are as the scene says.";
+  return answer.has_bands() ? " Bands are two standard deviations, of noise and of what alpha "
+                              "smooths away together."
+                            : "";
+}
 
 /// A table that the script fills with the contacts of the frame shown.
 std::string contacts_place(const lab::RecordingOverview& overview) {
@@ -83,7 +91,10 @@ std::string contacts_place(const lab::RecordingOverview& overview) {
 }
 
 /// Of a skin: what differs between a recording and a frame is known to the script.
-std::string skin_pictures(bool truth, bool deviations, bool drags, std::string_view data) {
+/// @param banded  an answer with the bands that all have; null: some have none
+std::string skin_pictures(bool truth, const lab::FrameAnswer* banded, bool drags,
+                          std::string_view data) {
+  const bool deviations = banded != nullptr;
   const bool two = truth || deviations;
   const std::string tractions = figure_of(
       "tractions", "maps",
@@ -99,7 +110,7 @@ std::string skin_pictures(bool truth, bool deviations, bool drags, std::string_v
   const std::string sections = figure_of(
       "sections", two ? "maps" : "stack",
       "Two lines through the cell that presses hardest, or through the one that was clicked." +
-          std::string(deviations ? bands : "") + (truth ? " Dashed: true." : ""),
+          std::string(deviations ? bands(*banded) : "") + (truth ? " Dashed: true." : ""),
       data);
   std::string html =
       two ? tractions + sections : "<div class=\"two top\">" + tractions + sections + "</div>\n";
@@ -121,7 +132,8 @@ std::string skin_pictures(const lab::RecordingOverview& overview) {
     return group.answer.deviations.empty();
   });
   std::string html = player(groups.size()) + contacts_place(overview) +
-                     skin_pictures(false, deviations, overview.tangential(), "tractions.csv");
+                     skin_pictures(false, deviations ? &groups.front().answer : nullptr,
+                                   overview.tangential(), "tractions.csv");
   if (groups.size() > 1) html += figure_of("time", "stack", over_time, "result.json");
   return html;
 }
@@ -137,7 +149,7 @@ std::string line_pictures(const lab::RecordingOverview& overview) {
                       "shown.csv");
   html += figure_html("", place_of("sections", "stack"),
                       "The tractions of this frame along the array." +
-                          std::string(overview.peak().answer.bands ? bands : ""),
+                          std::string(bands(overview.peak().answer)),
                       "shown.csv") +
           "</div>\n";
   html += figure_of("readings", "maps",
@@ -170,11 +182,11 @@ std::string frames_section(const lab::Experiment& experiment) {
   const lab::MethodResult& result = experiment.results.front();
   const bool answer = result.has_answer();
   const std::vector<double>& tractions = answer ? result.answer.tractions : experiment.frame.truth;
-  return section_of(
-      player(1) + skin_pictures(answer && experiment.has_truth(), result.answer.has_bands(),
-                                tractions.size() > experiment.grid.count(),
-                                answer ? "tractions.csv" : "readings.csv"),
-      report::frames_json(experiment));
+  return section_of(player(1) + skin_pictures(answer && experiment.has_truth(),
+                                              result.answer.has_bands() ? &result.answer : nullptr,
+                                              tractions.size() > experiment.grid.count(),
+                                              answer ? "tractions.csv" : "readings.csv"),
+                    report::frames_json(experiment));
 }
 
 std::string view_of_pad(const std::string& svg) {

@@ -9,6 +9,12 @@ function showFrames(root, d) {
                                 ...one,
                                 values: unpack(one.values),
                                 deviations: unpack(one.deviations),
+                                ends: one.ends &&
+                                    {
+                                      low: unpack(one.ends.low),
+                                      high: unpack(one.ends.high),
+                                      label: one.ends.label
+                                    },
                                 truth: unpack(one.truth)
                               }));
   const normal = all[0];
@@ -203,17 +209,22 @@ function showFrames(root, d) {
     }
   }
 
+  /** A curve's interval, or its band where only deviations are known. */
+  const bandOf = (one, take) => one.ends ?
+      {low: take(one.ends.low, d.stress.factor), high: take(one.ends.high, d.stress.factor)} :
+      {band: one.deviations && take(one.deviations, 2 * d.stress.factor)};
+  const bandLabel = normal.ends?.label ?? (normal.deviations ? 'two standard deviations' : '');
+
   // ---- Curves along the surface.
   const range = [d.low * d.stress.factor, d.high * d.stress.factor];
   const curvesAlong = (pick, xs, shown) => shown.flatMap((one) => {
-    const values = pick(one.values.of(frame)),
-          curves = [{
-            label: one.title,
-            colour: one.colour,
-            x: xs,
-            y: scaled(values, d.stress.factor),
-            band: one.deviations && scaled(pick(one.deviations.of(frame)), 2 * d.stress.factor)
-          }];
+    const curves = [{
+      label: one.title,
+      colour: one.colour,
+      x: xs,
+      y: scaled(pick(one.values.of(frame)), d.stress.factor),
+      ...bandOf(one, (values, factor) => scaled(pick(values.of(frame)), factor))
+    }];
     if (one.truth)
       curves.push({
         label: `${one.title}, true`,
@@ -236,7 +247,7 @@ function showFrames(root, d) {
       x: {label: lengthLabel(axis), tight: true},
       y: {label: `traction${unitOf(d.stress)}`, range},
       curves: curvesAlong(pick, xs, shown),
-      band_label: shown[0].deviations ? 'two standard deviations' : ''
+      band_label: bandLabel
     });
     sections.push({chart, title, axis, xs, pick, shown});
   }
@@ -373,7 +384,7 @@ function showFrames(root, d) {
                              colour: i === 2 ? 'ink' : one.colour,
                              dashed: i === 2,
                              y: over(one.values, d.stress.factor),
-                             band: one.deviations && over(one.deviations, 2 * d.stress.factor)
+                             ...bandOf(one, over)
                            }));
     const sayPlace = (k) => `${when[k]}: ` +
         all.map(
@@ -385,7 +396,7 @@ function showFrames(root, d) {
           name: 'Tractions of one cell over time',
           y: {label: `traction${unitOf(d.stress)}`},
           curves,
-          band_label: normal.deviations ? 'two standard deviations' : ''
+          band_label: bandLabel
         },
         sayPlace);
     if (traces) showTraces(placeOf(cell));

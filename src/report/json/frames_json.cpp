@@ -13,6 +13,7 @@
 #include "report/told_numbers.hpp"
 #include "tactile_net/lab/answer_fields.hpp"
 #include "tactile_net/lab/interior.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/frame_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 
@@ -25,7 +26,9 @@ using FrameValues = std::span<const double>;
 struct ShownFrame {
   FrameValues tractions{};   ///< components x cells
   FrameValues deviations{};  ///< as many, or none
-  FrameValues truth{};       ///< as many, or none
+  FrameValues low{};         ///< as many, or none: the ends of their intervals
+  FrameValues high{};
+  FrameValues truth{};  ///< as many, or none
   FrameValues readings{};
   std::span<const std::size_t> touching{};  ///< cells, in their order
   std::span<const lab::FollowedContact> contacts{};
@@ -49,6 +52,7 @@ struct ShownFrames {
   std::vector<ShownFrame> frames{};
   std::size_t per_frame = 1;  ///< frames that one of these stands for, at least
   std::size_t start = 0;      ///< index of the frame that is shown first
+  double level = 0.95;        ///< of the intervals
 
   [[nodiscard]] FrameValues component(FrameValues values, std::size_t which) const {
     return values.empty() ? values : values.subspan(which * grid.count(), grid.count());
@@ -112,9 +116,12 @@ Reach reach_of(const ShownFrames& all) {
     }
     for (std::size_t i = 0; i < frame.tractions.size(); ++i) {
       const double band = frame.deviations.empty() ? 0.0 : 2.0 * frame.deviations[i];
-      const double truth = frame.truth.empty() ? frame.tractions[i] : frame.truth[i];
-      reach.low = std::min({reach.low, frame.tractions[i] - band, truth});
-      reach.high = std::max({reach.high, frame.tractions[i] + band, truth});
+      const double value = frame.tractions[i];
+      const double truth = frame.truth.empty() ? value : frame.truth[i];
+      reach.low =
+          std::min({reach.low, value, frame.low.empty() ? value - band : frame.low[i], truth});
+      reach.high =
+          std::max({reach.high, value, frame.high.empty() ? value + band : frame.high[i], truth});
     }
     for (const double deviation : all.component(frame.deviations, 0))
       reach.deviation = std::max(reach.deviation, deviation);
@@ -154,11 +161,16 @@ Json tractions_json(const ShownFrames& all) {
                 {"colour", k == 0 ? "normal" : "tangential"},
                 {"values", packed_json(packed(of_all(&ShownFrame::tractions, k)))}};
     one["deviations"] = nullptr;
+    one["ends"] = nullptr;
     one["truth"] = nullptr;
     if (known(&ShownFrame::deviations)) {
       const PackedValues bands = packed(of_all(&ShownFrame::deviations, k), Packing::sizes);
       if (k == 0 || !large || bands.steps.size() == 1) one["deviations"] = packed_json(bands);
     }
+    if (known(&ShownFrame::low) && known(&ShownFrame::high) && !large)
+      one["ends"] = {{"low", packed_json(packed(of_all(&ShownFrame::low, k)))},
+                     {"high", packed_json(packed(of_all(&ShownFrame::high, k)))},
+                     {"label", percent(all.level) + " intervals"}};
     if (known(&ShownFrame::truth))
       one["truth"] = packed_json(packed(of_all(&ShownFrame::truth, k)));
     json.push_back(std::move(one));
@@ -419,7 +431,8 @@ ShownFrames frames_of(const Scene& scene, std::size_t components) {
           .sites = sites(scene.sensor),
           .dead = scene.dead_taxels,
           .components = components,
-          .is_line = true};
+          .is_line = true,
+          .level = scene.interval_level};
 }
 
 /// Of a skin, without its frames.
@@ -429,7 +442,8 @@ ShownFrames frames_of(const SkinScene& scene, const SurfaceGrid& grid, std::size
                   .channels = channels(scene.sensor),
                   .sites = sites(scene.sensor),
                   .dead = scene.dead_taxels,
-                  .components = components};
+                  .components = components,
+                  .level = scene.interval_level};
   if (is_even(scene.sensor))
     all.lattice = SurfaceGrid{.rows = scene.sensor.rows,
                               .columns = scene.sensor.columns,
@@ -449,6 +463,8 @@ ShownFrames shown_of(const lab::RecordingOverview& overview) {
   for (const lab::FrameGroup& group : overview.groups)
     all.frames.push_back({.tractions = group.answer.tractions,
                           .deviations = group.answer.deviations,
+                          .low = group.answer.low,
+                          .high = group.answer.high,
                           .readings = group.readings,
                           .touching = group.answer.cells,
                           .contacts = overview.contacts(group),
@@ -554,6 +570,8 @@ std::string frames_json(const lab::Experiment& experiment) {
   std::vector<lab::FollowedContact> contacts;  // with their numbers in the table of them
   if (solved) {
     frame.deviations = result.answer.deviations;
+    frame.low = result.answer.low;
+    frame.high = result.answer.high;
     frame.touching = result.answer.cells;
     frame.words = frame_words(experiment);
     if (result.answer.patches.size() > 1)
