@@ -94,6 +94,7 @@ Narrow bands forgive less: the value is nearer to the truth than that of one alp
 
 [`calibrate`](calibration.md) finds depth, layer and gains from presses with known forces. [`offset = true`](scene.md#reconstruct) solves for a constant of each channel.
 [`degrees`](scene.md#noise) says how well the noise is known: 5, the default, forgives one that is stated half as large as it is.
+[`model_share`](scene.md#noise) is for what a pad's formula misses though everything is as stated.
 )",
                        nearer, cells.size());
   return section;

@@ -24,7 +24,7 @@
 /// A priori each width of windows is as likely as another, each place of one width, and 1/w is
 /// half-Cauchy; alpha is so by its logarithm times alpha^`prior_power`. The sum over alphas, a
 /// factor 2 apart, is the integral to a hundredth of a band. How often the bands hold:
-/// docs/internals/numerics.md.
+/// docs/bands.md, of skins docs/internals/mixture.md.
 ///
 ///     const LoadPrior prior(problem, {.depth = 1e-3});  // once
 ///     const LoadMixture answer = prior.given(readings, {.rms = 0.01});

@@ -24,11 +24,10 @@ using FrameValues = std::span<const double>;
 
 /// One frame, of a line or of a skin.
 struct ShownFrame {
-  FrameValues tractions{};   ///< components x cells
-  FrameValues deviations{};  ///< as many, or none
-  FrameValues low{};         ///< as many, or none: the ends of their intervals
-  FrameValues high{};
-  FrameValues truth{};  ///< as many, or none
+  FrameValues tractions{};    ///< components x cells
+  FrameValues deviations{};   ///< as many, or none
+  FrameValues low{}, high{};  ///< as many, or none: the ends of their intervals
+  FrameValues truth{};        ///< as many, or none
   FrameValues readings{};
   std::span<const std::size_t> touching{};  ///< cells, in their order
   std::span<const lab::FollowedContact> contacts{};
@@ -115,13 +114,12 @@ Reach reach_of(const ShownFrames& all) {
       reach.drag = std::max(reach.drag, largest_drag(all, values));
     }
     for (std::size_t i = 0; i < frame.tractions.size(); ++i) {
-      const double band = frame.deviations.empty() ? 0.0 : 2.0 * frame.deviations[i];
       const double value = frame.tractions[i];
+      const double band = frame.deviations.empty() ? 0.0 : 2.0 * frame.deviations[i];
       const double truth = frame.truth.empty() ? value : frame.truth[i];
-      reach.low =
-          std::min({reach.low, value, frame.low.empty() ? value - band : frame.low[i], truth});
-      reach.high =
-          std::max({reach.high, value, frame.high.empty() ? value + band : frame.high[i], truth});
+      const bool ends = !frame.low.empty();
+      reach.low = std::min({reach.low, value, truth, ends ? frame.low[i] : value - band});
+      reach.high = std::max({reach.high, value, truth, ends ? frame.high[i] : value + band});
     }
     for (const double deviation : all.component(frame.deviations, 0))
       reach.deviation = std::max(reach.deviation, deviation);
@@ -212,8 +210,7 @@ Json readings_json(const ShownFrames& all) {
     std::vector<FrameValues> frames;
     for (const ShownFrame& frame : all.frames)
       frames.push_back(frame.readings.subspan(channel.first, channel.count));
-    Json y = Json::array();
-    Json z = Json::array();
+    Json y = Json::array(), z = Json::array();
     for (std::size_t i = 0; i < channel.count; ++i) {
       y.push_back(rounded(all.sites[channel.first + i].y, 6));
       z.push_back(rounded(all.sites[channel.first + i].z, 6));
@@ -239,8 +236,7 @@ Json places_json(const ShownFrames& all) {
   std::vector<const Site*> of_taxel(count);
   for (const Site& site : all.sites)
     if (of_taxel[site.taxel] == nullptr) of_taxel[site.taxel] = &site;
-  Json y = Json::array();
-  Json z = Json::array();
+  Json y = Json::array(), z = Json::array();
   for (const Site* site : of_taxel) {
     y.push_back(site != nullptr ? rounded(site->y, 6) : 0.0);
     z.push_back(site != nullptr ? rounded(site->z, 6) : 0.0);

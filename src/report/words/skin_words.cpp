@@ -126,7 +126,8 @@ std::optional<Answer> placed(const lab::Experiment& experiment) {
   if (!wrench.centre_y || !wrench.centre_z || !exact) return std::nullopt;
   const double off =
       std::hypot(wrench.centre_y->value - exact->y, wrench.centre_z->value - exact->z);
-  return Answer{in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +
+  return Answer{in_unit(scene.units, Dimension::length, *wrench.centre_y) +
+                    (wrench.centre_y->interval ? "; " : ", ") +
                     in_unit(scene.units, Dimension::length, *wrench.centre_z),
                 "centre of pressure (y, z)" + of_all(experiment.results.front().answer) + ", " +
                     length_in_words(scene.units, off) + " off the true one",
