@@ -125,7 +125,7 @@ TEST_CASE("amplitudes scatter as predicted, in the sampled problem of a long arr
       waves(i, most + j - 1) = waves(size / 2 + i, 3 * most - 2 + j) = std::sin(phase);
     }
   constexpr int frames = 1500;
-  Eigen::MatrixXd noise(size, frames);  // weighted readings: of unit variance
+  Eigen::MatrixXd noise = Eigen::MatrixXd::Zero(size, frames);  // weighted: of unit variance
   for (int frame = 0; frame < frames; ++frame)
     add_noise({noise.col(frame).data(), 2 * n}, 1.0, 5, static_cast<std::size_t>(frame));
   const Eigen::MatrixXd amplitudes =
