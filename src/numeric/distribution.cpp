@@ -10,6 +10,7 @@
 
 #include "numeric/gauss_rule.hpp"
 #include "numeric/require.hpp"
+#include "numeric/student_cdf.hpp"
 
 namespace tactile_net {
 namespace {
@@ -29,23 +30,15 @@ double gaussian_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2)
 constexpr double most_terms_of_student = 400.0;
 constexpr double beyond_series = 6.0;  // where 1 - F is no longer told from F to nine digits
 
-/// Student's cdf of a whole number of degrees: a sum of degrees / 2 terms that do not cancel
-/// (Abramowitz and Stegun 1964, 26.7.3 and 26.7.4).
-double student_cdf(int degrees, double t) {
-  const double n = degrees;
-  const double cos2 = n / (n + t * t);
-  const bool odd = degrees % 2 == 1;
-  double sum = 0.0;
-  for (int k = degrees - 2; k >= 2; k -= 2)
-    sum = (1.0 + sum) * cos2 * static_cast<double>(k - 1) / static_cast<double>(k);
-  const double sine = std::abs(t) / std::sqrt(n + t * t);
-  double inside = sine * (1.0 + sum);  // P(|T| < |t|)
-  if (odd) {
-    inside = std::atan(std::abs(t) / std::sqrt(n));
-    if (degrees > 1) inside += sine * std::sqrt(cos2) * (1.0 + sum);
-    inside *= 2.0 / std::numbers::pi;
+/// The table that this thread asked for last: those of a frame's distributions are one.
+const StudentCdf& tabled_student(int degrees) {
+  thread_local const StudentCdf* last = nullptr;
+  thread_local int last_degrees = 0;
+  if (last_degrees != degrees) {
+    last = &StudentCdf::of(degrees);
+    last_degrees = degrees;
   }
-  return 0.5 * (1.0 + std::copysign(inside, t));
+  return *last;
 }
 
 /// The scale of numerator - x denominator.
@@ -153,7 +146,7 @@ double Distribution::standard_cdf(double z) const {
   if (std::isinf(degrees_)) return gaussian_cdf(z);
   if (std::abs(z) < beyond_series && degrees_ <= most_terms_of_student &&
       degrees_ == std::floor(degrees_))
-    return student_cdf(static_cast<int>(degrees_), z);
+    return tabled_student(static_cast<int>(degrees_))(z);
   return boost::math::cdf(Student(degrees_), z);
 }
 

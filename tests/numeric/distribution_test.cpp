@@ -1,6 +1,7 @@
 // What is known of a number, as a mixture: laws that hold of any.
 #include "tactile_net/numeric/distribution.hpp"
 
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "numeric/student_cdf.hpp"
 #include "tests/catch.hpp"
 
 using namespace tactile_net;
@@ -144,6 +146,23 @@ TEST_CASE("another unit scales everything", "[distribution]") {
   CHECK_THAT(other.deviation(), WithinRel(unit * own.deviation(), 1e-12));
   CHECK_THAT(other.quantile(0.025), WithinRel(unit * own.quantile(0.025), 1e-9));
   CHECK_THAT(other.crps(0.8 * unit), WithinRel(unit * own.crps(0.8), 1e-9));
+}
+
+TEST_CASE("Student's table is its series, and Boost's function", "[distribution]") {
+  for (const int degrees : {1, 2, 5, 22, 87, 400}) {
+    const StudentCdf table(degrees);
+    const boost::math::students_t_distribution<double> reference(degrees);
+    double before = 0.0;
+    for (double t = -13.0; t < 13.0; t += 0.01234) {
+      CAPTURE(degrees, t);
+      CHECK_THAT(table(t), WithinAbs(student_series(degrees, t), 2e-12));
+      CHECK_THAT(table(t), WithinAbs(boost::math::cdf(reference, t), 2e-12));
+      CHECK(table(t) >= before - 1e-14);
+      before = table(t);
+    }
+    CHECK(table(0.0) == 0.5);
+    CHECK(&StudentCdf::of(degrees) == &StudentCdf::of(degrees));
+  }
 }
 
 TEST_CASE("Student's of many degrees is a Gaussian", "[distribution]") {
