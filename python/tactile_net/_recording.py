@@ -297,7 +297,7 @@ class Solution(Document):
         """(T, 2): the central interval of "normal_force", "tangential_force" [N/m] or "centre" [m] that holds it with
         this probability. nan where a frame has no answer or, of the centre, nothing presses.
 
-        ValueError where the answer is one alpha's: the scene has no `answer = "mixture"` under [reconstruct].
+        ValueError where the answer is one alpha's: the scene states an alpha, or nobody knows the noise.
         """
         return self.distribution(what).interval(level)
 
