@@ -123,7 +123,8 @@ TEST_CASE("a line's plan knows the array's ends", "[lab][controller]") {
 TEMPLATE_TEST_CASE("a controller finds the force and the place that solve finds",
                    "[lab][controller]", Lines, Skins) {
   const std::string dead = GENERATE("", "[dead_taxels]\nindices = [0, 19]\n");
-  const std::string toml = scene<TestType>(own_weight + "alpha = \"aicc\"\n", "[noise]\nrms = 1e-4\n") + dead;
+  const std::string toml =
+      scene<TestType>(own_weight + "alpha = \"aicc\"\n", "[noise]\nrms = 1e-4\n") + dead;
   const std::string pitch =
       toml.substr(toml.find("pitch"), toml.find("reads") - toml.find("pitch"));
   const TestType sensor(replaced(toml, pitch, "pitch = 1.0\ndepth = 1.0\n"));
