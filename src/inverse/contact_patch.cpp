@@ -160,10 +160,14 @@ std::vector<ContactPatch> patches_of(const Surface& surface, std::span<const dou
       options.between ? options.between : [&](std::size_t first, std::size_t last) {
         return resultant_between(first, last, surface, tractions, covariance, noise_rms);
       };
-  const std::size_t contacts = for_each_contact(
+  // It throws nothing: what may is called behind it.
+  std::vector<std::pair<std::size_t, std::size_t>> stretches;
+  stretches.reserve(n);
+  for_each_contact(
       p, n, that_part * whole.normal.deviation / surface.spacing,
-      [&](std::size_t first, std::size_t last) { add(first, last, between(first, last)); });
-  if (contacts < 2) add(0, n, whole);
+      [&](std::size_t first, std::size_t last) { stretches.emplace_back(first, last); });
+  for (const auto& [first, last] : stretches) add(first, last, between(first, last));
+  if (stretches.empty()) add(0, n, whole);
   std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
     return a.wrench.normal.value > b.wrench.normal.value;
   });

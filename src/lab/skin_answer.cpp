@@ -150,35 +150,36 @@ class SkinFrameMethod final : public FrameMethod {
     answer.solved = answer.verdict;
   }
 
-  double residual(std::span<const double> tractions) const override {
+  [[nodiscard]] double residual(std::span<const double> tractions) const override {
     return method_->residual(readings_, tractions);
   }
-  double size_of_readings() const override {
+  [[nodiscard]] double size_of_readings() const override {
     double all = 0.0;
     for (const double reading : weighted(problem_.layout(), readings_))
       all = std::hypot(all, reading);
     return all;
   }
-  std::size_t rows() const override { return frame_.rows; }
-  std::optional<double> rounding(const FrameAnswer& answer) const override {
+  [[nodiscard]] std::size_t rows() const override { return frame_.rows; }
+  [[nodiscard]] std::optional<double> rounding(const FrameAnswer& answer) const override {
     if (is_mean(problem_)) return std::nullopt;
     const double alpha = answer.alpha.value;
     return rounding_bound(frame_, alpha, method_->condition(alpha), problem_.tractions());
   }
-  bool ends_at_border(std::span<const double> tractions) const override {
+  [[nodiscard]] bool ends_at_border(std::span<const double> tractions) const override {
     return presses_at_border(tractions.first(problem_.grid().count()), problem_.border());
   }
-  std::optional<DataVerdict> judge_data(std::span<const double> tractions) const override {
+  [[nodiscard]] std::optional<DataVerdict> judge_data(
+      std::span<const double> tractions) const override {
     return method_->judge(readings_, tractions);
   }
-  std::optional<std::vector<double>> unconstrained(double alpha) const override {
+  [[nodiscard]] std::optional<std::vector<double>> unconstrained(double alpha) const override {
     if (!problem_.constraints()) return std::nullopt;
     return method_->solve(frame_, readings_, alpha);
   }
 
-  std::optional<std::size_t> repeating() const override { return repeats_; }
+  [[nodiscard]] std::optional<std::size_t> repeating() const override { return repeats_; }
 
-  bool has_bands() const override { return true; }
+  [[nodiscard]] bool has_bands() const override { return true; }
   Uncertain add_bands(FrameAnswer& answer) override {
     if (mixture_) {
       add_mixture_bands(answer, problem_, readings_);
@@ -200,7 +201,7 @@ class SkinFrameMethod final : public FrameMethod {
     }
     return answer.wrench.normal;
   }
-  bool holds_model_error(const FrameAnswer&) const override { return true; }
+  [[nodiscard]] bool holds_model_error(const FrameAnswer&) const override { return true; }
 
   /// That verdict which says most of the force.
   void judge_force(FrameAnswer& answer) const override {
@@ -217,10 +218,10 @@ class SkinFrameMethod final : public FrameMethod {
       answer.verdict = Verdict::coarse;
   }
 
-  remark::OffsetsFound named(std::span<const double> offsets) const override {
+  [[nodiscard]] remark::OffsetsFound named(std::span<const double> offsets) const override {
     return offsets_found(offsets, problem_.scene());
   }
-  remark::DataDoubted named(const DataVerdict& data) const override {
+  [[nodiscard]] remark::DataDoubted named(const DataVerdict& data) const override {
     return with_names(data, problem_.scene());
   }
 
@@ -306,11 +307,12 @@ class SkinRecordingMethod final : public RecordingMethod {
     if (share_alpha) sharing_.emplace(skin_, *share_alpha);
   }
 
-  std::size_t tractions() const override { return skin_.tractions(); }
-  std::size_t bytes() const override { return skin_.bytes(); }
+  [[nodiscard]] std::size_t tractions() const override { return skin_.tractions(); }
+  [[nodiscard]] std::size_t bytes() const override { return skin_.bytes(); }
   /// A large skin keeps what the last frame needed.
-  bool takes_threads() const override { return !sharing_ && !skin_.is_large(); }
-  std::shared_ptr<RecordingMethod> without(std::span<const std::size_t> taxels) const override {
+  [[nodiscard]] bool takes_threads() const override { return !sharing_ && !skin_.is_large(); }
+  [[nodiscard]] std::shared_ptr<RecordingMethod> without(
+      std::span<const std::size_t> taxels) const override {
     return std::make_shared<SkinRecordingMethod>(skin_.without(taxels), std::nullopt);
   }
   FrameAnswer answer(std::span<const double> readings,

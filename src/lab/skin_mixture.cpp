@@ -56,6 +56,7 @@ std::vector<Cells> contacts_in(const SurfaceGrid& grid, std::span<const double> 
   if (contacts.size() < 2) return contacts;
   const std::vector<Cells> regions = regions_of(grid, contacts);
   std::vector<double> forces;
+  forces.reserve(regions.size());
   for (const Cells& region : regions) forces.push_back(grid.area() * sum_over(mean, region));
   const double least = std::max(least_share * *std::max_element(forces.begin(), forces.end()),
                                 that_part * force.deviation);

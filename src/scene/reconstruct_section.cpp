@@ -113,7 +113,7 @@ void read_shared(Table& table, const Read& read, SceneKind auto& scene) {
 /// Understood, and knows the noise that it needs; null: neither.
 std::optional<Value> read_answer(Table& table, SceneKind auto& scene) {
   constexpr std::array kinds = {AnswerKind::mixture, AnswerKind::alpha};
-  const auto value = table.value("answer");
+  auto value = table.value("answer");
   if (!value) return std::nullopt;
   const auto index = value->one_of("answer", names_of(kinds));
   if (!index) return std::nullopt;
