@@ -65,20 +65,15 @@ UncertainWrench wrench_of(const UncertainResultant& resultant) {
   return wrench;
 }
 
-/// Of a line's contact, by its angle's: where drags to either side are possible, the larger one.
-void add_friction_interval(ContactPatch& patch, const CentralInterval& angle,
-                           std::optional<double> limit) {
+/// Of a line's drag over its force, by the angle's: where drags to either side are possible, up to
+/// the larger one.
+CentralInterval friction_interval(const CentralInterval& angle) {
   const double left = std::tan(angle.low);
   const double right = std::tan(angle.high);
   const bool either = left < 0.0 && right > 0.0;
-  const CentralInterval friction{.level = angle.level,
-                                 .low = either ? 0.0 : std::min(std::abs(left), std::abs(right)),
-                                 .high = std::max(std::abs(left), std::abs(right))};
-  if (patch.friction) patch.friction->interval = friction;
-  if (patch.slip_margin && limit)
-    patch.slip_margin->interval = CentralInterval{.level = angle.level,
-                                                  .low = 1.0 - friction.high / *limit,
-                                                  .high = 1.0 - friction.low / *limit};
+  return {.level = angle.level,
+          .low = either ? 0.0 : std::min(std::abs(left), std::abs(right)),
+          .high = std::max(std::abs(left), std::abs(right))};
 }
 
 /// The variance of the place where values press [m^2]; not > 0: they have none.
@@ -126,14 +121,22 @@ void judge_slip(ContactPatch& patch, std::optional<double> limit) {
   patch.slip_margin = {1.0 - used, deviation_of(wrench, gradient)};
 }
 
+void add_friction_interval(ContactPatch& patch, const CentralInterval& friction,
+                           std::optional<double> limit) {
+  if (patch.friction) patch.friction->interval = friction;
+  const bool twists = patch.wrench.torsion && patch.wrench.torsion->value != 0.0;
+  if (patch.slip_margin && limit && !twists)
+    patch.slip_margin->interval = CentralInterval{.level = friction.level,
+                                                  .low = 1.0 - friction.high / *limit,
+                                                  .high = 1.0 - friction.low / *limit};
+}
+
 std::vector<ContactPatch> patches_of(const Surface& surface, std::span<const double> tractions,
                                      const Covariance& covariance, double noise_rms,
                                      const UncertainResultant& whole, const PatchOptions& options) {
-  constexpr double that_press = 3.0;  // deviations that noise alone hardly ever makes
-  constexpr double that_part = 6.0;   // deviations of each of several contacts
   const std::size_t n = surface.count;
   std::vector<ContactPatch> patches;
-  if (!(whole.normal.value > that_press * whole.normal.deviation)) return patches;
+  if (!(whole.normal.value > deviations_that_press * whole.normal.deviation)) return patches;
   const double* const p = tractions.data();
   const double limit = least_share * *std::max_element(p, p + n);
   const auto add = [&](std::size_t first, std::size_t last, const UncertainResultant& resultant) {
@@ -143,7 +146,8 @@ std::vector<ContactPatch> patches_of(const Surface& surface, std::span<const dou
     patch.wrench = wrench_of(resultant);
     judge_slip(patch, options.friction_limit);
     if (resultant.angle && resultant.angle->interval)
-      add_friction_interval(patch, *resultant.angle->interval, options.friction_limit);
+      add_friction_interval(patch, friction_interval(*resultant.angle->interval),
+                            options.friction_limit);
     const std::span<const double> own = tractions.subspan(first, last - first);
     if (const auto extent = extent_of(own, surface.spacing); extent && resultant.centre) {
       std::vector<double> gradient(tractions.size());
@@ -164,7 +168,7 @@ std::vector<ContactPatch> patches_of(const Surface& surface, std::span<const dou
   std::vector<std::pair<std::size_t, std::size_t>> stretches;
   stretches.reserve(n);
   for_each_contact(
-      p, n, that_part * whole.normal.deviation / surface.spacing,
+      p, n, deviations_of_part * whole.normal.deviation / surface.spacing,
       [&](std::size_t first, std::size_t last) { stretches.emplace_back(first, last); });
   for (const auto& [first, last] : stretches) add(first, last, between(first, last));
   if (stretches.empty()) add(0, n, whole);

@@ -232,21 +232,20 @@ void LoadPrior::Tables::decompose(Shape& shape, double prior_power, double log_p
 }
 
 Eigen::MatrixXd LoadPrior::Tables::tractions(const Entry& entry, const Eigen::MatrixXd& c) const {
-  const WindowCoordinates& coordinates = shapes[entry.shape].coordinates;
-  const Index n = coordinates.count();
-  Eigen::MatrixXd all(c.rows(), c.cols());
-  for (Index u = 0; u < components; ++u)
-    all.middleRows(u * n, n) = coordinates.tractions(c.middleRows(u * n, n));
-  all.bottomRows(all.rows() - n) /= entry.tangential_weight;
-  return all;
+  return of_components(entry, c, &WindowCoordinates::tractions);
 }
 
 Eigen::MatrixXd LoadPrior::Tables::sums(const Entry& entry, const Eigen::MatrixXd& f) const {
+  return of_components(entry, f, &WindowCoordinates::sums);
+}
+
+Eigen::MatrixXd LoadPrior::Tables::of_components(const Entry& entry, const Eigen::MatrixXd& values,
+                                                 auto map) const {
   const WindowCoordinates& coordinates = shapes[entry.shape].coordinates;
   const Index n = coordinates.count();
-  Eigen::MatrixXd all(f.rows(), f.cols());
+  Eigen::MatrixXd all(values.rows(), values.cols());
   for (Index u = 0; u < components; ++u)
-    all.middleRows(u * n, n) = coordinates.sums(f.middleRows(u * n, n));
+    all.middleRows(u * n, n) = (coordinates.*map)(values.middleRows(u * n, n));
   all.bottomRows(all.rows() - n) /= entry.tangential_weight;
   return all;
 }

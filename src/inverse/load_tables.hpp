@@ -118,6 +118,9 @@ struct LoadPrior::Tables {
                   std::size_t reflection);
   void decompose(Shape& shape, double prior_power, double log_prior);
   [[nodiscard]] Details make(const Entry& entry) const;
+  /// T or T' of each component, over its weight.
+  [[nodiscard]] Eigen::MatrixXd of_components(const Entry& entry, const Eigen::MatrixXd& values,
+                                              auto map) const;
 
   Eigen::MatrixXd kernel_;
   mutable std::mutex mutex_{};

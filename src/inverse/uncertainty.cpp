@@ -102,12 +102,11 @@ UncertainResultant resultant_of(const Surface& surface, std::span<const double> 
 std::optional<UncertainResultant> nearest_to_slipping(
     const Surface& surface, std::span<const double> tractions, const Covariance& covariance,
     double noise_rms, const UncertainResultant& whole, const ResultantBetween& between) {
-  constexpr double deviations = 6.0;
   const std::size_t n = surface.count;
   if (tractions.size() == n) return std::nullopt;
   const LineContact worst =
       nearest_to_slipping(tractions.data(), tractions.data() + n, n,
-                          deviations * whole.normal.deviation / surface.spacing);
+                          deviations_of_part * whole.normal.deviation / surface.spacing);
   if (worst.contacts < 2) return std::nullopt;
   if (between) return between(worst.first, worst.last);
   return resultant_between(worst.first, worst.last, surface, tractions, covariance, noise_rms);

@@ -154,7 +154,7 @@ namespace {
 
 FrameAnswer line_with_bands(const SceneProblem& problem, std::span<const double> readings,
                             const FrameAnswer& answered) {
-  const SceneFrame frame(problem, readings);
+  const SceneFrame frame(problem, readings, answered.mixture);
   LineFrameMethod solved(
       {.problem = problem, .readings = readings, .analysed = &frame, .known = &answered});
   FrameAnswer found = answer(solved);

@@ -56,6 +56,18 @@ namespace tactile_net::lab {
   return squares > 0.0 ? std::optional(std::sqrt(squares)) : std::nullopt;
 }
 
+/// What the pad's formula may be off by; 0: that is not stated.
+[[nodiscard]] inline double model_share(const SensorEffects& effects) {
+  return effects.noise ? effects.noise->model_share : 0.0;
+}
+
+/// What a mixture takes of the noise. @pre  the scene states it
+[[nodiscard]] LoadNoise load_noise(const auto& scene) {
+  return {.rms = noise_of_readings(scene),
+          .degrees = scene.noise->degrees,
+          .model_share = scene.noise->model_share};
+}
+
 /// @param options  of [reconstruct]
 [[nodiscard]] inline std::optional<Constraints> stated_constraints(const auto& options) {
   if (!options.nonnegative && !options.friction_limit) return std::nullopt;

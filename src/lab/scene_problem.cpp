@@ -338,8 +338,11 @@ SceneFrame::SceneFrame(SceneProblem problem, std::span<const double> readings,
       problem_(weights_.empty() ? given_ : given_.weighed(most_likely(weights_).value)),
       readings_(readings.begin(), readings.end()) {}
 
-SceneFrame::SceneFrame(const SceneProblem& problem, std::span<const double> readings)
-    : SceneFrame(problem, readings, likely_weights_of(problem, readings)) {}
+SceneFrame::SceneFrame(const SceneProblem& problem, std::span<const double> readings,
+                       std::shared_ptr<const LoadMixture> mixture)
+    : SceneFrame(problem, readings, likely_weights_of(problem, readings)) {
+  mixture_ = std::move(mixture);
+}
 
 std::optional<double> SceneFrame::estimated_weight() const noexcept {
   if (weights_.empty()) return std::nullopt;
@@ -372,9 +375,7 @@ const SceneFrame& SceneFrame::reaching_beyond() const {
 const std::shared_ptr<const LoadMixture>& SceneFrame::mixture() const {
   if (!mixture_)
     mixture_ = std::make_shared<const LoadMixture>(
-        given_.load_prior().given(readings_, {.rms = given_.stated_noise(),
-                                              .degrees = given_.scene().noise->degrees,
-                                              .model_share = given_.scene().noise->model_share}));
+        given_.load_prior().given(readings_, load_noise(given_.scene())));
   return mixture_;
 }
 

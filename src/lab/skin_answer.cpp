@@ -190,10 +190,9 @@ class SkinFrameMethod final : public FrameMethod {
     if (!problem_.is_large())  // of which they are known
       answer.offsets = offsets(problem_.problem(), readings_, answer.tractions);
     lab::add_bands(answer, problem_, *method_, frame_, face_, readings_);
-    if (const auto& noise = problem_.scene().noise; noise && noise->model_share > 0.0)
+    if (const double share = model_share(problem_.scene()); share > 0.0)
       for (std::size_t i = 0; i < answer.deviations.size(); ++i)
-        answer.deviations[i] =
-            std::hypot(answer.deviations[i], noise->model_share * answer.tractions[i]);
+        answer.deviations[i] = std::hypot(answer.deviations[i], share * answer.tractions[i]);
     if (answer.unseen > most_unseen && !problem_.scene().reconstruct.grid.margin) {
       SkinFrameMethod beyond(problem_.reaching_beyond(), readings_, {}, {});
       take_from_beyond(answer, lab::answer(beyond), problem_.reaching_beyond().grid(),
@@ -228,11 +227,8 @@ class SkinFrameMethod final : public FrameMethod {
  private:
   static std::shared_ptr<const LoadMixture> mixture_of(const SkinSceneProblem& problem,
                                                        std::span<const double> readings) {
-    const NoiseModel& noise = *problem.scene().noise;
     return std::make_shared<const LoadMixture>(
-        problem.load_prior().given(readings, {.rms = problem.stated_noise(),
-                                              .degrees = noise.degrees,
-                                              .model_share = noise.model_share}));
+        problem.load_prior().given(readings, load_noise(problem.scene())));
   }
   /// Whether tractions are the mixture's mean.
   [[nodiscard]] bool is_mean(const SkinSceneProblem& problem) const {

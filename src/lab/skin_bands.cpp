@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lab/large_skin.hpp"
+#include "lab/lines_and_skins.hpp"
 #include "lab/skin_constraint_bias.hpp"
 #include "numeric/robust.hpp"
 #include "tactile_net/inverse/covariance.hpp"
@@ -349,8 +350,7 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
   const FoundContacts found = contacts_in(f, touching, rim);
   answer.cells = found.cells;
   // What the pad's formula may be off by is in no reading.
-  const double share =
-      problem.scene().noise && rms > 0.0 ? problem.scene().noise->model_share / rms : 0.0;
+  const double share = rms > 0.0 ? model_share(problem.scene()) / rms : 0.0;
   std::vector<std::size_t> summed;
   if (answer.cells.empty()) {
     summed.resize(grid.count());

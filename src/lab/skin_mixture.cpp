@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "lab/mixture_bands.hpp"
 #include "lab/skin_bands.hpp"
+#include "realtime/touching_cells.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 
@@ -43,10 +45,7 @@ std::vector<Cells> regions_of(const SurfaceGrid& grid, std::span<const Cells> co
 /// where the whole is no more than noise. As `patches_of` has the contacts on a line.
 std::vector<Cells> contacts_in(const SurfaceGrid& grid, std::span<const double> tractions,
                                std::span<const double> mean, const Uncertain& force) {
-  constexpr double least_share = 0.1;
-  constexpr double that_press = 3.0;  // deviations that noise alone hardly ever makes
-  constexpr double that_part = 6.0;   // deviations of each of several contacts
-  if (!(force.value > that_press * force.deviation)) return {};
+  if (!(force.value > deviations_that_press * force.deviation)) return {};
   const std::span<const double> pressure = tractions.first(grid.count());
   const double limit = least_share * *std::max_element(pressure.begin(), pressure.end());
   Cells pressed;
@@ -59,7 +58,7 @@ std::vector<Cells> contacts_in(const SurfaceGrid& grid, std::span<const double> 
   forces.reserve(regions.size());
   for (const Cells& region : regions) forces.push_back(grid.area() * sum_over(mean, region));
   const double least = std::max(least_share * *std::max_element(forces.begin(), forces.end()),
-                                that_part * force.deviation);
+                                deviations_of_part * force.deviation);
   std::vector<Cells> counted;
   for (std::size_t k = 0; k < contacts.size(); ++k)
     if (forces[k] > least) counted.push_back(std::move(contacts[k]));
@@ -127,37 +126,6 @@ class Intervals {
   double level_;
 };
 
-/// Friction and margin with their intervals, of a contact's wrench and lever.
-void judge(ContactPatch& patch, std::optional<double> limit,
-           const std::optional<CentralInterval>& friction) {
-  judge_slip(patch, limit);
-  if (!friction || !patch.friction) return;
-  patch.friction->interval = friction;
-  const bool twists = patch.wrench.torsion && patch.wrench.torsion->value != 0.0;
-  if (patch.slip_margin && !twists)
-    patch.slip_margin->interval = CentralInterval{.level = friction->level,
-                                                  .low = 1.0 - friction->high / *limit,
-                                                  .high = 1.0 - friction->low / *limit};
-}
-
-/// Deviations, and intervals; of constrained tractions deviations are about them, and no interval
-/// of a pressure reaches below 0.
-void add_bands_of_cells(FrameAnswer& answer, std::span<const double> mean, std::size_t cells,
-                        double level) {
-  const bool bound = answer.cone.has_value();
-  const std::vector<Distribution> each = answer.mixture->of_tractions();
-  answer.deviations.clear();
-  answer.low.clear();
-  answer.high.clear();
-  for (std::size_t i = 0; i < each.size(); ++i) {
-    answer.deviations.push_back(std::hypot(each[i].deviation(), mean[i] - answer.tractions[i]));
-    const CentralInterval interval =
-        (bound && i < cells ? each[i].at_least(0.0) : each[i]).interval(level);
-    answer.low.push_back(interval.low);
-    answer.high.push_back(interval.high);
-  }
-}
-
 }  // namespace
 
 void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
@@ -172,7 +140,11 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
       estimate_noise(solved, readings, mean, mixture.degrees_of_freedom(), problem.stated_noise());
   answer.offsets = offsets(solved, readings, mean);
   const double level = problem.scene().interval_level;
-  add_bands_of_cells(answer, mean, grid.count(), level);
+  const BoundTractions bound{.values = f, .pressures = grid.count()};
+  TractionBands bands = bands_of(mixture.of_tractions(), level, answer.cone ? &bound : nullptr);
+  answer.deviations = std::move(bands.deviations);
+  answer.low = std::move(bands.low);
+  answer.high = std::move(bands.high);
 
   const LoadCovariance covariance(mixture, mean, rms);
   const Intervals intervals(mixture, grid, solved.components, level);
@@ -202,7 +174,9 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
     patch.wrench = contacts.size() == 1 ? answer.wrench
                                         : resultant_of(grid, mean, regions[k], covariance, rms);
     if (contacts.size() > 1) intervals.add(patch.wrench, regions[k]);
-    judge(patch, limit, intervals.friction(patch.wrench, regions[k]));
+    judge_slip(patch, limit);
+    if (const auto friction = intervals.friction(patch.wrench, regions[k]))
+      add_friction_interval(patch, *friction, limit);
     answer.patches.push_back(std::move(patch));
   }
   std::stable_sort(answer.patches.begin(), answer.patches.end(), [](const auto& a, const auto& b) {

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "lab/lines_and_skins.hpp"
+#include "lab/mixture_bands.hpp"
 #include "lab/own_tractions.hpp"
 
 namespace tactile_net::lab {
@@ -178,14 +180,11 @@ FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const
                   .between = between}));
   const std::vector<Distribution> each =
       own.same() ? mixture.of_tractions() : mixture.of_each(own.rows());
-  for (std::size_t i = 0; i < each.size(); ++i) {
-    bands.deviation.push_back(bound ? std::hypot(each[i].deviation(), each[i].mean() - tractions[i])
-                                    : each[i].deviation());
-    const bool pushes = bound && i < scene.surface().count;
-    const CentralInterval interval = (pushes ? each[i].at_least(0.0) : each[i]).interval(level);
-    bands.low.push_back(interval.low);
-    bands.high.push_back(interval.high);
-  }
+  const BoundTractions about_these{.values = tractions, .pressures = scene.surface().count};
+  TractionBands found = bands_of(each, level, bound ? &about_these : nullptr);
+  bands.deviation = std::move(found.deviations);
+  bands.low = std::move(found.low);
+  bands.high = std::move(found.high);
   return bands;
 }
 
@@ -213,7 +212,7 @@ FrameUncertainty uncertainty(const SceneFrame& frame, std::span<const double> tr
     bands.holds_model_error = by_windows;
     if (by_windows && !scene.stated_noise()) bands.noise = found;
   }
-  const double share = scene.scene().noise ? scene.scene().noise->model_share : 0.0;
+  const double share = model_share(scene.scene());
   const auto fill = [&](const Covariance& by_noise, std::span<const double> f,
                         const Surface& surface) {
     const ModelErrorCovariance with_model(by_noise, f, f.size() / surface.count,

@@ -28,7 +28,6 @@ double gaussian_density(double z) {
 double gaussian_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
 constexpr double most_terms_of_student = 400.0;
-constexpr double beyond_series = 6.0;  // where 1 - F is no longer told from F to nine digits
 
 /// The table that this thread asked for last: those of a frame's distributions are one.
 const StudentCdf& tabled_student(int degrees) {
@@ -144,7 +143,7 @@ void Distribution::find_moments() {
 double Distribution::standard_cdf(double z) const {
   if (std::isinf(z)) return z > 0.0 ? 1.0 : 0.0;
   if (std::isinf(degrees_)) return gaussian_cdf(z);
-  if (std::abs(z) < beyond_series && degrees_ <= most_terms_of_student &&
+  if (std::abs(z) < StudentCdf::reach && degrees_ <= most_terms_of_student &&
       degrees_ == std::floor(degrees_))
     return tabled_student(static_cast<int>(degrees_))(z);
   return boost::math::cdf(Student(degrees_), z);

@@ -11,7 +11,7 @@ namespace tactile_net {
 namespace {
 
 constexpr double pieces_in_one = 32.0;
-constexpr std::size_t tabled_pieces = 384;  // up to 12
+constexpr auto tabled_pieces = static_cast<std::size_t>(StudentCdf::reach * pieces_in_one);
 
 /// F, and its first two derivatives times the step and its square.
 std::array<double, 3> at_place(int degrees, double t) {

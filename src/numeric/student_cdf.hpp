@@ -22,7 +22,10 @@ class StudentCdf {
   /// One for each number of degrees, made once. Several threads may ask.
   [[nodiscard]] static const StudentCdf& of(int degrees);
 
+  /// Beyond the table by the series.
   [[nodiscard]] double operator()(double t) const;
+  /// |t| below it is tabled: beyond, 1 - F is no longer told from F to nine digits.
+  static constexpr double reach = 6.0;
 
  private:
   int degrees_;

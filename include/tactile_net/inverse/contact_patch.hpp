@@ -73,6 +73,11 @@ struct PatchOptions {
 /// @throw std::invalid_argument  the limit is not > 0
 void judge_slip(ContactPatch& patch, std::optional<double> limit);
 
+/// Gives a judged patch the interval of its friction, and the margin that of what friction leaves,
+/// where no torsion takes of it.
+void add_friction_interval(ContactPatch& patch, const CentralInterval& friction,
+                           std::optional<double> limit);
+
 /// The contacts on a line, the strongest first: stretches above a tenth of the highest pressure,
 /// each with all that lies nearer to it than to another one, so that their sums are the whole's.
 /// A stretch counts if its force is above a tenth of the strongest one's and above six deviations

@@ -106,6 +106,11 @@ struct UncertainResultant {
 /// What the values from `first` to before `last` amount to.
 using ResultantBetween = std::function<UncertainResultant(std::size_t first, std::size_t last)>;
 
+/// Deviations of the whole force: more of it than noise alone hardly ever makes.
+inline constexpr double deviations_that_press = 3.0;
+/// And the least of each of several contacts.
+inline constexpr double deviations_of_part = 6.0;
+
 /// Resultant of the contact that needs the most friction, where several lie apart. F_v and F_t of
 /// the whole are sums: two contacts dragged in opposite directions both slip while F_t is 0.
 /// Absent: there is one contact, or no tangential traction.

@@ -153,9 +153,11 @@ class SceneFrame {
   /// most likely is taken: one decomposition for each that is tried, once for all frames.
   ///
   /// @param readings  channels x count, as the scene's sensor; copied
+  /// @param mixture   of these readings, where somebody has it; null: made when it is asked for
   /// @throw std::invalid_argument  a weight is to be estimated of readings that have the wrong size
   ///                               or are not finite, or for a large problem
-  SceneFrame(const SceneProblem& problem, std::span<const double> readings);
+  SceneFrame(const SceneProblem& problem, std::span<const double> readings,
+             std::shared_ptr<const LoadMixture> mixture = nullptr);
 
   /// As given: without a weight that is estimated.
   [[nodiscard]] const SceneProblem& given() const noexcept { return given_; }
