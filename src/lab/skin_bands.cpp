@@ -281,9 +281,9 @@ void widen_centre(UncertainWrench& wrench, const SurfaceGrid& grid,
 
 }  // namespace
 
-double sum_over(std::span<const double> tractions, std::span<const std::size_t> cells) {
+double sum_over(std::span<const double> values, std::span<const std::size_t> cells) {
   double sum = 0.0;
-  for (const std::size_t cell : cells) sum += tractions[cell];
+  for (const std::size_t cell : cells) sum += values[cell];
   return sum;
 }
 
