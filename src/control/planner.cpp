@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "control/cone_planner.hpp"
 #include "control/filled_readings.hpp"
 #include "control/plan_grids.hpp"
 #include "control/planner_parts.hpp"
@@ -176,11 +177,20 @@ PlannedEstimator planned_estimator(const LinearProblem& problem, const TikhonovF
   ProductTask task = reconstruction_task(problem, family.matrix(alpha), options);
   require_full_rank(family.condition(alpha), problem.kernel.rows);
   const Eigen::VectorXd weights = task.column_factors;
+  const Eigen::MatrixXd inverse = options.cone ? task.matrix : Eigen::MatrixXd();
   if (options.calibration) take_raw(task, *options.calibration, problem.sites);
   const bool fills = whole != nullptr && is_spoilt(task, problem);
   if (fills) fill_in(task, problem, *whole, alpha, weights);
 
   PlannedProduct reconstruction = plan_product(task);
+  std::optional<PlannedCone> cone;
+  if (options.cone)
+    cone = plan_cone({.problem = problem,
+                      .alpha = alpha,
+                      .inverse = inverse,
+                      .grid = task.row_grid,
+                      .noise_rms = options.noise_rms},
+                     *options.cone);
   PlannedEstimator planned{.plan = plan_without_products(problem),
                            .candidates = std::move(reconstruction.candidates),
                            .asymmetry = reconstruction.asymmetry,
@@ -197,6 +207,15 @@ PlannedEstimator planned_estimator(const LinearProblem& problem, const TikhonovF
     plan.leverages = leverages_of(fills ? prediction.target : prediction.matrix);
     plan.prediction = plan_product(prediction).plan;
     folds = folds || has_reflections(plan.prediction->structure);
+  }
+  if (cone) {
+    plan.cone = std::move(cone->plan);
+    planned.unfinished = std::move(cone->unfinished);
+    if (problem.is_line && options.noise_rms > 0.0) {
+      plan.line_cells = plan_cells(problem);
+      add_deviations(*plan.line_cells, problem, TractionCovariance(family, alpha, alpha),
+                     options.noise_rms);
+    }
   }
   if (fills && folds) plan.fill = fill_factor(problem, task.fill, task.column_factors);
   check(plan);

@@ -127,7 +127,8 @@ class Planner {
     for (const bool exchanged : {false, true})
       if (exchanged ? !exchanged_.empty() : symmetric)
         for (const Structure structure : {Structure::reflections, Structure::reflections_low_rank})
-          all.push_back({structure, exchanged});
+          if (!task_.full_rank || !is_low_rank(structure)) all.push_back({structure, exchanged});
+    if (task_.full_rank) return all;
     // Of few live readings the rank is theirs.
     if (!symmetric || task_.all_candidates || task_.fill.size() > 0)
       all.push_back({Structure::low_rank});

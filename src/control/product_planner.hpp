@@ -24,6 +24,7 @@ struct ProductTask {
   std::optional<Precision> precision{};
   bool allow_fft = false;
   bool all_candidates = false;
+  bool full_rank = false;  ///< of low rank no candidate is tried
 
   /// Where readings are left out: `matrix` is the whole sensor's, this is A without them, and
   /// `fill` what they are taken to read, times all readings (theirs count as 0):

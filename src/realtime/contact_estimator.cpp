@@ -11,6 +11,7 @@
 #include "realtime/estimator_state.hpp"
 #include "realtime/finite.hpp"
 #include "realtime/line_contacts.hpp"
+#include "realtime/touching_cells.hpp"
 
 namespace tactile_net {
 namespace {
@@ -61,6 +62,7 @@ ContactEstimator::ContactEstimator(const ContactEstimator& other)
   scratch_->convolution = cloned(other.scratch_->convolution);
   scratch_->prediction_convolution = cloned(other.scratch_->prediction_convolution);
   std::copy_n(other.scratch_->baseline.data(), readings(), scratch_->baseline.data());
+  scratch_->work = other.scratch_->work;
   for (const std::size_t reading : other.scratch_->dead) set_dead(ready_->taxels[reading]);
 }
 
@@ -79,6 +81,80 @@ std::size_t ContactEstimator::tractions() const noexcept {
 }
 std::string_view ContactEstimator::label() const noexcept { return ready_->label; }
 InstructionSet ContactEstimator::instruction_set() const noexcept { return ready_->set; }
+
+void ContactEstimator::set_work(ConeWork work) noexcept {
+  if (!ready_->cone) return;
+  work.steps = std::min(work.steps > 0 ? work.steps : ready_->cone->steps, ConePlan::most_steps);
+  if (!std::isgreater(work.enough, 0.0)) work.enough = 0.0;
+  scratch_->work = work;
+}
+void ContactEstimator::stop_at(const std::atomic<bool>* flag) noexcept { scratch_->stop = flag; }
+std::span<const double> ContactEstimator::free_tractions() const noexcept {
+  return scratch_->cone ? scratch_->cone->free() : std::span<const double>{};
+}
+
+/// Where the plan has constraints, brings the tractions inside them.
+/// @param moments  of each traction of a line, anew; none of a skin
+void ContactEstimator::constrain(ContactEstimate& estimate, std::span<Moments> moments) noexcept {
+  const Ready& ready = *ready_;
+  Scratch& scratch = *scratch_;
+  estimate.unfinished = ContactEstimate::unknown;
+  estimate.unfinished_share = ContactEstimate::unknown;
+  estimate.steps = 0;
+  if (!ready.cone) return;
+  const bool knows_noise = ready.noise_rms > 0.0;
+  struct Asked {
+    const std::atomic<bool>* stop;
+    double enough;  // of the distance
+  } asked{scratch.stop, scratch.work.enough * ready.noise_rms};
+  const bool each = asked.enough > 0.0;
+  const auto look = [](void* context, std::size_t, double distance) {
+    const auto* const of = static_cast<const Asked*>(context);
+    return (of->stop != nullptr && of->stop->load(std::memory_order_relaxed)) ||
+           distance <= of->enough;
+  };
+  if (!each) asked.enough = -1.0;
+  const ConeScratch::Done done =
+      scratch.cone->bind(*ready.cone, estimate.tractions, scratch.work.steps, each,
+                         each || asked.stop != nullptr ? +look : nullptr, &asked);
+  scratch.distance = done.distance;
+  estimate.steps = done.steps;
+  if (knows_noise) estimate.unfinished = done.distance / ready.noise_rms;
+  for (std::size_t u = 0; u < moments.size(); ++u)
+    moments[u] = moments_of(estimate.tractions.subspan(u * ready.values, ready.values));
+}
+
+/// Of a line's tractions inside constraints, moments of the values that touch. Where none does they
+/// are 0, or if the whole presses those of the linear frame.
+std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimate, bool presses,
+                                                        std::span<Moments> sums) noexcept {
+  const Ready& ready = *ready_;
+  const PlanCells& cells = *ready.line_cells;
+  CellMarks& marks = scratch_->marks;
+  const TouchedWindows windows{cells.window_rows, cells.window_columns,
+                               cells.window_deviations.data(), marks.sums.data(),
+                               marks.along.data()};
+  estimate.touching =
+      mark_touching({cells.rows, cells.columns, cells.rim_rows, cells.rim_columns},
+                    estimate.tractions.data(), cells.deviations.data(),
+                    cells.window_deviations.empty() ? nullptr : &windows, marks.marks.data(),
+                    marks.queue.data(), [](std::size_t) {})
+          .cells;
+  const double centre = 0.5 * static_cast<double>(ready.values - 1);
+  for (std::size_t u = 0; u < ready.unknowns; ++u) {
+    sums[u] = {};
+    if (estimate.touching == 0 && presses)
+      sums[u] = moments_of(scratch_->cone->free().subspan(u * ready.values, ready.values));
+    if (estimate.touching == 0) continue;
+    const double* const f = estimate.tractions.data() + u * ready.values;
+    for (std::size_t i = 0; i < ready.values; ++i) {
+      if (marks.marks[i] == 0) continue;
+      sums[u].sum += f[i];
+      sums[u].first += (static_cast<double>(i) - centre) * f[i];
+    }
+  }
+  return sums;
+}
 
 /// @param moments  of each traction of a line; none of a skin
 [[gnu::always_inline]] inline void ContactEstimator::add_resultant(
@@ -105,13 +181,21 @@ InstructionSet ContactEstimator::instruction_set() const noexcept { return ready
   estimate.outlier = -1;
   if (ready.cells)
     return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
-                              ready.friction, ready.window_variances, ready.certain_force,
+                              ready.cone ? scratch_->cone->free().data() : nullptr, ready.friction, ready.window_variances, ready.certain_force,
                               ready.highest_force, ready.lowest_force, scratch_->marks, estimate);
+  // Of the linear frame: noise can only push inside constraints.
+  double all = ready.spacing * moments[0].sum;
+  std::array<Moments, 2> touching;
+  if (ready.cone) {
+    all = ready.spacing * moments_of(scratch_->cone->free().first(ready.values)).sum;
+    if (ready.line_cells && !ready.line_cells->deviations.empty())
+      moments = sum_touching(estimate, all > ready.certain_force, touching);
+  }
   const Moments& normal = moments[0];
   estimate.normal_force = ready.spacing * normal.sum;
   estimate.contact = estimate.normal_force > 0.0;
-  estimate.pulls = estimate.normal_force < ready.lowest_force;
-  estimate.implausible = std::abs(estimate.normal_force) > ready.highest_force;
+  estimate.pulls = all < ready.lowest_force;
+  estimate.implausible = std::abs(all) > ready.highest_force;
   if (estimate.contact)
     estimate.centre = ready.centre + ready.spacing * (normal.first / normal.sum);
   if (ready.unknowns != 2) return;
@@ -241,6 +325,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
 
   estimate.time = time;
   estimate.saturated = input.saturated;
+  constrain(estimate, moments);
   add_resultant(estimate, moments);
   if (ready.prediction) {
     predict(x, scratch.predicted.data());
@@ -249,8 +334,9 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   return FrameStatus::ok;
 }
 
-void ContactEstimator::finish(ContactEstimate& estimate, std::span<const Moments> moments,
+void ContactEstimator::finish(ContactEstimate& estimate, std::span<Moments> moments,
                               const double* x, const double* explained) noexcept {
+  constrain(estimate, moments);
   add_resultant(estimate, moments);
   if (explained != nullptr) judge(estimate, x, explained);
 }
@@ -279,6 +365,11 @@ void ContactEstimator::judge(ContactEstimate& estimate, const double* x,
     estimate.beyond_edge = presses_at_border(estimate.tractions.first(ready.values), ready.border);
   estimate.baseline_moved = is_baseline_moved(x, misfit.size);
   estimate.residual_rms = std::sqrt(misfit.sum_of_squares / static_cast<double>(scratch.live));
+  if (ready.cone && !ready.cone->unknown_offsets) {
+    // (W g)' W K f0 = f0'P f0.
+    const double energy = misfit.size - misfit.objective;
+    if (energy > 0.0) estimate.unfinished_share = scratch.distance / std::sqrt(energy);
+  }
   if (ready.residual_limit > 0.0) {
     // (W g)'(I - H)(W g) = |W r|^2 + alpha |L f|^2.
     const double smoothed = std::max(misfit.objective - misfit.sum_of_squares, 0.0);

@@ -23,25 +23,43 @@ bool all_finite(const std::vector<double>& values) {
                      [](double value) { return std::isfinite(value); });
 }
 
-void check_skin(const EstimatorPlan& plan) {
-  const PlanCells& cells = *plan.cells;
-  require(plan.unknowns == 1 || plan.unknowns == 3, "unknowns of a skin must be 1 or 3");
-  require(cells.rows > 0 && cells.columns > 0 && plan.values % cells.rows == 0 &&
-              plan.values / cells.rows == cells.columns,
+void check_grid(const PlanCells& cells, std::size_t values) {
+  require(cells.rows > 0 && cells.columns > 0 && values % cells.rows == 0 &&
+              values / cells.rows == cells.columns,
           "values must be rows x columns cells");
   require(positive(cells.spacing_y) && positive(cells.spacing_z) && positive(cells.area()) &&
               std::isfinite(cells.centre_y) && std::isfinite(cells.centre_z),
           "cells need spacings > 0 and a finite centre");
   require(cells.deviations.empty() ||
-              (cells.deviations.size() == plan.values &&
+              (cells.deviations.size() == values &&
                std::all_of(cells.deviations.begin(), cells.deviations.end(), not_negative)),
           "deviations need one value >= 0 per cell");
   require(cells.window_deviations.empty() ||
-              (cells.window_deviations.size() == plan.values && !cells.deviations.empty() &&
+              (cells.window_deviations.size() == values && !cells.deviations.empty() &&
                cells.window_rows < cells.rows && cells.window_columns < cells.columns &&
                std::all_of(cells.window_deviations.begin(), cells.window_deviations.end(),
                            not_negative)),
           "windows need one deviation >= 0 per cell, those of cells, and fit into the grid");
+}
+
+void check_skin(const EstimatorPlan& plan) {
+  require(plan.unknowns == 1 || plan.unknowns == 3, "unknowns of a skin must be 1 or 3");
+  check_grid(*plan.cells, plan.values);
+}
+
+/// What keeps tractions inside constraints.
+void check_cone(const EstimatorPlan& plan) {
+  require(plan.cone || !plan.line_cells, "cells of a line are of plans with a cone alone");
+  if (plan.line_cells) {
+    require(!plan.cells && plan.line_cells->columns == 1, "a line's cells are one column of it");
+    check_grid(*plan.line_cells, plan.values);
+  }
+  if (!plan.cone) return;
+  check(*plan.cone, plan.unknowns, plan.values);
+  for (const GridBlocks* const grid : {&plan.cone->step.row_grid, &plan.cone->step.column_grid})
+    require(!has_reflections(plan.cone->step.structure) ||
+                (plan.cells ? grid->rows == plan.cells->rows : grid->rows == 1),
+            "the grid of a cone's step is not that of the tractions");
 }
 
 /// Moments of each traction come with the product, which has to know where one ends.
@@ -77,6 +95,29 @@ void check_fill(const EstimatorPlan& plan) {
 }
 
 }  // namespace
+
+void check(const ConePlan& cone, std::size_t unknowns, std::size_t values) {
+  require(!cone.friction_limit || (positive(*cone.friction_limit) && *cone.friction_limit <= 1e3),
+          "cone: friction_limit must be > 0 and at most 1000");
+  require(!cone.friction_limit || unknowns > 1,
+          "cone: a friction limit needs the tangential tractions as unknowns");
+  require(cone.steps >= 1 && cone.steps <= ConePlan::most_steps, "cone: steps must be 1 to 64");
+  require(positive(cone.tangential_scale) && positive(1.0 / cone.tangential_scale),
+          "cone: tangential_scale must be > 0");
+  require(positive(cone.bound), "cone: the bound must be > 0");
+  require(std::isfinite(cone.rounding) && cone.rounding >= 0.0 && cone.rounding < 1.0,
+          "cone: rounding must be in [0, 1)");
+  for (const double value : {cone.expected.median, cone.expected.high, cone.expected.worst})
+    require(!(value < 0.0), "cone: what is expected to be unfinished must be >= 0");
+  require(cone.step.rows == unknowns * values && cone.step.columns == cone.step.rows &&
+              cone.step.precision == Precision::float32 && cone.step.structure != Structure::fft,
+          "cone: the step is not of tractions x tractions in float32");
+  check(cone.step);
+  for (const GridBlocks* grid : {&cone.step.row_grid, &cone.step.column_grid})
+    require(!has_reflections(cone.step.structure) ||
+                (grid->signs_y.size() == unknowns && grid->rows * grid->columns == values),
+            "cone: the step's grids are not those of the tractions");
+}
 
 void check(const EstimatorPlan& plan) {
   // Taxels are counted in 32 bits. Where addresses have no more, the 4 KB that an estimator takes
@@ -121,6 +162,7 @@ void check(const EstimatorPlan& plan) {
   if (!skin) check_lines(plan);
   check(plan.reconstruction);
   if (skin) check_cells_of_grid(plan);
+  check_cone(plan);
   require(plan.weights.size() == plan.readings() &&
               std::all_of(plan.weights.begin(), plan.weights.end(), not_negative) &&
               std::any_of(plan.weights.begin(), plan.weights.end(), positive),

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "realtime/cone_frame.hpp"
 #include "realtime/frame_block.hpp"
 #include "realtime/kernels.hpp"
 #include "realtime/skin_resultant.hpp"
@@ -84,6 +85,7 @@ struct ContactEstimator::Ready {
                                                    : ContactEstimate::unknown),
         border(plan.border),
         cells(plan.cells),
+        line_cells(plan.line_cells),
         set(std::min(chosen, widest_instruction_set())),
         loops(kernels(set)) {
     for (std::size_t i = 0; i < taxels.size(); ++i)
@@ -113,6 +115,10 @@ struct ContactEstimator::Ready {
     double most = filled * growth(plan.reconstruction) * static_cast<double>(plan.tractions()) *
                   static_cast<double>(plan.values) * std::max(1.0, length * length) *
                   (1.0 + plan.friction_coefficient.value_or(0.0));
+    if (plan.cone) {
+      cone.emplace(*plan.cone, unknowns, values, set, loops);
+      most *= std::max({1.0, cone->drag_scale, 1.0 / cone->drag_scale}) * std::max(1.0, cone->bound);
+    }
     if (plan.prediction) {
       prediction.emplace(*plan.prediction, loops.most_lines, loops.most_shared);
       const double weight = *std::max_element(weights.begin(), weights.end());
@@ -127,6 +133,10 @@ struct ContactEstimator::Ready {
   }
 
   [[nodiscard]] std::size_t readings() const noexcept { return taxels.size(); }
+  /// The cells among which a frame's are found that touch; null: all are summed.
+  [[nodiscard]] const PlanCells* surface() const noexcept {
+    return cells ? &*cells : line_cells ? &*line_cells : nullptr;
+  }
   /// Tractions whose moments a product returns: a line's.
   [[nodiscard]] std::size_t blocks() const noexcept { return cells ? 0 : unknowns; }
 
@@ -186,7 +196,7 @@ struct ContactEstimator::Ready {
   std::vector<std::uint32_t> border;
   std::vector<std::size_t> channel_ends;  // none: baselines are not judged
   std::vector<double> window_variances;   // of cells; none: not known
-  std::optional<PlanCells> cells;
+  std::optional<PlanCells> cells, line_cells;
   std::vector<bool> judged;  // readings that may be outliers
   Aligned<double> fill;      // fill_rows x readings
   std::size_t fill_rows = 0;
@@ -195,6 +205,7 @@ struct ContactEstimator::Ready {
   std::optional<ReadyProduct<double>> product64;
   std::optional<ReadyProduct<float>> product32;
   std::optional<ReadyProduct<double>> prediction;
+  std::optional<ReadyCone> cone;
   double square_limit = std::numeric_limits<double>::max();
   double limit = 0.0;  // of |g - baseline|
 };
@@ -216,8 +227,9 @@ struct ContactEstimator::Scratch {
                            ready.prediction ? ready.prediction->scratch_size() : 0)),
         product32(ready.product32 ? ready.product32->scratch_size() : 0),
         fill(ready.fill_rows),
-        marks(ready.cells ? ready.cells->rows : 0, ready.cells ? ready.cells->columns : 0,
-              ready.cells && !ready.cells->window_deviations.empty()),
+        marks(ready.surface() ? ready.surface()->rows : 0,
+              ready.surface() ? ready.surface()->columns : 0,
+              ready.surface() && !ready.surface()->window_deviations.empty()),
         block(FrameBlock::of(ready)) {
     for (std::size_t i = 0; i < ready.readings(); ++i)
       if (ready.weights[i] == 0.0) unread.push_back(i);
@@ -228,6 +240,10 @@ struct ContactEstimator::Scratch {
       dead_rows = Aligned<double>(most * padded<double>(ready.readings()));
       cholesky = Aligned<double>(most * most);
       filled = Aligned<double>(most);
+    }
+    if (ready.cone) {
+      cone.emplace(*ready.cone);
+      work.steps = ready.cone->steps;
     }
     revive(ready);
   }
@@ -274,7 +290,11 @@ struct ContactEstimator::Scratch {
   Aligned<float> product32;
   Aligned<double> fill;  // what the plan's dead readings are taken to be
   CellMarks marks;
-  std::unique_ptr<FrameBlock> block;                                 // of batches
+  std::optional<ConeScratch> cone{};
+  ConeWork work{};                        // its steps are never 0
+  const std::atomic<bool>* stop = nullptr;
+  double distance = 0.0;                  // of the frame from its minimum, at most
+  std::unique_ptr<FrameBlock> block;      // of batches
   std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans
   std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
   std::size_t live = 0;             // readings with a weight

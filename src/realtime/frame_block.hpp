@@ -26,7 +26,7 @@ struct ContactEstimator::FrameBlock {
   [[nodiscard]] double* explained_of(std::size_t frame) const noexcept {
     return explained.data() + frame * apart;
   }
-  [[nodiscard]] std::span<const Moments> moments_of(std::size_t frame) const noexcept {
+  [[nodiscard]] std::span<Moments> moments_of(std::size_t frame) noexcept {
     return {moments.data() + frame * blocks, blocks};
   }
 

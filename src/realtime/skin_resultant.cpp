@@ -117,13 +117,14 @@ void add_margins(const PlanCells& cells, const double* f, const std::uint8_t* ma
 }  // namespace
 
 void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
+                        const double* linear,
                         std::optional<double> friction, std::span<const double> variances,
                         double certain_force, double highest, double lowest, CellMarks& scratch,
                         ContactEstimate& estimate) noexcept {
   const double area = cells.area();
   const std::size_t count = cells.rows * cells.columns;
   double all = 0.0;
-  for (std::size_t i = 0; i < count; ++i) all += f[i];
+  for (std::size_t i = 0; i < count; ++i) all += linear != nullptr ? linear[i] : f[i];
   all *= area;
   const TouchedWindows windows{cells.window_rows, cells.window_columns,
                                cells.window_deviations.data(), scratch.sums.data(),
@@ -138,7 +139,11 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
   estimate.touching = touching.cells;
   const std::uint8_t* const marks = touching.cells > 0 ? scratch.marks.data() : nullptr;
   CellSums sums;
-  if (marks != nullptr && !variances.empty()) {
+  const bool none_touches = linear != nullptr && !cells.deviations.empty() && marks == nullptr;
+  if (none_touches) f = linear;
+  if (none_touches && !(all > certain_force)) {
+    // Nothing that noise would not push.
+  } else if (marks != nullptr && !variances.empty()) {
     // Less than a window errs as much as that: its cells share what is told of them.
     double variance = 0.0;
     double largest = 0.0;

@@ -39,11 +39,16 @@ struct CellMarks {
 /// and where several patches touch of one more look at each cell; no allocation.
 ///
 /// @param f                 tractions: normal, and with three unknowns tangential ones
+/// @param linear            those that constraints were laid upon; null: f are linear. Noise can
+///                          only push inside constraints, so sums of f over cells that do not touch
+///                          are too large: where none touches that could, forces are 0, or those of
+///                          the linear ones if these are beyond noise
 /// @param variances         of the force, a share for each cell; none: not known
 /// @param certain_force     from which the sum over all cells is a contact's, though no single cell
 ///                          may be
 /// @param highest, lowest   sums over all cells beyond are doubted
 void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
+                        const double* linear,
                         std::optional<double> friction, std::span<const double> variances,
                         double certain_force, double highest, double lowest, CellMarks& scratch,
                         ContactEstimate& estimate) noexcept;

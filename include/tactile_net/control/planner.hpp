@@ -29,6 +29,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/inverse/constrained.hpp"
 #include "tactile_net/inverse/linear_problem.hpp"
 #include "tactile_net/realtime/estimator_plan.hpp"
 #include "tactile_net/sensing/calibration.hpp"
@@ -36,6 +37,19 @@
 namespace tactile_net {
 
 class TikhonovFamily;
+
+/// Frames that obey what contact allows (realtime/cone_plan.hpp), after a fixed number of steps.
+struct ConeOptions {
+  Constraints constraints{};  ///< one at least
+  /// Of a frame, at most `ConePlan::most_steps`; 0: as few as leave 99.9 % of drawn frames `enough`
+  /// or less unfinished.
+  std::size_t steps = 0;
+  /// In standard deviations where the noise is known, else a share of the linear frame, a hundredth
+  /// of it.
+  double enough = 0.1;
+  /// The largest weighted reading of drawn frames, over the noise.
+  double signal = 100.0;
+};
 
 struct PlannerOptions {
   /// Accuracy of the plan, > 0. For every frame, with f = M g in double and r = W (g - K f) what it
@@ -70,6 +84,7 @@ struct PlannerOptions {
   /// leave an array that is not mirror symmetric: `reflections` and `fft` cannot be used.
   std::optional<Calibration> calibration{};
   std::string label{};
+  std::optional<ConeOptions> cone{};  ///< absent: tractions are linear in the readings
 };
 
 /// One way to compute the product.
@@ -93,6 +108,9 @@ struct PlannedEstimator {
   std::vector<Candidate> candidates{};
   double asymmetry = 0.0;     ///< how far M is from mirror symmetry, in the unit of the accuracy
   std::string without_fft{};  ///< why fft is no candidate of a line; empty: it is one
+  /// With a cone, how far drawn frames are from their minimum after 0, 1 ... `ConePlan::most_steps`
+  /// steps.
+  std::vector<ExpectedUnfinished> unfinished{};
 
   /// The choice and what spoke against the others, a line each.
   [[nodiscard]] std::string why() const;
@@ -116,6 +134,13 @@ struct PlannedEstimator {
 ///                               array does not have (reflections and fft where it is not
 ///                               symmetric, fft of a skin or in float32); the calibration is not
 ///                               one of these readings; `check(plan)` does
+/// With a cone, frames of one to three contacts are drawn, with noise, to see how far steps bring
+/// them: some hundred to a thousand, always the same.
+///
+/// @throw std::invalid_argument  also: a limit of friction is not in (0, 1000], or there is no
+///                               tangential traction; the steps would leave more than one standard
+///                               deviation in half of the drawn frames: the text says which alpha
+///                               would do
 /// @throw std::domain_error      alpha is smaller than double precision resolves
 [[nodiscard]] PlannedEstimator plan_estimator(const LinearProblem& problem, double alpha,
                                               const PlannerOptions& options = {},

@@ -9,6 +9,7 @@
 ///         grip(contact.normal_force, contact.friction_margin);
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -56,7 +57,10 @@ struct ContactEstimate {
   /// Number of contacts that lie apart, of which margins are the worst; 0: no margins, or no
   /// contact.
   std::size_t contacts = 0;
-  std::size_t touching = 0;  ///< number of cells that forces are sums over; 0: all cells
+  /// Number of cells that forces are sums over; 0: all cells. Inside constraints, where noise can
+  /// only push, 0 is none where the plan can tell: forces are then 0, or where the linear frame as
+  /// a whole presses beyond noise, its.
+  std::size_t touching = 0;
   /// Root mean square of W (g - K f) over the live readings: what the tractions, and where they are
   /// unknown the offsets, leave unexplained. NaN without a prediction in the plan.
   double residual_rms = unknown;
@@ -80,6 +84,18 @@ struct ContactEstimate {
   /// Index of the reading that the others explain least; -1: none stands out by more than noise,
   /// regularisation and the plan's accuracy account for.
   std::ptrdiff_t outlier = -1;
+
+  // Of a plan whose frames obey what contact allows (cone_plan.hpp); flags above are then of the
+  // linear frame where they are of readings or of pulling, else of the tractions returned.
+  /// How far the steps stopped from the minimum inside the constraints, at most: by so many of its
+  /// own standard deviations, that noise alone gives it without constraints, is any cell, force or
+  /// moment off. True of every frame: rounding is included, and that steps lead anywhere is not
+  /// assumed. NaN: the plan has no constraints, or no noise.
+  double unfinished = unknown;
+  /// The same distance over the size of the linear frame, both as the readings see them. NaN: the
+  /// plan has no constraints, or no prediction.
+  double unfinished_share = unknown;
+  std::size_t steps = 0;  ///< that were taken
 };
 
 struct Moments;
@@ -172,6 +188,17 @@ class ContactEstimator {
   /// All taxels that `set_dead` left out count again.
   void revive() noexcept;
 
+  /// Of a plan with constraints: how much frames may do from now on. More steps than
+  /// `ConePlan::most_steps` are that many. Not by another thread while it updates.
+  void set_work(ConeWork work) noexcept;
+  /// Of a plan with constraints: a frame ends with the step that finds this flag set, and returns
+  /// what it has, with its bound. Another thread, a signal or a timer may set it at any time. It
+  /// must outlive the updates; null: none. Copies of the estimator do not have it.
+  void stop_at(const std::atomic<bool>* flag) noexcept;
+  /// Of a plan with constraints, after an update: the linear tractions of that frame [Pa], which
+  /// its steps began with; of a batch those of its last. Empty without constraints.
+  [[nodiscard]] std::span<const double> free_tractions() const noexcept;
+
   [[nodiscard]] std::size_t readings() const noexcept;
   [[nodiscard]] std::size_t tractions() const noexcept;
   /// The plan's label.
@@ -185,7 +212,7 @@ class ContactEstimator {
   struct Input;
   FrameStatus prepare(std::span<const double> readings, bool stored, Input& input) noexcept;
   FrameStatus admit(std::span<const double> readings, double* x, bool& saturated) noexcept;
-  void finish(ContactEstimate& estimate, std::span<const Moments> moments, const double* x,
+  void finish(ContactEstimate& estimate, std::span<Moments> moments, const double* x,
               const double* explained) noexcept;
   FrameStatus refused(std::span<const double> readings) const noexcept;
   void predict(const double* x, double* explained) noexcept;
@@ -193,6 +220,9 @@ class ContactEstimator {
   [[nodiscard]] bool is_baseline_moved(const double* x, double all_squares) const noexcept;
   void fill_dead(double* x) noexcept;
   void fill_planned(double* x) noexcept;
+  void constrain(ContactEstimate& estimate, std::span<Moments> moments) noexcept;
+  std::span<const Moments> sum_touching(ContactEstimate& estimate, bool presses,
+                                        std::span<Moments> sums) noexcept;
   void add_resultant(ContactEstimate& estimate, std::span<const Moments> moments) noexcept;
   void add_worst_margin(ContactEstimate& estimate) const noexcept;
   void solve_block() noexcept;

@@ -1,10 +1,12 @@
 #include "inverse/cone/cone_system.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "inverse/checks.hpp"
+#include "numeric/decompositions.hpp"
 #include "numeric/power_iteration.hpp"
 
 namespace tactile_net {
@@ -12,9 +14,6 @@ namespace tactile_net {
 using Eigen::Index;
 
 namespace {
-
-/// Over sqrt(lambda_max alpha): the fewest steps on skins of 16 x 16, for alpha 1e-3 to 1e-6.
-constexpr double penalty_share = 2.0;
 
 const LinearProblem& checked(const LinearProblem& problem, const Constraints& limits) {
   check_cones(problem, limits);
@@ -92,13 +91,24 @@ Eigen::VectorXd ConeProblem::product(const Eigen::VectorXd& c) const {
   return result;
 }
 
-ConeSystem::ConeSystem(std::shared_ptr<const ConeProblem> problem, double alpha)
+ConeSystem::ConeSystem(std::shared_ptr<const ConeProblem> problem, double alpha, double share)
     : problem_(std::move(problem)),
       smoothing_(problem_->scales.applied(alpha) * problem_->spectrum),
       largest_(largest_eigenvalue(*problem_, smoothing_)),
-      rho_(penalty_share * std::sqrt(largest_) *
+      rho_(share * std::sqrt(largest_) *
            std::sqrt(problem_->scales.applied(alpha) * problem_->area)) {
   for (const ConeProblem::Block& block : problem_->blocks) inverses_.push_back(inverse(block));
+}
+
+double ConeSystem::above_all() const {
+  double largest = 0.0;
+  for (const ConeProblem::Block& block : problem_->blocks) {
+    const Eigen::VectorXd values = symmetric_eigenvalues(
+        block.kernel.rows() == 0 ? block.square
+                                 : Eigen::MatrixXd(block.kernel * block.kernel.transpose()));
+    if (values.size() > 0) largest = std::max(largest, values(values.size() - 1));
+  }
+  return largest * (1.0 + 1e-9) + smoothing_.maxCoeff();
 }
 
 Eigen::MatrixXd ConeSystem::inverse(const ConeProblem::Block& block) const {

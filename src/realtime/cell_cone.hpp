@@ -1,0 +1,30 @@
+/// @file
+/// The point of a cell's friction cone next to its tractions: the rule of controllers and of
+/// solvers. Private.
+#pragma once
+
+namespace tactile_net {
+
+/// The normal traction there, and what drags are multiplied by.
+struct CellCone {
+  double normal;
+  double shrunk;
+};
+
+/// Inside, on the surface where what sticks out goes at a right angle to it, or the tip. Without
+/// branches; no operation is invalid or a division by zero.
+///
+/// @param drag   |q|, >= 0
+/// @param limit  of friction, > 0
+/// @param share  1 / (1 + limit^2)
+[[nodiscard, gnu::always_inline]] inline CellCone cell_cone(double normal, double drag,
+                                                            double limit, double share) noexcept {
+  const double along = (normal + limit * drag) * share;
+  const bool inside = drag <= limit * normal;
+  const bool tip = !(along > 0.0);
+  const double to = inside ? normal : tip ? 0.0 : along;
+  const double length = drag > 0.0 ? drag : 1.0;
+  return {to, inside ? 1.0 : limit * to / length};
+}
+
+}  // namespace tactile_net
