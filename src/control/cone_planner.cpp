@@ -75,8 +75,7 @@ ConePlan plan_with(const ConeTask& task, const ConeOptions& options, const ConeS
   for (const Candidate& candidate : planned.candidates)
     if (candidate.chosen) plan.rounding = candidate.error_bound;  // |step|_2 is below 1
   for (const double eigenvalue : {system.below_all(), system.above_all()})
-    plan.bound =
-        std::max(plan.bound, (eigenvalue + system.rho()) / std::sqrt(eigenvalue));
+    plan.bound = std::max(plan.bound, (eigenvalue + system.rho()) / std::sqrt(eigenvalue));
   plan.bound *= system.problem().scales.kernel;
   return plan;
 }
@@ -117,9 +116,11 @@ class DrawnFrames {
   void add_contact(Eigen::VectorXd& f) {
     const SurfaceGrid& grid = problem_.grid;
     const auto cells = static_cast<Index>(grid.count());
-    const double least = grid.columns > 1 ? std::max(grid.spacing_y, grid.spacing_z) : grid.spacing_y;
+    const double least =
+        grid.columns > 1 ? std::max(grid.spacing_y, grid.spacing_z) : grid.spacing_y;
     const double radius = std::max((0.75 + 1.25 * uniform()) * depth_, 1.5 * least);
-    const double y = grid.centre_y + (uniform() - 0.5) * static_cast<double>(grid.rows) * grid.spacing_y;
+    const double y =
+        grid.centre_y + (uniform() - 0.5) * static_cast<double>(grid.rows) * grid.spacing_y;
     const double z =
         grid.columns > 1
             ? grid.centre_z + (uniform() - 0.5) * static_cast<double>(grid.columns) * grid.spacing_z
@@ -218,9 +219,9 @@ PlannedCone better_of(const ConeTask& task, const ConeOptions& options,
     const ConeSystem system(problem, task.alpha, share);
     PlannedCone cone{.plan = plan_with(task, options, system)};
     cone.unfinished = measured(task, options, cone.plan, system);
-    cone.plan.steps = options.steps > 0 ? options.steps
-                                        : fewest_steps(cone.unfinished, enough)
-                                              .value_or(ConePlan::most_steps);
+    cone.plan.steps = options.steps > 0
+                          ? options.steps
+                          : fewest_steps(cone.unfinished, enough).value_or(ConePlan::most_steps);
     cone.plan.expected = cone.unfinished[cone.plan.steps];
     const auto is_better = [&](const ConePlan& one, const ConePlan& other) {
       return one.steps != other.steps ? one.steps < other.steps
@@ -240,22 +241,26 @@ PlannedCone plan_cone(const ConeTask& task, const ConeOptions& options) {
   const auto problem = std::make_shared<const ConeProblem>(task.problem, Constraints{});
   PlannedCone cone = better_of(task, options, problem, unit * options.enough);
   if (cone.plan.expected.median <= unit) return cone;
-  std::string hint = "; smooth more";
+  std::string hint;
+  for (std::size_t steps = 1; steps < cone.unfinished.size() && hint.empty(); ++steps)
+    if (cone.unfinished[steps].median <= unit)
+      hint = ": give a frame " + std::to_string(steps) + " steps at least, or smooth more";
+  if (hint.empty()) hint = ": smooth more";
   for (const double factor : {10.0, 100.0, 1000.0}) {
     ConeTask smoother = task;
     smoother.alpha *= factor;
     const PlannedCone other = better_of(smoother, options, problem, unit * options.enough);
     if (!(other.plan.expected.median <= unit)) continue;
-    hint += ": with an alpha of " + brief(smoother.alpha, 2) + " " +
-            std::to_string(other.plan.steps) + " steps leave " +
+    hint += ", an alpha of " + brief(smoother.alpha, 2) + ", with which " +
+            std::to_string(other.plan.steps) + " leave " +
             brief(other.plan.expected.median / unit, 2);
     break;
   }
   throw std::invalid_argument(
       "with this alpha, " + brief(task.alpha, 2) + ", " + std::to_string(cone.plan.steps) +
       " steps towards the constraints leave " + brief(cone.plan.expected.median / unit, 2) +
-      (knows_noise ? " standard deviations in half of the frames" : " % in half of the frames") +
-      hint);
+      (knows_noise ? " standard deviations" : " % of the tractions") +
+      " undone in half of the frames" + hint);
 }
 
 }  // namespace tactile_net

@@ -36,8 +36,9 @@ ConeScratch::Done ConeScratch::bind(const ReadyCone& ready, std::span<double> tr
                                     std::size_t steps, bool each, Look look,
                                     void* context) noexcept {
   const std::size_t normal = ready.cones.cells;
-  ConeVectors of{free_.data(),     v_.data(),      z_.data(), input_.data(), moved_.data(),
-                 residual_.data(), change_.data(), {},        {}};
+  ConeVectors of{
+      free_.data(),   v_.data(), z_.data(), input_.data(), moved_.data(), residual_.data(),
+      change_.data(), {},        {}};
   for (std::size_t k = 0; k < anderson_pairs; ++k) {
     of.residuals[k] = pairs_.data() + 2 * k * padded_;
     of.combined[k] = of.residuals[k] + padded_;
@@ -62,9 +63,9 @@ ConeScratch::Done ConeScratch::bind(const ReadyCone& ready, std::span<double> tr
   double first = 0.0;      // |r|^2 at the start
   for (std::size_t step = 0;; ++step) {
     ready.cone_loops.project(of, ready.cones);
-    (void)ready.loops.multiply32(
-        ready.product, {input_.data(), zero_.data()}, moved_.data(), product_.data(),
-        magnitude_of(ready.loops, input_.data(), size_), {}, unlimited);
+    (void)ready.loops.multiply32(ready.product, {input_.data(), zero_.data()}, moved_.data(),
+                                 product_.data(), magnitude_of(ready.loops, input_.data(), size_),
+                                 {}, unlimited);
     if (!fresh && pairs < anderson_pairs) ++pairs;
     const ConeSums sums = ready.cone_loops.look(of, padded_, newest, fresh ? 0 : pairs);
     done.steps = step;

@@ -39,7 +39,7 @@ class ConeScratch {
   [[nodiscard]] std::span<const double> free() const noexcept { return {kept_.data(), size_}; }
 
   struct Done {
-    double distance = 0.0;   ///< bound of |f - f*|_P [weighted readings]
+    double distance = 0.0;  ///< bound of |f - f*|_P [weighted readings]
     std::size_t steps = 0;
   };
   /// Called after each step with its number, and the bound where `each` is set; true: no more.

@@ -7,18 +7,18 @@
 namespace tactile_net {
 namespace {
 
-
 template <std::size_t drags>
-[[gnu::always_inline]] inline void project_onto(const double* __restrict v, const double* __restrict f0,
-                                                double* __restrict z, double* __restrict input,
-                                                std::size_t n, double limit) noexcept {
+[[gnu::always_inline]] inline void project_onto(const double* __restrict v,
+                                                const double* __restrict f0, double* __restrict z,
+                                                double* __restrict input, std::size_t n,
+                                                double limit) noexcept {
   const double share = 1.0 / (1.0 + limit * limit);
   for (std::size_t i = 0; i < n; ++i) {
     const double p = v[i];
     const double y = v[n + i];
     const double w = drags == 2 ? v[2 * n + i] : 0.0;
-    const CellCone to = cell_cone(p, drags == 2 ? __builtin_sqrt(y * y + w * w) : __builtin_fabs(y),
-                                  limit, share);
+    const CellCone to =
+        cell_cone(p, drags == 2 ? __builtin_sqrt(y * y + w * w) : __builtin_fabs(y), limit, share);
     z[i] = to.normal;
     input[i] = (to.normal + (to.normal - p)) - f0[i];
     const double y_to = to.shrunk * y;
@@ -32,9 +32,10 @@ template <std::size_t drags>
 }
 
 /// Without a limit of friction: drags stay as they are.
-[[gnu::always_inline]] inline void project_normal(const double* __restrict v, const double* __restrict f0,
-                                                  double* __restrict z, double* __restrict input,
-                                                  std::size_t n, std::size_t all) noexcept {
+[[gnu::always_inline]] inline void project_normal(const double* __restrict v,
+                                                  const double* __restrict f0, double* __restrict z,
+                                                  double* __restrict input, std::size_t n,
+                                                  std::size_t all) noexcept {
   for (std::size_t i = 0; i < n; ++i) {
     const double to = v[i] > 0.0 ? v[i] : 0.0;
     z[i] = to;
@@ -66,8 +67,8 @@ template <int Bytes, std::size_t pairs>
   [[maybe_unused]] V gram[anderson_pairs] = {};
   [[maybe_unused]] V right[anderson_pairs] = {};
   for (std::size_t i = 0; i < size; i += lanes) {
-    const V r = cone_relaxation * (load<Bytes>(of.free + i) + load<Bytes>(of.moved + i) -
-                                   load<Bytes>(of.z + i));
+    const V r = cone_relaxation *
+                (load<Bytes>(of.free + i) + load<Bytes>(of.moved + i) - load<Bytes>(of.z + i));
     const V w = load<Bytes>(of.input + i);
     squares += r * r;
     inputs += w * w;
@@ -151,28 +152,30 @@ template <int Bytes, std::size_t pairs>
 
 // One set of entries for each instruction set; the attribute is all that differs.
 // NOLINTBEGIN(bugprone-macro-parentheses): TARGET is an attribute.
-#define TACTILE_NET_CONE_KERNELS(NAME, BYTES, TARGET)                                              \
-  namespace {                                                                                      \
-  namespace NAME {                                                                                 \
-  TARGET void project(const ConeVectors& of, Cones cones) noexcept { project_all(of, cones); }     \
-  TARGET ConeSums look(const ConeVectors& of, std::size_t size, std::size_t newest,                \
-                       std::size_t count) noexcept {                                               \
-    return with_pairs(count, [&](auto pairs) __attribute__((always_inline)) {                      \
-      return look_at<BYTES, decltype(pairs)::value>(of, size, newest);                             \
-    });                                                                                            \
-  }                                                                                                \
-  TARGET void go(const ConeVectors& of, std::size_t size, const AndersonSums& weights,             \
-                 std::size_t count) noexcept {                                                     \
-    with_pairs(count, [&](auto pairs) __attribute__((always_inline)) {                             \
-      go_by<BYTES, decltype(pairs)::value>(of, size, weights);                                     \
-    });                                                                                            \
-  }                                                                                                \
-  TARGET void publish(const ConeVectors& of, Cones cones, double normal, double drag,              \
-                      double* f) noexcept {                                                        \
-    publish_all(of, cones, normal, drag, f);                                                       \
-  }                                                                                                \
-  constexpr ConeKernels all{project, look, go, publish};                                           \
-  }                                                                                                \
+#define TACTILE_NET_CONE_KERNELS(NAME, BYTES, TARGET)                                          \
+  namespace {                                                                                  \
+  namespace NAME {                                                                             \
+  TARGET void project(const ConeVectors& of, Cones cones) noexcept { project_all(of, cones); } \
+  TARGET ConeSums look(const ConeVectors& of, std::size_t size, std::size_t newest,            \
+                       std::size_t count) noexcept {                                           \
+    return with_pairs(                                                                         \
+        count, [&](auto pairs) __attribute__((always_inline)) {                                \
+          return look_at<BYTES, decltype(pairs)::value>(of, size, newest);                     \
+        });                                                                                    \
+  }                                                                                            \
+  TARGET void go(const ConeVectors& of, std::size_t size, const AndersonSums& weights,         \
+                 std::size_t count) noexcept {                                                 \
+    with_pairs(                                                                                \
+        count, [&](auto pairs) __attribute__((always_inline)) {                                \
+          go_by<BYTES, decltype(pairs)::value>(of, size, weights);                             \
+        });                                                                                    \
+  }                                                                                            \
+  TARGET void publish(const ConeVectors& of, Cones cones, double normal, double drag,          \
+                      double* f) noexcept {                                                    \
+    publish_all(of, cones, normal, drag, f);                                                   \
+  }                                                                                            \
+  constexpr ConeKernels all{project, look, go, publish};                                       \
+  }                                                                                            \
   }
 
 TACTILE_NET_CONE_KERNELS(cone_baseline, 16, )

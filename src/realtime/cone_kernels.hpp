@@ -27,7 +27,7 @@ struct ConeVectors {
   double* input;  ///< 2 z - v - f0
   double* moved;  ///< S times the input; x - f0
   double* residual;
-  double* change;  ///< what v changed by last
+  double* change;                                ///< what v changed by last
   std::array<float*, anderson_pairs> residuals;  ///< what residuals changed by
   std::array<float*, anderson_pairs> combined;   ///< and what v changed by, added to that
 };

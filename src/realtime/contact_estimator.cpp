@@ -134,12 +134,11 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
   const TouchedWindows windows{cells.window_rows, cells.window_columns,
                                cells.window_deviations.data(), marks.sums.data(),
                                marks.along.data()};
-  estimate.touching =
-      mark_touching({cells.rows, cells.columns, cells.rim_rows, cells.rim_columns},
-                    estimate.tractions.data(), cells.deviations.data(),
-                    cells.window_deviations.empty() ? nullptr : &windows, marks.marks.data(),
-                    marks.queue.data(), [](std::size_t) {})
-          .cells;
+  estimate.touching = mark_touching({cells.rows, cells.columns, cells.rim_rows, cells.rim_columns},
+                                    estimate.tractions.data(), cells.deviations.data(),
+                                    cells.window_deviations.empty() ? nullptr : &windows,
+                                    marks.marks.data(), marks.queue.data(), [](std::size_t) {})
+                          .cells;
   const double centre = 0.5 * static_cast<double>(ready.values - 1);
   for (std::size_t u = 0; u < ready.unknowns; ++u) {
     sums[u] = {};
@@ -181,8 +180,9 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
   estimate.outlier = -1;
   if (ready.cells)
     return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
-                              ready.cone ? scratch_->cone->free().data() : nullptr, ready.friction, ready.window_variances, ready.certain_force,
-                              ready.highest_force, ready.lowest_force, scratch_->marks, estimate);
+                              ready.cone ? scratch_->cone->free().data() : nullptr, ready.friction,
+                              ready.window_variances, ready.certain_force, ready.highest_force,
+                              ready.lowest_force, scratch_->marks, estimate);
   // Of the linear frame: noise can only push inside constraints.
   double all = ready.spacing * moments[0].sum;
   std::array<Moments, 2> touching;

@@ -117,7 +117,8 @@ struct ContactEstimator::Ready {
                   (1.0 + plan.friction_coefficient.value_or(0.0));
     if (plan.cone) {
       cone.emplace(*plan.cone, unknowns, values, set, loops);
-      most *= std::max({1.0, cone->drag_scale, 1.0 / cone->drag_scale}) * std::max(1.0, cone->bound);
+      most *=
+          std::max({1.0, cone->drag_scale, 1.0 / cone->drag_scale}) * std::max(1.0, cone->bound);
     }
     if (plan.prediction) {
       prediction.emplace(*plan.prediction, loops.most_lines, loops.most_shared);
@@ -291,10 +292,10 @@ struct ContactEstimator::Scratch {
   Aligned<double> fill;  // what the plan's dead readings are taken to be
   CellMarks marks;
   std::optional<ConeScratch> cone{};
-  ConeWork work{};                        // its steps are never 0
+  ConeWork work{};  // its steps are never 0
   const std::atomic<bool>* stop = nullptr;
-  double distance = 0.0;                  // of the frame from its minimum, at most
-  std::unique_ptr<FrameBlock> block;      // of batches
+  double distance = 0.0;              // of the frame from its minimum, at most
+  std::unique_ptr<FrameBlock> block;  // of batches
   std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans
   std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
   std::size_t live = 0;             // readings with a weight

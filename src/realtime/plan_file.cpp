@@ -98,9 +98,24 @@ class Writer {
     size(cells.rim_rows);
     size(cells.rim_columns);
   }
+  void windows(const PlanCells& cells) {
+    numbers(cells.window_deviations);
+    size(cells.window_rows);
+    size(cells.window_columns);
+  }
   void fill(const Factor& factor) {
     size(factor.rows);
     numbers(factor.values);
+  }
+  void cone(const ConePlan& cone) {
+    flag(cone.friction_limit.has_value());
+    if (cone.friction_limit) number(*cone.friction_limit);
+    size(cone.steps);
+    for (const double value : {cone.tangential_scale, cone.bound, cone.rounding,
+                               cone.expected.median, cone.expected.high, cone.expected.worst})
+      number(value);
+    flag(cone.unknown_offsets);
+    product(cone.step, PlanVersion::cone);
   }
   [[nodiscard]] std::vector<std::byte>& bytes() noexcept { return bytes_; }
 
@@ -237,6 +252,22 @@ class Reader {
     cells.rim_columns = size();
     return cells;
   }
+  void windows(PlanCells& cells) {
+    cells.window_deviations = numbers();
+    cells.window_rows = size();
+    cells.window_columns = size();
+  }
+  ConePlan cone() {
+    ConePlan cone;
+    if (flag()) cone.friction_limit = number();
+    cone.steps = size();
+    for (double* const value : {&cone.tangential_scale, &cone.bound, &cone.rounding,
+                                &cone.expected.median, &cone.expected.high, &cone.expected.worst})
+      *value = number();
+    cone.unknown_offsets = flag();
+    cone.step = product(PlanVersion::cone);
+    return cone;
+  }
   /// @param columns  the plan's readings
   Factor fill(std::size_t columns) {
     Factor factor{.rows = size(), .columns = columns};
@@ -275,6 +306,7 @@ PlanVersion version_of(const EstimatorPlan& plan) {
   const bool folds_lines =
       !plan.cells && (plan.fill || has_reflections(plan.reconstruction.structure) ||
                       (plan.prediction && has_reflections(plan.prediction->structure)));
+  if (plan.cone) return PlanVersion::cone;
   return folds_lines ? PlanVersion::lines : version_beside_products(plan);
 }
 
@@ -320,16 +352,17 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
     plan.unjudged = in.indices();
     if (in.flag()) plan.fill = in.fill(plan.readings());
   }
-  if (skin && version >= PlanVersion::windows) {
-    plan.cells->window_deviations = in.numbers();
-    plan.cells->window_rows = in.size();
-    plan.cells->window_columns = in.size();
-  }
+  if (skin && version >= PlanVersion::windows) in.windows(*plan.cells);
   if (version >= PlanVersion::border) {
     plan.border = in.indices();
     plan.known_offsets = in.flag();
   }
-  if (version >= PlanVersion::lines && !in.at_end()) plan.fill = in.fill(plan.readings());
+  if (version == PlanVersion::lines && !in.at_end()) plan.fill = in.fill(plan.readings());
+  if (version >= PlanVersion::cone) {
+    if (!skin && in.flag()) plan.fill = in.fill(plan.readings());
+    if (!skin && in.flag()) in.windows(plan.line_cells.emplace(in.cells()));
+    plan.cone = in.cone();
+  }
   if ((version < PlanVersion::lines ? version_beside_products(plan) : version_of(plan)) != version)
     throw std::runtime_error("the plan holds nothing of what its version is for");
   if (!in.at_end()) throw std::runtime_error("the plan goes on after its end");
@@ -385,16 +418,21 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
     payload.flag(plan.fill.has_value());
     if (plan.fill) payload.fill(*plan.fill);
   }
-  if (plan.cells && version >= PlanVersion::windows) {
-    payload.numbers(plan.cells->window_deviations);
-    payload.size(plan.cells->window_rows);
-    payload.size(plan.cells->window_columns);
-  }
+  if (plan.cells && version >= PlanVersion::windows) payload.windows(*plan.cells);
   if (version >= PlanVersion::border) {
     payload.indices(plan.border);
     payload.flag(plan.known_offsets);
   }
+  if (!plan.cells && plan.cone) payload.flag(plan.fill.has_value());
   if (!plan.cells && plan.fill) payload.fill(*plan.fill);
+  if (plan.cone) {
+    if (!plan.cells) payload.flag(plan.line_cells.has_value());
+    if (plan.line_cells) {
+      payload.cells(*plan.line_cells);
+      payload.windows(*plan.line_cells);
+    }
+    payload.cone(*plan.cone);
+  }
 
   Writer file;
   file.text(magic);

@@ -117,10 +117,9 @@ void add_margins(const PlanCells& cells, const double* f, const std::uint8_t* ma
 }  // namespace
 
 void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
-                        const double* linear,
-                        std::optional<double> friction, std::span<const double> variances,
-                        double certain_force, double highest, double lowest, CellMarks& scratch,
-                        ContactEstimate& estimate) noexcept {
+                        const double* linear, std::optional<double> friction,
+                        std::span<const double> variances, double certain_force, double highest,
+                        double lowest, CellMarks& scratch, ContactEstimate& estimate) noexcept {
   const double area = cells.area();
   const std::size_t count = cells.rows * cells.columns;
   double all = 0.0;

@@ -48,9 +48,8 @@ struct CellMarks {
 ///                          may be
 /// @param highest, lowest   sums over all cells beyond are doubted
 void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
-                        const double* linear,
-                        std::optional<double> friction, std::span<const double> variances,
-                        double certain_force, double highest, double lowest, CellMarks& scratch,
-                        ContactEstimate& estimate) noexcept;
+                        const double* linear, std::optional<double> friction,
+                        std::span<const double> variances, double certain_force, double highest,
+                        double lowest, CellMarks& scratch, ContactEstimate& estimate) noexcept;
 
 }  // namespace tactile_net

@@ -6,7 +6,8 @@
 ///
 /// A second-order cone in every cell, onto which the projection is known in closed form: solved by
 /// alternating directions (ADMM; Boyd and others 2011) with the penalty 2 sqrt(lambda_max alpha)
-/// and relaxation 1.6, in the family's classes, factored once for all frames.
+/// and relaxation 1.6, accelerated by Anderson's method, in the family's classes, factored once for
+/// all frames. A controller takes the same steps, a fixed number of them: realtime/cone_plan.hpp.
 #pragma once
 
 #include <cstddef>
@@ -64,7 +65,7 @@ class ConeTikhonov {
   /// constraints, and their number; true: stop, more steps are not needed or in vain.
   using EarlyStop = std::function<bool(std::span<const double> tractions, std::size_t steps)>;
 
-  /// One frame, starting from 0: some 30 to 300 steps, each the price of two products with K by
+  /// One frame, starting from 0: some 15 to 100 steps, each the price of two products with K by
   /// classes. Allocates. `too_large` if any weighted reading or traction would not be finite.
   ///
   /// @param iteration_limit  steps after which the best so far is returned

@@ -42,7 +42,8 @@ struct ConePlan {
   double tangential_scale = 1.0;
   ProductPlan step{};  ///< S, of tractions so scaled, in float32
   double bound = 0.0;  ///< kappa, of weighted readings over tractions so scaled, > 0
-  /// Bound of what `step` errs by, rounding included, in the 2-norm over that of what it multiplies.
+  /// Bound of what `step` errs by, rounding included, in the 2-norm over that of what it
+  /// multiplies.
   double rounding = 0.0;
   /// True if channels have constants that nobody knows, which the prediction explains.
   bool unknown_offsets = false;

@@ -31,8 +31,9 @@ enum class PlanVersion : std::uint32_t {
   /// there is any. Before, structures 2 and 3 stood for the reflections, and the signs of blocks
   /// for their grids of one row.
   lines = 9,
+  cone = 10,  ///< constraints that frames obey, and of a line its values as cells
 };
-inline constexpr auto newest_plan_version = PlanVersion::lines;
+inline constexpr auto newest_plan_version = PlanVersion::cone;
 
 /// The bytes of a plan.
 /// @throw std::invalid_argument  as `check(plan)`

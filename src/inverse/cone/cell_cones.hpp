@@ -9,6 +9,7 @@
 
 #include "inverse/checks.hpp"
 #include "numeric/eigen.hpp"
+#include "realtime/cell_cone.hpp"
 #include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/constrained.hpp"
 
@@ -46,17 +47,12 @@ class CellCones {
     double& y = f(cells_ + i);
     double& z = f(2 * cells_ + i);
     const double drag = std::hypot(y, z);
-    if (drag < limit * p) return ContactState::stick;
-    const double along = (p + limit * drag) / (1.0 + limit * limit);
-    if (!(along > 0.0)) {
-      p = y = z = 0.0;
-      return ContactState::separation;
-    }
-    p = along;
-    const double shrunk = drag > 0.0 ? limit * along / drag : 0.0;
-    y *= shrunk;
-    z *= shrunk;
-    return ContactState::slip;
+    const bool sticks = drag < limit * p;
+    const CellCone to = cell_cone(p, drag, limit, 1.0 / (1.0 + limit * limit));
+    p = to.normal;
+    y *= to.shrunk;
+    z *= to.shrunk;
+    return sticks ? ContactState::stick : p > 0.0 ? ContactState::slip : ContactState::separation;
   }
 
   Index cells_;

@@ -1,6 +1,7 @@
 #include "inverse/cone/cone_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 
 #include "inverse/checks.hpp"
 #include "inverse/cone/cone_system.hpp"
+#include "realtime/anderson.hpp"
 
 namespace tactile_net {
 namespace {
@@ -15,9 +17,45 @@ namespace {
 using Eigen::Index;
 
 constexpr double relaxation = 1.6;
+/// Growth of a step's residual beyond which its acceleration begins again.
+constexpr double astray = 1e6;
 constexpr std::size_t steps_between_checks = 5;
 constexpr std::size_t first_look = 25;
 static_assert(first_look % steps_between_checks == 0);
+
+/// Anderson's acceleration of v <- v + r(v): what residuals changed by lately, and v with them.
+class Acceleration {
+ public:
+  /// By what v goes on.
+  [[nodiscard]] Eigen::VectorXd operator()(Eigen::VectorXd residual) {
+    if (first_.size() == 0) first_ = residual;
+    Eigen::VectorXd change = residual;
+    if (residual.squaredNorm() > astray * first_.squaredNorm()) pairs_ = newest_ = 0;
+    if (last_.size() > 0) {
+      pairs_ = std::min(pairs_ + 1, anderson_pairs);
+      residuals_[newest_] = residual - last_;
+      combined_[newest_] = residuals_[newest_] + change_;
+      AndersonSums right{};
+      for (std::size_t k = 0; k < pairs_; ++k) {
+        gram_[newest_][k] = gram_[k][newest_] = residuals_[newest_].dot(residuals_[k]);
+        right[k] = residuals_[k].dot(residual);
+      }
+      const AndersonSums weights = anderson_weights(gram_, right, pairs_);
+      for (std::size_t k = 0; k < pairs_; ++k) change -= weights[k] * combined_[k];
+      newest_ = (newest_ + 1) % anderson_pairs;
+    }
+    last_ = std::move(residual);
+    change_ = change;
+    return change;
+  }
+
+ private:
+  std::array<Eigen::VectorXd, anderson_pairs> residuals_{}, combined_{};
+  AndersonGram gram_{};
+  Eigen::VectorXd first_{}, last_{}, change_{};
+  std::size_t pairs_ = 0;
+  std::size_t newest_ = 0;
+};
 
 }  // namespace
 
@@ -102,7 +140,7 @@ ConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t ite
   const double size = b.norm();
   const CellCones cones(s.cells, constraints_);
   Eigen::VectorXd z = Eigen::VectorXd::Zero(b.size());  // obeys the constraints
-  Eigen::VectorXd u = z;                                // multipliers over rho
+  Eigen::VectorXd v = z;                                // z and, over rho, the multipliers
   ConeSolution solution;
   const auto in_units = [&](Eigen::VectorXd tractions) {
     tractions *= scale / s.scales.kernel;
@@ -122,7 +160,7 @@ ConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t ite
   if (!nearby.empty() && size > 0.0) {
     z = as_eigen(nearby) * (s.scales.kernel / scale);
     if (s.components == 3) z.tail(2 * s.cells) *= s.scales.drag;
-    u = (b - image(z)) / system.rho();  // as it is at a minimum
+    v = z + (b - image(z)) / system.rho();  // as it is at a minimum
   }
   std::size_t next_look = first_look;
   const auto residual = [&] {
@@ -132,13 +170,13 @@ ConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t ite
   };
   if (size > 0.0) {
     solution.verdict = ConstrainedVerdict::iteration_limit;
+    Acceleration accelerated;
     while (solution.iterations < iteration_limit) {
       ++solution.iterations;
-      const Eigen::VectorXd f = solved(b + system.rho() * (z - u));
-      const Eigen::VectorXd relaxed = relaxation * f + (1.0 - relaxation) * z;
-      z = relaxed + u;
+      const Eigen::VectorXd f = solved(b + system.rho() * (2.0 * z - v));
+      v += accelerated(relaxation * (f - z));
+      z = v;
       cones.project(z);
-      u += relaxed - z;
       if (solution.iterations % steps_between_checks != 0) continue;
       solution.residual = residual();
       if (solution.residual <= enough) {
@@ -152,7 +190,7 @@ ConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t ite
       if (stop_early(tractions, solution.iterations)) break;
     }
     solution.residual = residual();
-    Eigen::VectorXd before = z + u;  // whose projection z is
+    Eigen::VectorXd before = v;  // whose projection z is
     std::optional<double> limit = constraints_.friction_limit;
     if (limit) *limit /= s.scales.drag;
     cones.project(before, [&](Index i, ContactState state) {
