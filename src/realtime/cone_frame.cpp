@@ -60,7 +60,6 @@ ConeScratch::Done ConeScratch::bind(const ReadyCone& ready, std::span<double> tr
   bool fresh = true;       // no step was taken from which this one's changes are
   std::size_t pairs = 0;   // that there are
   std::size_t newest = 0;  // where the next one goes
-  double first = 0.0;      // |r|^2 at the start
   for (std::size_t step = 0;; ++step) {
     ready.cone_loops.project(of, ready.cones);
     (void)ready.loops.multiply32(ready.product, {input_.data(), zero_.data()}, moved_.data(),
@@ -85,9 +84,8 @@ ConeScratch::Done ConeScratch::bind(const ReadyCone& ready, std::span<double> tr
       }
       if (last) break;
     }
-    if (step == 0) first = sums.residual;
     AndersonSums weights{};
-    if (std::isgreater(sums.residual, 1e12 * first)) {
+    if (std::isgreater(std::sqrt(sums.residual), astray * free_norm)) {
       // The acceleration led astray, which has not been seen: begin again.
       std::copy_n(f0, size_, v_.data());
       fresh = true;

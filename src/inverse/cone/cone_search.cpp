@@ -17,8 +17,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double relaxation = 1.6;
-/// Growth of a step's residual beyond which its acceleration begins again.
-constexpr double astray = 1e6;
+/// Residual of a step, over tractions, beyond which its acceleration begins again.
+constexpr double astray = 1e3;
 constexpr std::size_t steps_between_checks = 5;
 constexpr std::size_t first_look = 25;
 static_assert(first_look % steps_between_checks == 0);
@@ -26,11 +26,12 @@ static_assert(first_look % steps_between_checks == 0);
 /// Anderson's acceleration of v <- v + r(v): what residuals changed by lately, and v with them.
 class Acceleration {
  public:
-  /// By what v goes on.
-  [[nodiscard]] Eigen::VectorXd operator()(Eigen::VectorXd residual) {
-    if (first_.size() == 0) first_ = residual;
+  /// By what v goes on. @param z  tractions at v
+  [[nodiscard]] Eigen::VectorXd operator()(Eigen::VectorXd residual, const Eigen::VectorXd& z) {
+    const double size = residual.norm();
+    if (last_.size() == 0) largest_ = astray * (z.norm() + size);
     Eigen::VectorXd change = residual;
-    if (residual.squaredNorm() > astray * first_.squaredNorm()) pairs_ = newest_ = 0;
+    if (size > largest_) pairs_ = newest_ = 0;
     if (last_.size() > 0) {
       pairs_ = std::min(pairs_ + 1, anderson_pairs);
       residuals_[newest_] = residual - last_;
@@ -52,7 +53,8 @@ class Acceleration {
  private:
   std::array<Eigen::VectorXd, anderson_pairs> residuals_{}, combined_{};
   AndersonGram gram_{};
-  Eigen::VectorXd first_{}, last_{}, change_{};
+  Eigen::VectorXd last_{}, change_{};
+  double largest_ = 0.0;  // that a residual may be
   std::size_t pairs_ = 0;
   std::size_t newest_ = 0;
 };
@@ -174,7 +176,7 @@ ConeSolution ConeSearch::solve(std::span<const double> readings, std::size_t ite
     while (solution.iterations < iteration_limit) {
       ++solution.iterations;
       const Eigen::VectorXd f = solved(b + system.rho() * (2.0 * z - v));
-      v += accelerated(relaxation * (f - z));
+      v += accelerated(relaxation * (f - z), z);
       z = v;
       cones.project(z);
       if (solution.iterations % steps_between_checks != 0) continue;
