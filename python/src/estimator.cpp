@@ -92,6 +92,16 @@ class Estimator {
     if (std::find(dead_.begin(), dead_.end(), taxel) == dead_.end()) dead_.push_back(taxel);
   }
 
+  void set_work(std::size_t steps, double enough) {
+    const Turn turn(*this);
+    if (!plan_->plan.cone)
+      throw std::invalid_argument("this plan has no constraints, and so no steps towards them");
+    if (steps > ConePlan::most_steps)
+      throw std::invalid_argument("a frame takes at most " + std::to_string(ConePlan::most_steps) +
+                                  " steps");
+    estimator_.set_work({.steps = steps, .enough = enough});
+  }
+
   void revive() {
     const Turn turn(*this);
     estimator_.revive();
@@ -266,7 +276,15 @@ void bind_contact(nb::module_& module) {
       .def_ro("contacts", &ContactEstimate::contacts,
               "contacts that lie apart, of which the margins are the worst; 0: no margins")
       .def_ro("touching", &ContactEstimate::touching,
-              "of a skin, the cells that forces are sums over; 0: all")
+              "the cells that forces are sums over; 0: all, or inside constraints none")
+      .def_ro("unfinished", &ContactEstimate::unfinished,
+              "how many of its own standard deviations any force, moment or cell may be off since "
+              "the steps towards the constraints ended; true of every frame; nan without "
+              "constraints or noise")
+      .def_ro("unfinished_share", &ContactEstimate::unfinished_share,
+              "the same as a share of the linear frame; nan without constraints or diagnostics")
+      .def_ro("steps", &ContactEstimate::steps,
+              "that were taken towards the constraints; 0: the plan has none")
       .def_ro("residual_rms", &ContactEstimate::residual_rms,
               "what the tractions leave unexplained of a weighted reading; nan without diagnostics")
       .def_ro("contact", &ContactEstimate::contact, "F_v > 0: centre and angle mean something")
@@ -307,6 +325,10 @@ void bind_estimator(nb::module_& module) {
       .def("set_dead", &Estimator::set_dead, nb::arg("taxel"),
            "Leaves a taxel out from the next frame on.")
       .def("revive", &Estimator::revive, "All taxels count again.")
+      .def(
+          "set_work", &Estimator::set_work, nb::arg("steps") = 0, nb::arg("enough") = 0.0,
+          "Of a plan with constraints: steps of a frame, at most 64, 0: the plan's; it ends before "
+          "where `contact.unfinished` is at most enough, > 0.")
       .def_prop_ro("plan", &Estimator::plan)
       .def_prop_ro(
           "contact", [](const Estimator& self) { return self.contact(); },

@@ -6,6 +6,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
+#include <nanobind/stl/tuple.h>
 
 #include <algorithm>
 #include <array>
@@ -66,7 +67,8 @@ template <class Any>
 PlanPointer make_plan(Any& shared, double accuracy, const std::optional<Rows>& readings,
                       const std::optional<std::string>& structure,
                       const std::optional<std::string>& precision, bool diagnostics, bool allow_fft,
-                      std::optional<double> friction, const nb::object& progress) {
+                      std::optional<double> friction, std::optional<double> friction_limit,
+                      bool nonnegative, std::size_t steps, const nb::object& progress) {
   Watcher watcher(progress);
   PlannerOptions options;
   options.accuracy = accuracy;
@@ -75,6 +77,13 @@ PlanPointer make_plan(Any& shared, double accuracy, const std::optional<Rows>& r
   options.diagnostics = diagnostics;
   options.allow_fft = allow_fft;
   options.friction_coefficient = friction;
+  if (friction_limit || nonnegative) {
+    options.cone.emplace().constraints.friction_limit = friction_limit;
+    options.cone->steps = steps;
+  } else if (steps > 0) {
+    throw std::invalid_argument(
+        "steps lead towards constraints: pass friction_limit= or nonnegative=True");
+  }
   refuse_fft(shared.scene(), options);
   lab::NextFrame next;
   std::size_t frame = 0;
@@ -161,7 +170,8 @@ void bind_make_plan(nb::module_& module) {
   module.def("plan", &make_plan<Any>, nb::arg("scene"), nb::arg("accuracy"),
              nb::arg("readings").noconvert().none(), nb::arg("structure").none(),
              nb::arg("precision").none(), nb::arg("diagnostics"), nb::arg("allow_fft"),
-             nb::arg("friction").none(), nb::arg("progress").none());
+             nb::arg("friction").none(), nb::arg("friction_limit").none(), nb::arg("nonnegative"),
+             nb::arg("steps"), nb::arg("progress").none());
 }
 
 }  // namespace
@@ -192,6 +202,18 @@ void bind_plan(nb::module_& module) {
                             (self.plan.prediction ? streamed_bytes(*self.plan.prediction) : 0);
                    })
       .def_prop_ro("diagnostics", [](const Plan& self) { return self.plan.prediction.has_value(); })
+      .def_prop_ro("friction_limit",
+                   [](const Plan& self) {
+                     return self.plan.cone ? self.plan.cone->friction_limit : std::nullopt;
+                   })
+      .def_prop_ro("steps",
+                   [](const Plan& self) { return self.plan.cone ? self.plan.cone->steps : 0; })
+      .def_prop_ro("unfinished",
+                   [](const Plan& self) {
+                     const ExpectedUnfinished of =
+                         self.plan.cone ? self.plan.cone->expected : ExpectedUnfinished{};
+                     return std::tuple(of.median, of.high, of.worst);
+                   })
       .def_ro("why", &Plan::why)
       .def_ro("for_raw_numbers", &Plan::for_raw_numbers)
       .def_ro("needs_baseline", &Plan::needs_baseline)

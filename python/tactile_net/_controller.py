@@ -147,6 +147,22 @@ class Plan:
         return self._core.diagnostics
 
     @property
+    def friction_limit(self) -> float | None:
+        """That frames obey in every cell; None: they obey none."""
+        return self._core.friction_limit
+
+    @property
+    def steps(self) -> int:
+        """Of a frame towards its constraints; 0: it has none, the plan is linear."""
+        return self._core.steps
+
+    @property
+    def unfinished(self) -> tuple[float, float, float]:
+        """Of a plan with constraints, what its steps leave of frames that were drawn: the median, 99.9 % and the worst, in
+        standard deviations where the plan knows the noise, else as shares of the linear frame."""
+        return self._core.unfinished
+
+    @property
     def for_raw_numbers(self) -> bool:
         """The scene's calibration is in it: frames are a file's numbers, not readings."""
         return self._core.for_raw_numbers

@@ -341,9 +341,17 @@ class Scene:
         diagnostics: bool = True,
         allow_fft: bool = False,
         friction: float | None = None,
+        friction_limit: float | None = None,
+        nonnegative: bool = False,
+        steps: int | None = None,
         progress: Progress = False,
     ) -> Plan:
-        """The plan of a controller: the cheapest product that is proven to be accurate enough. Constraints do not bind it.
+        """The plan of a controller: the cheapest product that is proven to be accurate enough. It is linear, and the scene's
+        constraints do not bind it, unless one of these is given:
+
+        friction_limit: frames obey |q| <= friction_limit p in every cell; nonnegative: p >= 0 alone. They take a fixed number of
+        steps towards that (steps: 1 to 64; None: as few as leave a tenth of a standard deviation), and `contact.unfinished` says
+        of each frame how far it is from the minimum at most.
 
         readings: recorded frames to choose alpha on, where the scene has a rule; None: its own contacts.
         structure, precision: None: the cheapest; "fft", and allow_fft, are of line arrays. diagnostics: residual, outliers, dead taxels at run time.
@@ -351,7 +359,8 @@ class Scene:
         """
         rows = None if readings is None else self._rows(getattr(readings, "readings", readings))[0]
         with listening(progress) as heard:
-            core = _core.plan(self._core, accuracy, rows, structure, precision, diagnostics, allow_fft, friction, heard)
+            chosen = structure, precision, diagnostics, allow_fft, friction
+            core = _core.plan(self._core, accuracy, rows, *chosen, friction_limit, nonnegative, steps or 0, heard)
         return Plan(core)
 
     def certify(self, realization: str | None = None, *, progress: Progress = False) -> Certification:

@@ -8,12 +8,15 @@
 #include <vector>
 
 #include "lab/border.hpp"
+#include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/control/planner.hpp"
+#include "tactile_net/inverse/cone_tikhonov.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
+#include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/sensing/resultant.hpp"
@@ -136,6 +139,8 @@ PlannerOptions completed(const auto& problem, PlannerOptions options) {
   const auto& scene = problem.scene();
   options.traction_limit = scene.material.youngs_modulus;
   options.noise_rms = problem.stated_noise().value_or(0.0);
+  if (!options.friction_coefficient && options.cone)
+    options.friction_coefficient = options.cone->constraints.friction_limit;
   if (!options.friction_coefficient)
     options.friction_coefficient = scene.reconstruct.friction_limit;
   if (!options.calibration) options.calibration = scene.calibration;
@@ -143,6 +148,12 @@ PlannerOptions completed(const auto& problem, PlannerOptions options) {
   options.label = scene.title.empty() ? scene.file : scene.title;
   options.judge_baseline = true;
   options.border = problem.border();
+  if (options.cone && options.noise_rms > 0.0 && !scene.contacts.empty()) {
+    const std::vector<double> readings = weighted(problem.problem(), simulate(scene).readings);
+    double largest = 0.0;
+    for (const double reading : readings) largest = std::max(largest, std::abs(reading));
+    options.cone->signal = std::clamp(largest / options.noise_rms, 10.0, 1e5);
+  }
   return options;
 }
 
@@ -183,7 +194,60 @@ PlannedController plan_controller(const SkinSceneProblem& problem, const PlanAlp
                                   const PlannerOptions& options) {
   refuse_estimated_weight(problem);
   check_memory(problem.scene(), available_memory());
-  return controller_of(problem, alpha, options, problem.family());
+  PlanAlpha used = alpha;
+  if (options.cone && alpha.rule) used.value = constrained_alpha(*alpha.rule, alpha.value);
+  return controller_of(problem, used, options, problem.family());
+}
+
+FrameTimes frame_times(const EstimatorPlan& plan) {
+  const Pinned pinned;
+  ContactEstimator estimator(plan, fft_convolutions());
+  const std::vector<double> readings(plan.readings(), 1.0);
+  std::vector<double> tractions(plan.tractions());
+  ContactEstimate estimate;
+  estimate.tractions = tractions;
+  const auto frame = [&] {
+    return time_of([&] { (void)estimator.update(readings, estimate); }).median;
+  };
+  FrameTimes times{.frame = frame()};
+  if (!plan.cone) return times;
+  constexpr std::size_t few = 1;
+  constexpr std::size_t many = 17;
+  estimator.set_work({.steps = few});
+  const double short_frame = frame();
+  estimator.set_work({.steps = many});
+  times.step = std::max(frame() - short_frame, 0.0) / static_cast<double>(many - few);
+  return times;
+}
+
+void fit_steps(PlannedEstimator& planned, const FrameTimes& times, double seconds) {
+  constexpr std::size_t least = 6;
+  ConePlan& cone = *planned.plan.cone;
+  const bool knows_noise = planned.plan.noise_rms > 0.0;
+  const double unit = knows_noise ? 1.0 : 1e-2;
+  const double without = times.frame - static_cast<double>(cone.steps) * times.step;
+  const double fitting = times.step > 0.0 ? (seconds - without) / times.step : 0.0;
+  const std::size_t steps = fitting >= static_cast<double>(cone.steps)
+                                ? cone.steps
+                                : static_cast<std::size_t>(std::max(fitting, 0.0));
+  std::size_t enough = 1;
+  while (enough < planned.unfinished.size() - 1 && planned.unfinished[enough].median > unit)
+    ++enough;
+  const std::string needed =
+      std::to_string(std::max(enough, least)) + " steps, which take " +
+      duration(without + static_cast<double>(std::max(enough, least)) * times.step);
+  if (steps < std::min(least, cone.steps))
+    throw std::invalid_argument("in " + duration(seconds) + " a frame takes " +
+                                std::to_string(steps) + " steps towards its constraints here: " +
+                                "give it " + needed + ", or smooth more: a larger alpha");
+  if (planned.unfinished[steps].median > unit)
+    throw std::invalid_argument(
+        "in " + duration(seconds) + " a frame takes " + std::to_string(steps) +
+        " steps towards its constraints here, and half of the frames are then more than " +
+        (knows_noise ? "a standard deviation" : "1 %") + " from their minimum: give it " + needed +
+        ", or smooth more: a larger alpha");
+  cone.steps = steps;
+  cone.expected = planned.unfinished[steps];
 }
 
 namespace {

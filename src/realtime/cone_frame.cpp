@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace tactile_net {
+namespace {
+
+/// Residual of a step, over the linear frame, beyond which its acceleration begins again.
+constexpr double astray = 1e6;
+
+}  // namespace
 ReadyCone::ReadyCone(const ConePlan& plan, std::size_t unknowns, std::size_t values,
                      InstructionSet set, const Kernels& frame_loops)
     : cones{values, unknowns - 1,

@@ -65,8 +65,10 @@ struct PlannedController {
   std::optional<PlannedForce> force{};  ///< `planned_force`, where it was asked for
 };
 
-/// A plan is linear: the scene's constraints do not bind it. Dead taxels of the scene leave the
-/// plan the symmetry of the whole array.
+/// A plan is linear, and the scene's constraints do not bind it, unless `options.cone` asks for
+/// constraints: then a skin whose rule chose alpha has that of constraints (`constrained_alpha`),
+/// and frames are drawn as much above the noise as the scene's own contacts are. Dead taxels of the
+/// scene leave the plan the symmetry of the whole array.
 ///
 /// @param options  what they leave open is the scene's: noise, ranges and label always, friction
 ///                 coefficient and calibration where they are absent. A calibration with a baseline
@@ -82,6 +84,21 @@ struct PlannedController {
 [[nodiscard]] PlannedController plan_controller(const SkinSceneProblem& problem,
                                                 const PlanAlpha& alpha,
                                                 const PlannerOptions& options = {});
+
+/// What a frame takes on this machine [s].
+struct FrameTimes {
+  double frame = 0.0;  ///< with the plan's steps
+  double step = 0.0;   ///< of a plan with constraints, each of its steps
+};
+[[nodiscard]] FrameTimes frame_times(const EstimatorPlan& plan);
+
+/// Gives frames with constraints as few steps as they need of those that fit into a time.
+///
+/// @param seconds  of a frame
+/// @throw std::invalid_argument  fewer than six fit, or those that do would leave more than a
+///                               standard deviation undone in half of the frames; the text says how
+///                               many would do
+void fit_steps(PlannedEstimator& planned, const FrameTimes& times, double seconds);
 
 /// The same, of a machine with so much memory left.
 /// @param memory  [bytes]

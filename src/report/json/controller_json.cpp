@@ -25,6 +25,14 @@ struct Fields<Candidate> {
 };
 
 template <>
+struct Fields<ExpectedUnfinished> {
+  static constexpr auto all = std::tuple{
+      field("median", &ExpectedUnfinished::median, "Half of the drawn frames are nearer."),
+      field("high", &ExpectedUnfinished::high, "999 of 1000 are nearer."),
+      field("worst", &ExpectedUnfinished::worst, "All are.")};
+};
+
+template <>
 struct Fields<lab::PlannedForce> {
   static constexpr auto all =
       std::tuple{field("planned", &lab::PlannedForce::planned, Measure::load, "By the plan."),
@@ -34,6 +42,25 @@ struct Fields<lab::PlannedForce> {
 
 namespace report {
 namespace {
+
+struct ConeTold {
+  std::optional<double> friction_limit{};
+  std::size_t steps = 0;
+  std::size_t bytes = 0;
+  bool in_deviations = false;
+  ExpectedUnfinished unfinished{};
+
+  static constexpr auto described = std::tuple{
+      field("friction_limit", &ConeTold::friction_limit,
+            "What the drag over the pressure of a cell is at most; null: nothing pulls, and that "
+            "is all."),
+      field("steps", &ConeTold::steps, "Steps of a frame towards them."),
+      field("bytes", &ConeTold::bytes, Measure::memory, "What a step reads."),
+      field("in_deviations", &ConeTold::in_deviations,
+            "Whether `unfinished` counts standard deviations of noise; else it is a share of the "
+            "linear frame."),
+      field("unfinished", &ConeTold::unfinished, "How far frames are from their minimum.")};
+};
 
 struct PlanTold {
   std::string scene{};
@@ -47,6 +74,7 @@ struct PlanTold {
   double frame_seconds = 0.0;
   std::vector<Candidate> candidates{};
   std::optional<lab::PlannedForce> force{};
+  IfAny<ConeTold> constraints{};
   IfAny<std::size_t> filled_readings{};
   IfAny<UnitsTold> units{};
   IfAny<std::vector<double>> baseline{};
@@ -67,6 +95,8 @@ struct PlanTold {
       field("candidates", &PlanTold::candidates, "The products that could be planned."),
       field("force", &PlanTold::force,
             "The normal force of the scene's own contacts; null: it has none."),
+      field("constraints", &PlanTold::constraints,
+            "What frames obey; only of a plan with constraints."),
       field("filled_readings", &PlanTold::filled_readings,
             "Readings of dead taxels that the plan fills in; of a line only where there are any."),
       field("units", &PlanTold::units, "The units of these numbers; only of a scene with [units]."),
@@ -93,6 +123,12 @@ std::string controller_json(const AnyScene& scene, const lab::PlannedController&
                 .force = planned.force,
                 .units = head.units};
   if (plan.cells || plan.fill) told.filled_readings.value = plan.fill ? plan.fill->rows : 0;
+  if (const auto& cone = plan.cone)
+    told.constraints.value = ConeTold{.friction_limit = cone->friction_limit,
+                                      .steps = cone->steps,
+                                      .bytes = streamed_bytes(cone->step),
+                                      .in_deviations = plan.noise_rms > 0.0,
+                                      .unfinished = cone->expected};
   if (planned.for_raw_numbers) told.baseline.value = plan.baseline;
   return document_text(kind::plan, told);
 }

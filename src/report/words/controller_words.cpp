@@ -35,6 +35,16 @@ void print_controller(std::ostream& out, const lab::PlannedController& planned,
   if (plan.prediction)
     out << "  residual, outliers, dead taxels: " << streamed_bytes(*plan.prediction)
         << " bytes a frame more (" << option(Option::no_diagnostics) << " leaves them out)\n";
+  if (const auto& cone = plan.cone) {
+    const bool knows_noise = plan.noise_rms > 0.0;
+    const auto told = [&](double value) { return knows_noise ? brief(value, 2) : percent(value); };
+    out << "  frames obey "
+        << (cone->friction_limit ? "|q| <= " + brief(*cone->friction_limit, 2) + " p" : "p >= 0")
+        << " in " << counted(cone->steps, "step") << ", " << streamed_bytes(cone->step)
+        << " bytes each; unfinished " << told(cone->expected.median) << ", 99.9 % "
+        << told(cone->expected.high) << ", worst " << told(cone->expected.worst)
+        << (knows_noise ? " standard deviations" : " of the tractions") << '\n';
+  }
   if (planned.for_raw_numbers)
     out << "  it takes raw numbers, as in files of readings: the plan contains the scene's units "
            "and calibration"

@@ -215,7 +215,9 @@ void add_plan(AllCommands& all) {
            {"plan scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv "
             "--deadline 100us -o pad.plan",
             "alpha from recorded frames; it fails if a frame takes longer"},
-           {"plan scenes/skins/sphere.toml -o skin.plan", "of a skin"}}});
+           {"plan scenes/skins/sphere.toml -o skin.plan", "of a skin"},
+           {"plan scenes/skins/sphere.toml --friction-limit 0.8 --deadline 1ms -o skin.plan",
+            "whose frames neither pull nor drag more than friction allows"}}});
   add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
   command.add_option("-o,--output", options.output, output_file({"plan"}),
                      "Plan file, which load_plan reads (default: only print what it would be)");
@@ -231,6 +233,16 @@ void add_plan(AllCommands& all) {
   command.add_option("--friction", options.friction, number(),
                      "Friction coefficient for the friction margin (default: the scene's "
                      "friction_limit)");
+  command.add_option("--friction-limit", options.friction_limit, number(),
+                     "Frames obey |q| <= MU p in every cell: a fixed number of steps, and what "
+                     "they leave undone is said with each frame");
+  command.add_flag("--nonnegative", options.nonnegative,
+                   "Frames obey p >= 0 in every cell, in the same way");
+  command.add_option("--steps", options.steps, number(),
+                     "Steps of a frame towards these constraints, 1 to 64 (default: as few as "
+                     "leave a tenth of a standard deviation)");
+  command.add_option("--share", options.share, number(),
+                     "Share of the deadline that a frame with constraints may take");
   constexpr std::array structures = {Structure::dense, Structure::low_rank, Structure::reflections,
                                      Structure::reflections_low_rank, Structure::fft};
   command.add_choice("--structure", options.structure, structures,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <ostream>
+#include <stdexcept>
 #include <vector>
 
 #include "commands/deadline.hpp"
@@ -11,12 +12,9 @@
 #include "commands/recording.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
-#include "tactile_net/control/fft_convolution.hpp"
 #include "tactile_net/frames/open.hpp"
 #include "tactile_net/lab/planned_controller.hpp"
-#include "tactile_net/lab/stopwatch.hpp"
 #include "tactile_net/numeric/counted.hpp"
-#include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tactile_net/report/json/controller_json.hpp"
 #include "tactile_net/report/words/controller_words.hpp"
@@ -34,6 +32,15 @@ PlannerOptions planner_options(const PlanOptions& options) {
   planner.diagnostics = !options.no_diagnostics;
   planner.allow_fft = options.allow_fft;
   planner.friction_coefficient = options.friction;
+  if (options.friction_limit || options.nonnegative) {
+    ConeOptions& cone = planner.cone.emplace();
+    cone.constraints.friction_limit = options.friction_limit;
+    cone.steps = options.steps.value_or(0);
+  } else if (options.steps) {
+    throw WrongUsage("--steps",
+                     "steps lead towards constraints: give --friction-limit MU or "
+                     "--nonnegative");
+  }
   return planner;
 }
 
@@ -80,24 +87,14 @@ lab::PlanAlpha alpha_of(const Problem& problem, const PlanOptions& options,
                              "FILE.csv"}});
 }
 
-/// What a frame of the plan takes on this machine [s].
-double seconds_of_frame(const EstimatorPlan& plan) {
-  const lab::Pinned pinned;
-  ContactEstimator estimator(plan, fft_convolutions());
-  const std::vector<double> readings(plan.readings(), 1.0);
-  std::vector<double> tractions(plan.tractions());
-  ContactEstimate estimate;
-  estimate.tractions = tractions;
-  return lab::time_of([&] { (void)estimator.update(readings, estimate); }).median;
-}
-
 template <class Problem>
 void make_plan(const Problem& problem, const PlanOptions& options, const Streams& streams) {
   std::optional<double> deadline;
   if (options.deadline) deadline = deadline_of(*options.deadline);
   PlannerOptions planner = planner_options(options);
-  if (problem.constraints())
-    streams.err << "warning: a plan is linear: nonnegative and friction_limit do not bind it\n";
+  if (problem.constraints() && !planner.cone)
+    streams.err << "warning: a plan is linear, and the scene's constraints do not bind it: "
+                   "--friction-limit MU or --nonnegative makes one whose frames obey them\n";
   const auto output = output_if(options.output, streams);
   const auto summary = output_if(options.json, streams);
 
@@ -105,7 +102,17 @@ void make_plan(const Problem& problem, const PlanOptions& options, const Streams
   lab::PlannedController planned = lab::plan_controller(problem, alpha, planner);
   planned.force = lab::planned_force(problem, planned.estimator.plan, planner.calibration);
   const EstimatorPlan& plan = planned.estimator.plan;
-  const double frame = seconds_of_frame(plan);
+  const lab::FrameTimes times = lab::frame_times(plan);
+  double frame = times.frame;
+  if (plan.cone && deadline && options.steps.value_or(0) == 0) {
+    const std::size_t before = plan.cone->steps;
+    try {
+      lab::fit_steps(planned.estimator, times, options.share * *deadline);
+    } catch (const std::invalid_argument& error) {
+      throw CheckFailed(error.what());
+    }
+    frame -= static_cast<double>(before - plan.cone->steps) * times.step;
+  }
   std::ostream& out = options.output == "-" || options.json == "-" ? streams.err : streams.out;
   report::print_controller(out, planned, frame, deadline);
   if (deadline && frame > *deadline)

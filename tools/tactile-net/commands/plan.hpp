@@ -2,6 +2,7 @@
 /// The command `plan`: the file that a controller loads.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -21,6 +22,10 @@ struct PlanOptions {
   std::optional<std::string> deadline{};
   double accuracy = PlannerOptions{}.accuracy;
   std::optional<double> friction{};
+  std::optional<double> friction_limit{};
+  bool nonnegative = false;
+  std::optional<std::size_t> steps{};
+  double share = 0.5;
   bool no_diagnostics = false;
   bool allow_fft = false;
 };
