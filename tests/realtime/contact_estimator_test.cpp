@@ -25,6 +25,46 @@ double sum(std::span<const double> values) {
 
 }  // namespace
 
+TEST_CASE("with P = 1 constraints are the projection, cell by cell", "[contact_estimator][cone]") {
+  for (const bool skin : {false, true})
+    for (const Structure structure : {Structure::dense, Structure::reflections}) {
+      CAPTURE(skin, name(structure));
+      EstimatorPlan plan =
+          skin ? made_skin_plan({.structure = structure})
+               : made_plan({.count = 13, .channels = 2, .unknowns = 2, .structure = structure});
+      const double limit = 0.5;
+      add_cone(plan, limit);
+      const double scale = plan.cone->tangential_scale;
+      ContactEstimator estimator(plan);
+      estimator.set_work({.steps = 30});
+      for (unsigned seed = 0; seed < 5; ++seed) {
+        const std::vector<double> readings = random_values(estimator.readings(), seed);
+        std::vector<double> f(estimator.tractions());
+        ContactEstimate estimate{.tractions = f};
+        REQUIRE(estimator.update(readings, estimate) == FrameStatus::ok);
+        const std::span<const double> free = estimator.free_tractions();
+        const std::size_t n = plan.values;
+        double off = 0.0;
+        double size = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+          // Of scaled drags: |q| <= limit scale p.
+          const double p = free[i];
+          const double y = scale * free[n + i];
+          const double z = skin ? scale * free[2 * n + i] : 0.0;
+          const double drag = std::hypot(y, z);
+          const double mu = limit * scale;
+          const double along =
+              drag <= mu * p ? p : std::max((p + mu * drag) / (1.0 + mu * mu), 0.0);
+          const double shrunk = drag <= mu * p || drag == 0.0 ? 1.0 : mu * along / drag;
+          off = std::max({off, std::abs(f[i] - along), std::abs(scale * f[n + i] - shrunk * y)});
+          if (skin) off = std::max(off, std::abs(scale * f[2 * n + i] - shrunk * z));
+          size = std::max({size, std::abs(p), drag});
+        }
+        CHECK(off < 1e-6 * size);
+      }
+    }
+}
+
 TEST_CASE("the resultant, the margin and the residual are those of the tractions",
           "[contact_estimator]") {
   const auto problems = sample_problems();

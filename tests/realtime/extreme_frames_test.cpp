@@ -56,6 +56,7 @@ TEST_CASE("what is not refused is finite, up to the largest readings", "[contact
                                         .precision = precision,
                                         .diagnostics = diagnostics});
         plan.friction_coefficient = 1e6;
+        if (precision == Precision::float64) add_cone(plan, 0.5);
         ContactEstimator estimator(plan);
         if (diagnostics) REQUIRE(estimator.set_dead(4));
         int accepted = 0;

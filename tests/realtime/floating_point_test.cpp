@@ -101,8 +101,12 @@ TEST_CASE("no frame of a line raises a floating-point exception", "[floating_poi
           plan.residual_limit = 0.1;
           plan.force_deviation = 0.1;
           plan.traction_limit = 1.0;
-          for (const InstructionSet set : {InstructionSet::baseline, widest_instruction_set()})
+          for (const InstructionSet set : {InstructionSet::baseline, widest_instruction_set()}) {
             check_frames(ContactEstimator(plan, set));
+            EstimatorPlan bound = plan;
+            add_cone(bound, unknowns > 1 ? std::optional(0.5) : std::nullopt);
+            check_frames(ContactEstimator(bound, set));
+          }
         }
 }
 
@@ -122,5 +126,9 @@ TEST_CASE("no frame of a skin raises a floating-point exception", "[floating_poi
             plan.cells->window_rows = plan.cells->window_columns = 1;
           }
           check_frames(ContactEstimator(plan));
+          add_cone(plan, 0.5);
+          for (const InstructionSet set :
+               {InstructionSet::baseline, InstructionSet::avx2, widest_instruction_set()})
+            check_frames(ContactEstimator(plan, set));
         }
 }

@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <random>
+#include <string>
 
 #include "tactile_net/control/planner.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -272,6 +275,73 @@ TEST_CASE("what dead taxels of a line are taken to read comes back, and decides 
   check_batch(estimator, some_readings(20 * n));
   plan.fill->rows = 1;
   CHECK_THROWS_AS(encode_plan(plan), std::invalid_argument);
+}
+
+TEST_CASE("constraints come back, of lines and of skins", "[plan_file]") {
+  const std::optional<double> limit = GENERATE(std::optional<double>{}, std::optional(0.7));
+  for (EstimatorPlan plan :
+       {made_plan({.unknowns = 2, .structure = Structure::dense}), made_plan({.unknowns = 2}),
+        made_skin_plan({}),
+        made_skin_plan({.rows = 4, .columns = 4, .exchanged = true, .dead = 1})}) {
+    const std::vector<std::byte> before = encode_plan(plan);
+    add_cone(plan, limit);
+    if (!plan.cells)
+      plan.line_cells = PlanCells{.rows = plan.values,
+                                  .columns = 1,
+                                  .spacing_y = plan.spacing,
+                                  .spacing_z = 1.0,
+                                  .deviations = std::vector<double>(plan.values, 0.5)};
+    const std::vector<std::byte> bytes = encode_plan(plan);
+    CHECK(bytes[8] == std::byte{10});
+    const EstimatorPlan again = decode_plan(bytes);
+    REQUIRE(again.cone);
+    CHECK(again.cone->friction_limit == limit);
+    CHECK(again.cone->steps == plan.cone->steps);
+    CHECK(again.cone->expected.worst == 0.3);
+    CHECK(again.line_cells.has_value() == plan.line_cells.has_value());
+    CHECK(encode_plan(again) == bytes);
+    // Cut anywhere, and with any byte changed, it is refused or describes itself; nothing worse.
+    for (std::size_t length = 28; length < bytes.size(); length += 1 + length / 50) {
+      std::vector<std::byte> shorter(bytes.begin(),
+                                     bytes.begin() + static_cast<std::ptrdiff_t>(length));
+      sign(shorter);
+      CHECK(refusal(shorter) != "accepted");
+    }
+    std::mt19937 random(3);
+    for (int i = 0; i < 2000; ++i) {
+      std::vector<std::byte> changed = bytes;
+      changed[20 + random() % (bytes.size() - 28)] ^= static_cast<std::byte>(1 + random() % 255);
+      sign(changed);
+      if (refusal(changed) != "accepted") continue;
+      const EstimatorPlan plausible = decode_plan(changed);
+      CHECK(encode_plan(plausible).size() == bytes.size());
+      CHECK_NOTHROW(ContactEstimator(plausible));
+    }
+    plan.cone.reset();
+    plan.line_cells.reset();
+    CHECK(encode_plan(plan) == before);  // readers of older versions understand it
+  }
+  EstimatorPlan plan = made_plan({.unknowns = 2, .structure = Structure::dense});
+  add_cone(plan, limit);
+  const auto refuse = [&](const auto& spoil, const std::string& why) {
+    EstimatorPlan other = plan;
+    spoil(other);
+    CHECK_THROWS_WITH(encode_plan(other), ContainsSubstring(why));
+  };
+  refuse([](EstimatorPlan& one) { one.cone->steps = 0; }, "steps must be 1 to 64");
+  refuse([](EstimatorPlan& one) { one.cone->steps = 65; }, "steps must be 1 to 64");
+  refuse([](EstimatorPlan& one) { one.cone->friction_limit = 0.0; }, "friction_limit");
+  refuse([](EstimatorPlan& one) { one.cone->friction_limit = std::nan(""); }, "friction_limit");
+  refuse([](EstimatorPlan& one) { one.cone->bound = 0.0; }, "bound");
+  refuse([](EstimatorPlan& one) { one.cone->rounding = 1.0; }, "rounding");
+  refuse([](EstimatorPlan& one) { one.cone->tangential_scale = 0.0; }, "tangential_scale");
+  refuse([](EstimatorPlan& one) { one.cone->step.precision = Precision::float64; }, "float32");
+  refuse(
+      [](EstimatorPlan& one) {
+        one.cone.reset();
+        one.line_cells.emplace();
+      },
+      "cells of a line");
 }
 
 TEST_CASE("the layout is the one that the header states", "[plan_file]") {

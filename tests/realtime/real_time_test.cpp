@@ -145,6 +145,8 @@ std::vector<EstimatorPlan> plans() {
                                  .structure = structure,
                                  .precision = precision,
                                  .diagnostics = diagnostics}));
+  for (const std::size_t lines : {0U, 3U, 4U, 11U})
+    add_cone(all.emplace_back(all[lines]), lines % 2 == 0 ? std::optional(0.5) : std::nullopt);
   for (const Structure structure :
        {Structure::dense, Structure::reflections, Structure::reflections_low_rank})
     for (const Precision precision : {Precision::float64, Precision::float32})
@@ -159,7 +161,8 @@ std::vector<EstimatorPlan> plans() {
                                                .dead = exchanged ? 1U : 0U});
           plan.cells->deviations.assign(plan.values, 1e-3);
           plan.cells->rim_rows = plan.cells->rim_columns = 1;
-          all.push_back(std::move(plan));
+          all.push_back(plan);
+          if (precision == Precision::float64) add_cone(all.emplace_back(std::move(plan)), 0.5);
         }
   return all;
 }

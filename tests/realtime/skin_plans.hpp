@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -43,6 +44,57 @@ inline void set_units(EstimatorPlan& plan) {
   plan.accuracy = 1e-7;
   plan.friction_coefficient = 0.5;
   plan.ranges.assign(plan.channels, {-1e9, 1e9});
+}
+
+/// Constraints with P = 1: S = 1 / 2 of every traction, so the minimum is the point of the cones
+/// next to the linear frame, cell by cell, and what is between is its distance. Reflections as
+/// those of the tractions, where these have any.
+inline void add_cone(EstimatorPlan& plan, std::optional<double> friction_limit) {
+  ProductPlan step{.structure = has_reflections(plan.reconstruction.structure)
+                                    ? Structure::reflections
+                                    : Structure::dense,
+                   .precision = Precision::float32,
+                   .rows = plan.tractions(),
+                   .columns = plan.tractions()};
+  const auto add = [&](std::size_t size, const auto& entry) {
+    Factor factor{size, size, std::vector<double>(size * size)};
+    for (std::size_t i = 0; i < size; ++i) factor.values[i * size + i] = entry(i);
+    step.factors.push_back(std::move(factor));
+  };
+  if (step.structure == Structure::dense) {
+    add(step.rows, [](std::size_t) { return 0.5; });
+  } else {
+    step.row_grid = step.column_grid = plan.reconstruction.row_grid;
+    // A sum of k places that goes back to each of them: what is 1/2 of it is 1 / (2 k).
+    step.row_grid.partners.clear();
+    step.column_grid.partners.clear();
+    const std::vector<std::size_t> sizes = class_sizes(step.row_grid);
+    for (std::size_t c = 0; c < sizes.size(); ++c) {
+      std::vector<double> places;
+      const int y = c < 2 ? 1 : -1;
+      const int z = c % 2 == 0 ? 1 : -1;
+      const GridBlocks& grid = step.row_grid;
+      for (std::size_t b = 0; b < grid.signs_y.size(); ++b) {
+        const auto half = [](std::size_t count, int parity) {
+          return parity > 0 ? count - count / 2 : count / 2;
+        };
+        const std::size_t rows = half(grid.rows, grid.signs_y[b] * y);
+        const std::size_t columns = half(grid.columns, grid.signs_z[b] * z);
+        for (std::size_t i = 0; i < rows; ++i)
+          for (std::size_t j = 0; j < columns; ++j)
+            places.push_back((2 * i + 1 == grid.rows ? 1.0 : 2.0) *
+                             (2 * j + 1 == grid.columns ? 1.0 : 2.0));
+      }
+      add(sizes[c], [&](std::size_t i) { return 0.5 / places[i]; });
+    }
+  }
+  plan.cone = ConePlan{.friction_limit = friction_limit,
+                       .steps = 9,
+                       .tangential_scale = 2.0,
+                       .step = std::move(step),
+                       .bound = 2.0,
+                       .rounding = 1e-6,
+                       .expected = {0.1, 0.2, 0.3}};
 }
 
 /// Random factors.
