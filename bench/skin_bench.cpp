@@ -1,7 +1,8 @@
-// Every floor of skins: frames in a controller, their jitter, batches, recordings, products and
-// steps of large skins, a run.
+// Every floor of skins: frames in a controller, with constraints, their jitter, batches,
+// recordings, products and steps of large skins, a run.
 //
-//     bench_skin [frames [16x1 | 32x1 | 16x3 | 24x3 | 32x3] ... | latency | batches | recordings |
+//     bench_skin [frames [16x1 | 32x1 | 16x3 | 24x3 | 32x3] ... | cone | latency | batches |
+//     recordings |
 //                 products | steps [LARGEST, 64 [LEAST, 16]] | run]; all without
 #include <cstdio>
 #include <functional>
@@ -22,6 +23,7 @@ int main(int count, char** arguments) {
   };
   const std::vector<std::pair<std::string, std::function<void(Floors&)>>> sections{
       {"frames", [&](Floors& floors) { bench::single_frames(floors, rest()); }},
+      {"cone", bench::cones},
       {"batches", bench::batches},
       {"recordings", bench::recordings},
       {"products", bench::products},

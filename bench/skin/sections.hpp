@@ -13,6 +13,8 @@ namespace bench {
 /// One frame over summing the dense matrix once, beside dense products; of skins named as "16x3",
 /// or of all where none is named.
 void single_frames(Floors& floors, const std::vector<std::string>& skins);
+/// What constraints cost a frame, over its own linear frame, and how many steps contacts take.
+void cones(Floors& floors);
 /// How much frames one after the other differ, and what a build for every machine costs.
 void latency(Floors& floors);
 /// 10000 frames at once over a loop.
