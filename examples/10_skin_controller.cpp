@@ -1,5 +1,6 @@
-// A skin in a control loop: 16 x 16 taxels that read three stresses, a thousand frames a second.
-// Prints what was planned, how a finger's grip on it turns to a slip, and what a frame takes.
+// A skin in a control loop: 16 x 16 taxels that read three stresses, a thousand frames a second,
+// whose tractions neither pull nor drag more than any surface holds. Prints what was planned, how a
+// finger's grip on it turns to a slip, how far frames are from their minimum, what they take.
 #include <chrono>
 #include <cstdio>
 #include <tactile_net/control/planner.hpp>
@@ -21,9 +22,15 @@ int main() {
   const LinearProblem problem = make_problem(skin, silicone);
 
   // Before the loop, everything that allocates, throws or takes long.
-  const PlannedEstimator planned = plan_estimator(
-      problem, /*alpha*/ 1e-4, {.accuracy = 1e-7, .noise_rms = 10.0, .friction_coefficient = 0.6});
+  // Margins are of a friction of 0.6; constraints allow what may come, 1, else no frame could slip.
+  const PlannedEstimator planned =
+      plan_estimator(problem, /*alpha*/ 1e-3,
+                     {.accuracy = 1e-7,
+                      .noise_rms = 10.0,
+                      .friction_coefficient = 0.6,
+                      .cone = ConeOptions{.constraints = {.friction_limit = 1.0}}});
   std::printf("%s", planned.why().c_str());
+  std::printf("%zu steps towards the constraints\n", planned.plan.cone->steps);
   ContactEstimator estimator(planned.plan);
   std::vector<double> tractions(estimator.tractions());
   ContactEstimate contact{.tractions = tractions};
@@ -51,9 +58,11 @@ int main() {
     all += seconds;
     if (status != FrameStatus::ok || !contact.contact) return 1;
     if (k % 200 == 100)
-      std::printf("%.1f s: %.2f N down, %.2f N along y, %.2f N along z, slip margin %.2f\n",
-                  contact.time, contact.normal_force, contact.tangential_y, contact.tangential_z,
-                  contact.slip_margin);
+      std::printf(
+          "%.1f s: %.2f N down, %.2f N along y, %.2f N along z, slip margin %.2f, unfinished %.2f "
+          "deviations\n",
+          contact.time, contact.normal_force, contact.tangential_y, contact.tangential_z,
+          contact.slip_margin, contact.unfinished);
   }
   std::printf("a frame takes %.0f us of 1000, the longest took %.0f us\n", 1e6 * all / count,
               1e6 * longest);

@@ -1,6 +1,7 @@
 // The per-frame call of a controller. Its price is what a Python call costs, so its arrays go the
 // short way (frame_buffer.hpp), and the GIL is kept: giving it up could cost 5 ms to get it back.
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
@@ -100,6 +101,7 @@ class Estimator {
       throw std::invalid_argument("a frame takes at most " + std::to_string(ConePlan::most_steps) +
                                   " steps");
     estimator_.set_work({.steps = steps, .enough = enough});
+    work_ = {steps, enough};
   }
 
   void revive() {
@@ -114,6 +116,7 @@ class Estimator {
   [[nodiscard]] std::vector<double>& tractions() noexcept { return tractions_; }
   [[nodiscard]] const std::vector<double>& baseline() const noexcept { return baseline_; }
   [[nodiscard]] const std::vector<std::size_t>& dead() const noexcept { return dead_; }
+  [[nodiscard]] std::pair<std::size_t, double> work() const noexcept { return work_; }
   [[nodiscard]] std::string_view instruction_set() const noexcept {
     return name(estimator_.instruction_set());
   }
@@ -209,6 +212,7 @@ class Estimator {
   ContactEstimate contact_{};
   std::vector<double> baseline_{};  // empty: the plan's
   std::vector<std::size_t> dead_{};
+  std::pair<std::size_t, double> work_{};
   std::atomic_flag busy_{};
 };
 
@@ -345,6 +349,10 @@ void bind_estimator(nb::module_& module) {
       .def_prop_ro(
           "dead", [](const Estimator& self) { return nb::tuple(nb::cast(self.dead())); },
           nb::sig("def dead(self) -> tuple[int, ...]"), "Taxels that are left out.")
+      .def_prop_ro(
+          "work", &Estimator::work,
+          "Of a plan with constraints, as `set_work` has it: steps, and what is enough; 0: the "
+          "plan's steps, all of them.")
       .def_prop_ro("instruction_set", &Estimator::instruction_set);
 }
 

@@ -224,18 +224,22 @@ class Estimator(_core.Estimator):
         return super().update_batch(rows).reshape(*lead, *self._made_of.traction_shape)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _estimator, (self._made_of, self.baseline, self.dead)
+        return _estimator, (self._made_of, self.baseline, self.dead, self.work)
 
     def __copy__(self) -> Estimator:
-        """For another thread: the same plan, baseline and dead taxels."""
-        return _estimator(self._made_of, self.baseline, self.dead)
+        """For another thread: the same plan, baseline, dead taxels and work."""
+        return _estimator(self._made_of, self.baseline, self.dead, self.work)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Estimator:
         return self.__copy__()
 
 
-def _estimator(plan: Plan, baseline: Floats | None, dead: tuple[int, ...]) -> Estimator:
+def _estimator(
+    plan: Plan, baseline: Floats | None, dead: tuple[int, ...], work: tuple[int, float] = (0, 0.0)
+) -> Estimator:
     estimator = Estimator(plan)
+    if plan.steps > 0:
+        estimator.set_work(*work)
     for taxel in dead:  # first: what they read does not matter then
         estimator.set_dead(taxel)
     if baseline is not None:

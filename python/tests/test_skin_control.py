@@ -164,3 +164,41 @@ def test_counts_in_files(skin: tn.Skin, frames: np.ndarray, tmp_path: Path) -> N
     assert np.allclose(tn.load(tmp_path / "counts.npy", scene=counts, units="scene").readings, frames, rtol=1e-12)
     found = counts.read(tmp_path / "counts.npy").solve().tractions
     assert np.allclose(found, skin.solve(frames).tractions, rtol=0, atol=1e-9 * np.abs(found).max())
+
+
+def test_frames_that_obey_constraints(skin: tn.Skin, tmp_path: Path) -> None:
+    noisy = skin.replace({"noise": {"rms": 20.0}})
+    plan = noisy.plan(friction_limit=0.8)
+    assert plan.friction_limit == 0.8 and 1 <= plan.steps <= 64
+    median, high, worst = plan.unfinished
+    assert 0.0 < median <= high <= worst and high <= 0.1
+    linear = noisy.plan()
+    assert linear.friction_limit is None and linear.steps == 0
+    estimator = tn.Estimator(plan)
+    readings = noisy.simulate().readings[0]
+    tractions = estimator.update(readings)
+    pressure, drag = tractions[0], np.hypot(tractions[1], tractions[2])
+    assert (pressure >= 0.0).all() and (drag <= 0.8 * pressure).all()
+    contact = estimator.contact
+    assert contact.steps == plan.steps and 0.0 < contact.unfinished < 1.0
+    assert np.isnan(tn.Estimator(linear).contact.unfinished)
+    estimator.set_work(steps=40)
+    nearer = estimator.update(readings)
+    assert estimator.contact.unfinished <= contact.unfinished
+    assert np.array_equal(copy.copy(estimator).update(readings), nearer)
+    assert np.array_equal(pickle.loads(pickle.dumps(estimator)).update(readings), nearer)
+    estimator.set_work(steps=64, enough=1.0)
+    estimator.update(readings)
+    assert estimator.contact.steps < 40 and estimator.contact.unfinished <= 1.0
+    plan.save(tmp_path / "cone.plan")
+    assert np.array_equal(tn.Estimator(tn.Plan.load(tmp_path / "cone.plan", scene=noisy)).update(readings), tractions)
+    with pytest.raises(ValueError, match="steps lead towards constraints"):
+        noisy.plan(steps=3)
+    with pytest.raises(ValueError, match="at most 64 steps"):
+        noisy.plan(friction_limit=0.8, steps=65)
+    with pytest.raises(ValueError, match="must be > 0"):
+        noisy.plan(friction_limit=-0.8)
+    with pytest.raises(ValueError, match="at most 64 steps"):
+        estimator.set_work(steps=65)
+    with pytest.raises(ValueError, match="no constraints"):
+        tn.Estimator(linear).set_work(steps=3)

@@ -193,6 +193,7 @@ Figure truth_figure(const study::Study& study, const std::vector<study::WorkPoin
   std::size_t same = 0;
   std::vector<Curve> curves = curves_of(points, study::to_truth, study::TimeOf::frame);
   const study::WorkCurve constrained{.family = study::WorkCurve::Family::friction_cone};
+  const study::WorkCurve planned{.family = study::WorkCurve::Family::planned_constraints};
   const study::WorkCurve surfaces{.family = study::WorkCurve::Family::coarser_surface};
   for (const study::WorkPoint& point : points)
     if (point.curve == surfaces && point.measured() && point.error_to_truth)
@@ -200,7 +201,7 @@ Figure truth_figure(const study::Study& study, const std::vector<study::WorkPoin
   for (const Curve& curve : curves) {
     if (curve.label == in_words(surfaces)) continue;
     const double least = *std::min_element(curve.x.begin(), curve.x.end());
-    if (curve.label == in_words(constrained))
+    if (curve.label == in_words(constrained) || curve.label == in_words(planned))
       bars.push_back({curve.label + ", " + duration(curve.y.back()), curve.x.back()});
     else if (std::abs(least - exact) < 0.01 * exact)
       ++same;

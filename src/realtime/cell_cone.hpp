@@ -14,7 +14,7 @@ struct CellCone {
 /// What drags are added to before they divide: nothing beside any that is not 0, and 0 over it is
 /// 0. Choosing another divisor instead would be undone by compilers, which divide first and choose
 /// then.
-inline constexpr double nothing = 0x1p-900;
+inline constexpr double least_drag = 0x1p-900;
 
 /// Inside, on the surface where what sticks out goes at a right angle to it, or the tip. Without
 /// branches; no operation is invalid or a division by zero.
@@ -28,7 +28,7 @@ inline constexpr double nothing = 0x1p-900;
   const bool inside = drag <= limit * normal;
   const bool tip = !(along > 0.0);
   const double to = inside ? normal : tip ? 0.0 : along;
-  return {to, inside ? 1.0 : limit * to / (drag + nothing)};
+  return {to, inside ? 1.0 : limit * to / (drag + least_drag)};
 }
 
 }  // namespace tactile_net

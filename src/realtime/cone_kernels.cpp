@@ -142,7 +142,7 @@ template <int Bytes, std::size_t pairs>
     const bool near = cones.limit > 0.0 && size > most * (1.0 - 0.5 * margin);
     if (kept && !near) continue;
     f[i] = of.z[i] * normal;
-    const double shortened = near ? most * (1.0 - margin) / (size + nothing) : 1.0;
+    const double shortened = near ? most * (1.0 - margin) / (size + least_drag) : 1.0;
     if (cones.drags > 0) f[n + i] = y * shortened * drag;
     if (cones.drags > 1) f[2 * n + i] = w * shortened * drag;
   }

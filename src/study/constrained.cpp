@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "study/digital.hpp"
+#include "study/planned_frame.hpp"
 #include "study/points.hpp"
 
 namespace tactile_net::study {
@@ -41,6 +42,8 @@ StudySection constrained(const StudyInput& input, const lab::Clock& clock) {
   } catch (const std::exception&) {
     section.points.push_back(failed(curve, {}, TimeOf::frame, caught()));
   }
+  add_planned_constraints(section, input, input.line().constraints().value_or(Constraints{}),
+                          clock);
   return section;
 }
 

@@ -35,6 +35,28 @@ PlannedFrame timed_frame(const EstimatorPlan& plan, std::span<const double> read
   return frame;
 }
 
+void add_planned_constraints(StudySection& section, const StudyInput& input,
+                             const Constraints& constraints, const lab::Clock& clock) {
+  const WorkCurve curve{.family = WorkCurve::Family::planned_constraints};
+  attempt(section, curve, {}, [&] {
+    EstimatorPlan plan =
+        plan_of(input,
+                {.cone = ConeOptions{.constraints = constraints, .steps = ConePlan::most_steps}})
+            .plan;
+    const auto after = [&](std::size_t steps) {
+      plan.cone->steps = steps;
+      const auto [f, seconds] = timed_frame(plan, input.readings, clock);
+      WorkPoint result =
+          point(input, curve, {.kind = Knob::Kind::steps, .count = steps}, f, seconds);
+      result.error_to_solution.reset();  // the constrained problem is another one
+      return result;
+    };
+    for (std::size_t steps = 1; steps < ConePlan::most_steps; steps *= 2)
+      section.points.push_back(after(steps));
+    return after(ConePlan::most_steps);
+  });
+}
+
 PlannedFrame planned_frame(const LinearProblem& problem, double alpha,
                            std::span<const double> readings, const lab::Clock& clock) {
   PlannerOptions options;

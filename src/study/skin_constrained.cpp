@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "study/digital.hpp"
+#include "study/planned_frame.hpp"
 #include "study/points.hpp"
 #include "tactile_net/inverse/cone_tikhonov.hpp"
 
@@ -30,6 +31,7 @@ StudySection skin_constrained(const StudyInput& input, const lab::Clock& clock) 
   } catch (const std::exception&) {
     section.points.push_back(failed(curve, {}, TimeOf::frame, caught()));
   }
+  add_planned_constraints(section, input, input.constraints().value_or(Constraints{}), clock);
   return section;
 }
 

@@ -170,7 +170,13 @@ TEST_CASE("more steps and more terms are nearer to the exact solution of a skin"
 
 TEST_CASE("constraints end at their optimum, nearer to the truth; fewer cells are further off",
           "[tradeoff][skin]") {
+  const std::vector<WorkPoint> planned = of(digital_skin_study(), Family::planned_constraints);
+  REQUIRE(planned.size() == 7);
+  for (const WorkPoint& point : planned) REQUIRE(point.measured());
+  CHECK(planned.back().knob.count == 64);
+  CHECK(*planned.back().error_to_truth < *planned.front().error_to_truth);
   const std::vector<WorkPoint> cone = of(digital_skin_study(), Family::friction_cone);
+  CHECK_THAT(*planned.back().error_to_truth, WithinRel(*cone.back().error_to_truth, 0.01));
   REQUIRE(cone.size() > 1);
   CHECK(cone.back().knob.optimal);
   CHECK_FALSE(cone.front().knob.optimal);

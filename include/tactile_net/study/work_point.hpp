@@ -58,6 +58,7 @@ struct WorkCurve {
     singular_values,      ///< by the decomposition that every alpha shares: another one each frame
     matrix_gradients,     ///< conjugate gradients, with products by the matrix itself
     friction_cone,        ///< a skin's constraints, by alternating directions
+    planned_constraints,  ///< a controller's frames, after so many steps towards the constraints
     coarse_cells,         ///< `array` alone: cells as wide as the taxels' pitch
     integral,             ///< forward model: the thesis' integrals
     discrete_sum,         ///< forward model: sums over the taxels

@@ -49,6 +49,8 @@ struct Enumerators<study::WorkCurve::Family> {
       {Family::matrix_gradients, "matrix_gradients",
        "Conjugate gradients, with products by the matrix itself."},
       {Family::friction_cone, "friction_cone", "A skin's constraints, by alternating directions."},
+      {Family::planned_constraints, "planned_constraints",
+       "A controller's frames, after so many steps towards the constraints."},
       {Family::coarse_cells, "coarse_cells", "Cells as wide as the taxels' pitch."},
       {Family::integral, "integral", "The forward model by the thesis' integrals."},
       {Family::discrete_sum, "discrete_sum", "The forward model by sums over the taxels."},

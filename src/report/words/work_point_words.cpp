@@ -35,7 +35,7 @@ constexpr std::array<std::pair<study::Job::Kind, std::string_view>, 14> job_word
     {study::Job::Kind::operating_points, "ngspice, operating points"},
 }};
 
-constexpr std::array<std::pair<Family, std::string_view>, 15> family_words = {{
+constexpr std::array<std::pair<Family, std::string_view>, 16> family_words = {{
     {Family::closed_form, "closed form (ch. 4)"},
     {Family::factorisation, "QR of every frame"},
     {Family::ring_filter, "FFT, array as a ring"},
@@ -48,6 +48,7 @@ constexpr std::array<std::pair<Family, std::string_view>, 15> family_words = {{
     {Family::singular_values, "singular values, any alpha"},
     {Family::matrix_gradients, "conjugate gradients, matrix"},
     {Family::friction_cone, "constraints, ADMM"},
+    {Family::planned_constraints, "constraints, a plan's steps"},
     {Family::coarse_cells, "one cell a taxel, reflections float64"},
     {Family::integral, "readings by the integral"},
     {Family::discrete_sum, "readings by the discrete sum"},
