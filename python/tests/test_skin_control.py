@@ -167,7 +167,7 @@ def test_counts_in_files(skin: tn.Skin, frames: np.ndarray, tmp_path: Path) -> N
 
 
 def test_frames_that_obey_constraints(skin: tn.Skin, tmp_path: Path) -> None:
-    noisy = skin.replace({"noise": {"rms": 20.0}})
+    noisy = skin.replace({"noise": {"rms": 20.0}, "reconstruct.alpha": 1e-3})
     plan = noisy.plan(friction_limit=0.8)
     assert plan.friction_limit == 0.8 and 1 <= plan.steps <= 64
     median, high, worst = plan.unfinished

@@ -212,6 +212,37 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
     add_worst_margin(estimate);
 }
 
+/// The contacts one by one.
+void ContactEstimator::add_rows(ContactEstimate& estimate) noexcept {
+  const Ready& ready = *ready_;
+  Scratch& scratch = *scratch_;
+  estimate.rows_found = 0;
+  if (!ready.cells)
+    return add_line_rows(estimate.tractions, ready.values, ready.spacing, ready.centre,
+                         ready.friction, ready.certain_force / ready.spacing, scratch.labels,
+                         scratch.follower, estimate);
+  if (estimate.touching > 0)
+    return add_skin_rows(*ready.cells, ready.unknowns, estimate.tractions.data(), ready.friction,
+                         ready.window_variances, scratch.marks, scratch.follower, estimate);
+  // All cells together, or nothing.
+  std::uint32_t* const labels = scratch.marks.queue.data();
+  std::fill_n(labels, ready.values, estimate.contact ? 0 : ContactFollower::none);
+  if (estimate.contact) {
+    estimate.rows[0] = {.cells = ready.values,
+                        .normal_force = estimate.normal_force,
+                        .force_deviation = estimate.force_deviation,
+                        .tangential_y = estimate.tangential_y,
+                        .tangential_z = estimate.tangential_z,
+                        .centre = estimate.centre,
+                        .centre_z = estimate.centre_z,
+                        .torsion = estimate.torsion,
+                        .friction_margin = estimate.friction_margin,
+                        .slip_margin = estimate.slip_margin};
+    estimate.rows_found = 1;
+  }
+  scratch.follower.follow(estimate.rows.first(estimate.rows_found), labels);
+}
+
 /// Where several contacts lie apart, the margin of the one that needs the most friction.
 void ContactEstimator::add_worst_margin(ContactEstimate& estimate) const noexcept {
   const Ready& ready = *ready_;
@@ -327,6 +358,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   estimate.saturated = input.saturated;
   constrain(estimate, moments);
   add_resultant(estimate, moments);
+  if (!estimate.rows.empty()) add_rows(estimate);
   if (ready.prediction) {
     predict(x, scratch.predicted.data());
     judge(estimate, x, scratch.predicted.data());
@@ -338,6 +370,7 @@ void ContactEstimator::finish(ContactEstimate& estimate, std::span<Moments> mome
                               const double* x, const double* explained) noexcept {
   constrain(estimate, moments);
   add_resultant(estimate, moments);
+  if (!estimate.rows.empty()) add_rows(estimate);
   if (explained != nullptr) judge(estimate, x, explained);
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "realtime/cone_frame.hpp"
+#include "realtime/contact_rows.hpp"
 #include "realtime/frame_block.hpp"
 #include "realtime/kernels.hpp"
 #include "realtime/skin_resultant.hpp"
@@ -231,6 +232,8 @@ struct ContactEstimator::Scratch {
         marks(ready.surface() ? ready.surface()->rows : 0,
               ready.surface() ? ready.surface()->columns : 0,
               ready.surface() && !ready.surface()->window_deviations.empty()),
+        follower(ready.values),
+        labels(ready.cells ? 0 : ready.values),
         block(FrameBlock::of(ready)) {
     for (std::size_t i = 0; i < ready.readings(); ++i)
       if (ready.weights[i] == 0.0) unread.push_back(i);
@@ -291,6 +294,8 @@ struct ContactEstimator::Scratch {
   Aligned<float> product32;
   Aligned<double> fill;  // what the plan's dead readings are taken to be
   CellMarks marks;
+  ContactFollower follower;
+  Aligned<std::uint32_t> labels;  // of a line's values, the rows of contacts
   std::optional<ConeScratch> cone{};
   ConeWork work{};  // its steps are never 0
   const std::atomic<bool>* stop = nullptr;

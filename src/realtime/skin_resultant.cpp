@@ -50,11 +50,6 @@ void add_levers(const PlanCells& cells, const double* f, const std::uint8_t* mar
   });
 }
 
-/// About the centre of pressure, over an area.
-double torsion_of(const CellSums& sums) noexcept {
-  return sums.torque - sums.y_p / sums.p * sums.q_z + sums.z_p / sums.p * sums.q_y;
-}
-
 /// The friction that a contact needs, for drag and torsion together.
 double friction_needed(const CellSums& sums) noexcept {
   const double twist = sums.lever > 0.0 ? torsion_of(sums) / sums.lever : 0.0;
@@ -68,24 +63,21 @@ const CellSums* nearest_to_slipping(const PlanCells& cells, const double* f, Cel
   const std::size_t count =
       label_patches({cells.rows, cells.columns, 0, 0}, scratch.marks.data(), scratch.queue.data());
   if (count < 2) return nullptr;
-  CellSums* const patches = scratch.patches.data();
-  const auto of_patch = [&](std::size_t cell) -> CellSums& { return patches[scratch.queue[cell]]; };
-  std::fill_n(patches, count, CellSums{});
-  add_cells(cells, 3, f, scratch.marks.data(), of_patch);
+  add_patches(cells, 3, f, count, scratch);
+  const CellSums* const patches = scratch.patches.data();
   double strongest = 0.0;
-  for (std::size_t i = 0; i < count; ++i) strongest = std::max(strongest, patches[i].p);
-  const auto counts = [&](const CellSums& patch) { return patch.p > least_share * strongest; };
+  for (std::size_t i = 0; i < count; ++i)
+    if (patches[i].lever >= 0.0) strongest = std::max(strongest, patches[i].p);
+  const auto counts = [&](const CellSums& patch) {
+    return patch.lever >= 0.0 && patch.p > least_share * strongest;
+  };
   const auto contacts = std::count_if(patches, patches + count, counts);
   if (contacts < 2) return nullptr;
-  constexpr double none = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < count; ++i)
-    if (!counts(patches[i])) patches[i] = {.p = 1.0, .lever = none};
-  add_levers(cells, f, scratch.marks.data(), of_patch);
   estimate.contacts = static_cast<std::size_t>(contacts);
   const CellSums* worst = nullptr;
   double most = -1.0;
   for (std::size_t i = 0; i < count; ++i)
-    if (patches[i].lever >= 0.0 && friction_needed(patches[i]) > most) {
+    if (counts(patches[i]) && friction_needed(patches[i]) > most) {
       most = friction_needed(patches[i]);
       worst = &patches[i];
     }
@@ -115,6 +107,22 @@ void add_margins(const PlanCells& cells, const double* f, const std::uint8_t* ma
 }
 
 }  // namespace
+
+double torsion_of(const CellSums& sums) noexcept {
+  return sums.torque - sums.y_p / sums.p * sums.q_z + sums.z_p / sums.p * sums.q_y;
+}
+
+void add_patches(const PlanCells& cells, std::size_t unknowns, const double* f, std::size_t count,
+                 CellMarks& scratch) noexcept {
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  CellSums* const patches = scratch.patches.data();
+  const auto of_patch = [&](std::size_t cell) -> CellSums& { return patches[scratch.queue[cell]]; };
+  std::fill_n(patches, count, CellSums{});
+  add_cells(cells, unknowns, f, scratch.marks.data(), of_patch);
+  for (std::size_t i = 0; i < count; ++i)
+    if (!(patches[i].p > 0.0)) patches[i] = {.p = 1.0, .lever = none};
+  add_levers(cells, f, scratch.marks.data(), of_patch);
+}
 
 void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
                         const double* linear, std::optional<double> friction,

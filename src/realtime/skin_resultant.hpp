@@ -35,6 +35,14 @@ struct CellMarks {
   std::vector<CellSums> patches;  // as many as can lie apart
 };
 
+/// About the centre of pressure, over an area. @pre  p > 0
+[[nodiscard]] double torsion_of(const CellSums& sums) noexcept;
+
+/// Sums of each patch of marked cells, and its lever; a patch that does not press has a lever below
+/// 0. @pre  `label_patches` numbered so many patches into the queue
+void add_patches(const PlanCells& cells, std::size_t unknowns, const double* f, std::size_t count,
+                 CellMarks& scratch) noexcept;
+
 /// Fills in forces, centre, torsion, margins, contact and touching. At the cost of `mark_touching`,
 /// and where several patches touch of one more look at each cell; no allocation.
 ///

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -98,9 +99,11 @@ class Loop {
     huge_[0] = 1e308;
     batch_.assign(frames * readings_.size(), 2.0);
     tractions_.assign(frames * estimator_->tractions(), 0.0);
-    for (std::size_t k = 0; k < frames; ++k)
+    for (std::size_t k = 0; k < frames; ++k) {
       estimates_[k].tractions =
           std::span(tractions_).subspan(k * estimator_->tractions(), estimator_->tractions());
+      estimates_[k].rows = rows_[k];
+    }
     handover_.offer(std::make_unique<ContactEstimator>(plan));
   }
 
@@ -131,6 +134,7 @@ class Loop {
   std::vector<double> readings_, bad_, huge_, batch_, tractions_;
   static constexpr std::size_t frames = 27;  // a block, a tile and some beyond
   ContactEstimate estimates_[frames];
+  std::array<ContactRow, 3> rows_[frames]{};
 };
 
 std::vector<EstimatorPlan> plans() {

@@ -16,6 +16,7 @@
 #include <span>
 #include <string_view>
 
+#include "tactile_net/realtime/contact_row.hpp"
 #include "tactile_net/realtime/convolution.hpp"
 #include "tactile_net/realtime/estimator_plan.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
@@ -96,6 +97,13 @@ struct ContactEstimate {
   /// plan has no constraints, or no prediction.
   double unfinished_share = unknown;
   std::size_t steps = 0;  ///< that were taken
+
+  /// Room for the contacts one by one, at most `most_contact_rows`; the caller's, none: they are
+  /// not asked for. Filled in from the front; a skin's by their force, the strongest first, a
+  /// line's from left to right. Where there are more, the strongest. Their numbers follow the
+  /// frames of one estimator in the order in which it answered them; copies of it number anew.
+  std::span<ContactRow> rows{};
+  std::size_t rows_found = 0;
 };
 
 struct Moments;
@@ -224,6 +232,7 @@ class ContactEstimator {
   std::span<const Moments> sum_touching(ContactEstimate& estimate, bool presses,
                                         std::span<Moments> sums) noexcept;
   void add_resultant(ContactEstimate& estimate, std::span<const Moments> moments) noexcept;
+  void add_rows(ContactEstimate& estimate) noexcept;
   void add_worst_margin(ContactEstimate& estimate) const noexcept;
   void solve_block() noexcept;
   bool eliminate(std::size_t reading) noexcept;

@@ -215,9 +215,8 @@ void add_plan(AllCommands& all) {
            {"plan scenes/recorded/thin-pad.toml --readings scenes/recorded/thin-pad.csv "
             "--deadline 100us -o pad.plan",
             "alpha from recorded frames; it fails if a frame takes longer"},
-           {"plan scenes/skins/sphere.toml -o skin.plan", "of a skin"},
            {"plan scenes/skins/sphere.toml --friction-limit 0.8 --deadline 1ms -o skin.plan",
-            "whose frames neither pull nor drag more than friction allows"}}});
+            "of a skin, whose frames neither pull nor drag more than friction allows"}}});
   add_scene(command, options.scene, "Scene file (TOML): sensor, material, alpha");
   command.add_option("-o,--output", options.output, output_file({"plan"}),
                      "Plan file, which load_plan reads (default: only print what it would be)");
