@@ -209,10 +209,10 @@ void cones(Floors& floors) {
                                 {"line 81, 1e-4", line_problem(81), 1e-4, 1000}};
   for (const Case& one : cases) {
     PlannerOptions options{.diagnostics = false, .noise_rms = noise};
-    const double alpha = scaled_alpha(one.problem, one.alpha);
-    ContactEstimator linear(plan_estimator(one.problem, alpha, options).plan);
+    const double scaled = scaled_alpha(one.problem, one.alpha);
+    ContactEstimator linear(plan_estimator(one.problem, scaled, options).plan);
     options.cone = ConeOptions{.constraints = {.friction_limit = friction}, .steps = 64};
-    const PlannedEstimator planned = plan_estimator(one.problem, alpha, options);
+    const PlannedEstimator planned = plan_estimator(one.problem, scaled, options);
     ContactEstimator bound(planned.plan);
     const bool floor = one.name == "16 x 16 x 3, 1e-3";
     time_steps(floors, one, linear, bound,
