@@ -1,15 +1,19 @@
 // In a control loop: a plan is made once, slowly; an estimator takes each frame in microseconds.
-// Prints what was planned and why, and what one frame says of the contact and its friction.
+// Prints what was planned and why, and what one frame says of the contact and its friction. Given
+// the name of a file, it writes the plan there, for a controller that has no planner
+// (11_c_controller.c).
 #include <cstdio>
+#include <fstream>
 #include <tactile_net/control/planner.hpp>
 #include <tactile_net/inverse/line_problem.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
+#include <tactile_net/realtime/plan_file.hpp>
 #include <tactile_net/sensing/exact.hpp>
 #include <vector>
 
 using namespace tactile_net;
 
-int main() {
+int main(int count, char** arguments) {
   const SensorArray array{.count = 41,
                           .pitch = 0.5e-3,
                           .depths = {1.5e-3},
@@ -22,6 +26,12 @@ int main() {
   const PlannedEstimator planned =
       plan_estimator(problem, /*alpha*/ 1e-3, {.accuracy = 1e-7, .friction_coefficient = 0.5});
   std::printf("%s", planned.why().c_str());
+  if (count > 1) {
+    const std::vector<std::byte> bytes = encode_plan(planned.plan);
+    std::ofstream file(arguments[1], std::ios::binary);
+    file.write(reinterpret_cast<const char*>(bytes.data()), std::ssize(bytes));
+    if (!file.flush()) return 2;
+  }
   ContactEstimator estimator(planned.plan);
   std::vector<double> tractions(estimator.tractions());
   ContactEstimate contact{.tractions = tractions};

@@ -1,5 +1,5 @@
-# cmake -Dprogram=FILE -Dline=REGEX -P run_example.cmake: fails unless the program exits with 0 and prints it.
-execute_process(COMMAND ${program} OUTPUT_VARIABLE printed RESULT_VARIABLE result)
+# cmake -Dprogram=FILE [-Dargument=WORD] -Dline=REGEX -P run_example.cmake: fails unless the program exits with 0 and prints it.
+execute_process(COMMAND ${program} ${argument} OUTPUT_VARIABLE printed RESULT_VARIABLE result)
 message("${printed}")
 if(NOT result EQUAL 0)
   message(FATAL_ERROR "${program} ended with ${result}")

@@ -24,6 +24,8 @@
 
 #include "tactile_net/realtime/contact_estimator.hpp"
 #include "tactile_net/realtime/handover.hpp"
+#include "tactile_net/realtime/plan_file.hpp"
+#include "tactile_net/tactile_net.h"
 #include "tests/catch.hpp"
 #include "tests/realtime/plans.hpp"
 #include "tests/realtime/skin_plans.hpp"
@@ -105,6 +107,8 @@ class Loop {
       estimates_[k].rows = rows_[k];
     }
     handover_.offer(std::make_unique<ContactEstimator>(plan));
+    const std::vector<std::byte> bytes = encode_plan(plan);
+    in_c_.reset(tactile_net_decode(TACTILE_NET_INTERFACE, bytes.data(), bytes.size()));
   }
 
   /// True if every call said what it should.
@@ -125,12 +129,32 @@ class Loop {
     fine &= estimator.update(huge_, estimate) == FrameStatus::too_large;
     fine &= estimator.update({}, estimate) == FrameStatus::wrong_size;
     fine &= estimator.update_batch(batch_, estimates_) == FrameStatus::ok;
-    return fine;
+    return fine && run_in_c();
   }
 
  private:
+  bool run_in_c() noexcept {
+    tactile_net_estimator* const estimator = in_c_.get();
+    const std::size_t n = tactile_net_plan_of(estimator)->readings;
+    tactile_net_estimate estimate{};
+    const auto status = [&](const std::vector<double>& frame) {
+      return tactile_net_update(estimator, frame.data(), n, 0.0, tractions_.data(), &estimate);
+    };
+    bool fine = status(readings_) == TACTILE_NET_OK;
+    (void)tactile_net_set_dead(estimator, 2);
+    fine &= status(readings_) == TACTILE_NET_OK;
+    tactile_net_revive(estimator);
+    fine &= tactile_net_set_baseline(estimator, readings_.data(), n) == TACTILE_NET_OK;
+    return fine && status(bad_) == TACTILE_NET_NOT_FINITE &&
+           tactile_net_status_name(TACTILE_NET_NOT_FINITE)[0] == 'n';
+  }
+
+  struct DestroyInC {
+    void operator()(tactile_net_estimator* estimator) const { tactile_net_destroy(estimator); }
+  };
   std::unique_ptr<ContactEstimator> estimator_;
   Handover<ContactEstimator> handover_;
+  std::unique_ptr<tactile_net_estimator, DestroyInC> in_c_;
   std::vector<double> readings_, bad_, huge_, batch_, tractions_;
   static constexpr std::size_t frames = 27;  // a block, a tile and some beyond
   ContactEstimate estimates_[frames];

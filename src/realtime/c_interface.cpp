@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/realtime/load_plan.hpp"
+#include "tactile_net/tactile_net.h"
+
+using tactile_net::ContactEstimate;
+using tactile_net::ContactEstimator;
+using tactile_net::EstimatorPlan;
+using tactile_net::FrameStatus;
+
+struct tactile_net_estimator {
+  explicit tactile_net_estimator(const EstimatorPlan& from)
+      : estimator(from),
+        label(from.label),
+        tractions(from.tractions()),
+        plan{.label = label.c_str(),
+             .readings = from.readings(),
+             .tractions = from.tractions(),
+             .unknowns = from.unknowns,
+             .is_skin = from.cells.has_value(),
+             .rows = from.cells ? from.cells->rows : from.values,
+             .columns = from.cells ? from.cells->columns : 1,
+             .spacing_y_m = from.cells ? from.cells->spacing_y : from.spacing,
+             .spacing_z_m = from.cells ? from.cells->spacing_z : 0.0,
+             .centre_y_m = from.cells ? from.cells->centre_y : from.centre,
+             .centre_z_m = from.cells ? from.cells->centre_z : 0.0} {}
+  tactile_net_estimator(const tactile_net_estimator& other)
+      : estimator(other.estimator),
+        label(other.label),
+        tractions(other.tractions),
+        plan(other.plan) {
+    plan.label = label.c_str();
+  }
+  tactile_net_estimator& operator=(const tactile_net_estimator&) = delete;
+  ~tactile_net_estimator() = default;
+
+  ContactEstimator estimator;
+  std::string label;
+  std::vector<double> tractions;  // of callers who want none
+  tactile_net_plan plan;
+};
+
+namespace {
+
+static_assert(TACTILE_NET_OK == static_cast<int>(FrameStatus::ok));
+static_assert(TACTILE_NET_WRONG_SIZE == static_cast<int>(FrameStatus::wrong_size));
+static_assert(TACTILE_NET_NOT_FINITE == static_cast<int>(FrameStatus::not_finite));
+static_assert(TACTILE_NET_TOO_LARGE == static_cast<int>(FrameStatus::too_large));
+
+tactile_net_status in_c(FrameStatus status) noexcept {
+  return static_cast<tactile_net_status>(status);
+}
+
+/// Room for any message, without the heap, of which there may be nothing left.
+std::array<char, 1024>& error_text() noexcept {
+  thread_local std::array<char, 1024> text{};
+  return text;
+}
+
+void set_error(std::string_view text) noexcept {
+  std::array<char, 1024>& room = error_text();
+  room.fill('\0');
+  std::memcpy(room.data(), text.data(), std::min(text.size(), room.size() - 1));
+}
+
+/// An estimator of what `from()` gives, a plan or another one; null, and the error's text, where
+/// anything throws.
+tactile_net_estimator* made_of(const auto& from) noexcept {
+  try {
+    return std::make_unique<tactile_net_estimator>(from()).release();
+  } catch (const std::bad_alloc&) {
+    set_error("out of memory");
+  } catch (const std::exception& error) {
+    set_error(error.what());
+  } catch (...) {
+    set_error("an unknown error");
+  }
+  return nullptr;
+}
+
+void check_version(int version) {
+  if (version == TACTILE_NET_INTERFACE) return;
+  throw std::invalid_argument("the program was compiled for version " + std::to_string(version) +
+                              " of tactile_net.h, the library has version " +
+                              std::to_string(TACTILE_NET_INTERFACE) +
+                              ": compile it with the header of the library that it links");
+}
+
+void check_given(const void* pointer, const char* what) {
+  if (pointer == nullptr) throw std::invalid_argument(std::string(what) + " is a null pointer");
+}
+
+/// None for a null pointer: a size that no plan has.
+std::span<const double> frame_of(const double* readings, std::size_t count) noexcept {
+  return {readings, readings == nullptr ? 0 : count};
+}
+
+tactile_net_estimate in_c(const ContactEstimate& estimate) noexcept {
+  return {.time_s = estimate.time,
+          .normal_force = estimate.normal_force,
+          .force_deviation = estimate.force_deviation,
+          .tangential_force = estimate.tangential_force,
+          .tangential_y = estimate.tangential_y,
+          .tangential_z = estimate.tangential_z,
+          .centre_y_m = estimate.centre,
+          .centre_z_m = estimate.centre_z,
+          .torsion_n_m = estimate.torsion,
+          .angle_rad = estimate.angle,
+          .friction_margin = estimate.friction_margin,
+          .slip_margin = estimate.slip_margin,
+          .margin_centre_y_m = estimate.margin_centre,
+          .margin_centre_z_m = estimate.margin_centre_z,
+          .residual_rms = estimate.residual_rms,
+          .contacts = estimate.contacts,
+          .touching = estimate.touching,
+          .outlier = estimate.outlier,
+          .contact = estimate.contact,
+          .pulls = estimate.pulls,
+          .implausible = estimate.implausible,
+          .misfit = estimate.misfit,
+          .beyond_edge = estimate.beyond_edge,
+          .baseline_moved = estimate.baseline_moved,
+          .saturated = estimate.saturated};
+}
+
+}  // namespace
+
+int tactile_net_interface(void) { return TACTILE_NET_INTERFACE; }
+
+tactile_net_estimator* tactile_net_load(int version, const char* path) {
+  return made_of([&] {
+    check_version(version);
+    check_given(path, "the path of the plan");
+    return tactile_net::load_plan(path);
+  });
+}
+
+tactile_net_estimator* tactile_net_decode(int version, const void* bytes, size_t size) {
+  return made_of([&] {
+    check_version(version);
+    check_given(bytes, "the plan");
+    return tactile_net::decode_plan({static_cast<const std::byte*>(bytes), size});
+  });
+}
+
+tactile_net_estimator* tactile_net_copy(const tactile_net_estimator* estimator) {
+  return made_of([&]() -> const tactile_net_estimator& {
+    check_given(estimator, "the estimator");
+    return *estimator;
+  });
+}
+
+void tactile_net_destroy(tactile_net_estimator* estimator) {
+  const std::unique_ptr<tactile_net_estimator> owned(estimator);
+}
+
+const char* tactile_net_last_error(void) { return error_text().data(); }
+
+const tactile_net_plan* tactile_net_plan_of(const tactile_net_estimator* estimator) {
+  return &estimator->plan;
+}
+
+tactile_net_status tactile_net_update(tactile_net_estimator* estimator, const double* readings,
+                                      size_t count, double time_s, double* tractions,
+                                      tactile_net_estimate* estimate) {
+  const std::size_t size = estimator->tractions.size();
+  ContactEstimate contact{
+      .tractions = {tractions == nullptr ? estimator->tractions.data() : tractions, size}};
+  const FrameStatus status =
+      estimator->estimator.update(frame_of(readings, count), contact, time_s);
+  if (status == FrameStatus::ok && estimate != nullptr) *estimate = in_c(contact);
+  return in_c(status);
+}
+
+tactile_net_status tactile_net_set_baseline(tactile_net_estimator* estimator,
+                                            const double* readings, size_t count) {
+  return in_c(estimator->estimator.set_baseline(frame_of(readings, count)));
+}
+
+bool tactile_net_set_dead(tactile_net_estimator* estimator, size_t taxel) {
+  return estimator->estimator.set_dead(taxel);
+}
+
+void tactile_net_revive(tactile_net_estimator* estimator) { estimator->estimator.revive(); }
+
+const char* tactile_net_status_name(int status) {
+  return tactile_net::name(static_cast<FrameStatus>(status))
+      .data();  // of a literal: it ends with 0
+}

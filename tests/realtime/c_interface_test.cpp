@@ -1,0 +1,205 @@
+// The interface for C says what the C++ class says, to the last bit, and lets no exception out.
+#include <unistd.h>
+
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/realtime/contact_estimator.hpp"
+#include "tactile_net/realtime/plan_file.hpp"
+#include "tactile_net/tactile_net.h"
+#include "tests/catch.hpp"
+#include "tests/inverse/problems.hpp"
+#include "tests/realtime/c_calls.h"
+#include "tests/realtime/plans.hpp"
+#include "tests/realtime/skin_plans.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+/// A plan's file, for as long as this lives.
+class PlanFile {
+ public:
+  explicit PlanFile(const EstimatorPlan& plan)
+      : path_((std::filesystem::temp_directory_path() /
+               ("tactile-net-c-" + std::to_string(::getpid()) + ".plan"))
+                  .string()) {
+    const std::vector<std::byte> bytes = encode_plan(plan);
+    std::ofstream(path_, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+  }
+  PlanFile(const PlanFile&) = delete;
+  PlanFile& operator=(const PlanFile&) = delete;
+  ~PlanFile() { std::filesystem::remove(path_); }
+
+  [[nodiscard]] const char* path() const { return path_.c_str(); }
+
+ private:
+  std::string path_;
+};
+
+/// A line with everything that a frame can say, and a skin.
+std::vector<EstimatorPlan> telling_plans() {
+  EstimatorPlan line = made_plan({.count = 21, .channels = 2, .unknowns = 2});
+  line.noise_rms = line.residual_limit = 0.05;
+  line.force_deviation = 0.01;
+  line.border = {0, 20};
+  EstimatorPlan skin = made_skin_plan({.rows = 6, .columns = 5});
+  skin.noise_rms = skin.residual_limit = 0.05;
+  skin.cells->deviations.assign(skin.values, 0.3);
+  return {line, skin};
+}
+
+void check_same_number(double c, double cpp) {
+  CHECK(std::bit_cast<std::uint64_t>(c) == std::bit_cast<std::uint64_t>(cpp));
+}
+
+void check_same(const tactile_net_estimate& c, const ContactEstimate& cpp) {
+  check_same_number(c.time_s, cpp.time);
+  check_same_number(c.normal_force, cpp.normal_force);
+  check_same_number(c.force_deviation, cpp.force_deviation);
+  check_same_number(c.tangential_force, cpp.tangential_force);
+  check_same_number(c.tangential_y, cpp.tangential_y);
+  check_same_number(c.tangential_z, cpp.tangential_z);
+  check_same_number(c.centre_y_m, cpp.centre);
+  check_same_number(c.centre_z_m, cpp.centre_z);
+  check_same_number(c.torsion_n_m, cpp.torsion);
+  check_same_number(c.angle_rad, cpp.angle);
+  check_same_number(c.friction_margin, cpp.friction_margin);
+  check_same_number(c.slip_margin, cpp.slip_margin);
+  check_same_number(c.margin_centre_y_m, cpp.margin_centre);
+  check_same_number(c.margin_centre_z_m, cpp.margin_centre_z);
+  check_same_number(c.residual_rms, cpp.residual_rms);
+  CHECK(c.contacts == cpp.contacts);
+  CHECK(c.touching == cpp.touching);
+  CHECK(c.outlier == cpp.outlier);
+  CHECK(c.contact == cpp.contact);
+  CHECK(c.pulls == cpp.pulls);
+  CHECK(c.implausible == cpp.implausible);
+  CHECK(c.misfit == cpp.misfit);
+  CHECK(c.beyond_edge == cpp.beyond_edge);
+  CHECK(c.baseline_moved == cpp.baseline_moved);
+  CHECK(c.saturated == cpp.saturated);
+}
+
+/// What a call that gave null says.
+std::string why_null(const tactile_net_estimator* estimator) {
+  REQUIRE(estimator == nullptr);
+  return tactile_net_last_error();
+}
+
+}  // namespace
+
+TEST_CASE("a program in C gets the bits that a program in C++ gets", "[c_interface]") {
+  for (const EstimatorPlan& plan : telling_plans()) {
+    CAPTURE(plan.label);
+    const PlanFile file(plan);
+    const std::vector<double> frame = random_values(plan.readings(), 3);
+    const std::vector<double> baseline = random_values(plan.readings(), 4);
+    std::vector<double> in_c(4 * plan.tractions());
+    tactile_net_estimate estimates[4];
+    REQUIRE(call_everything(file.path(), frame.data(), baseline.data(), 7, in_c.data(),
+                            estimates) == 0);
+
+    ContactEstimator estimator(plan);
+    std::vector<double> tractions(plan.tractions());
+    ContactEstimate expected{.tractions = tractions};
+    for (std::size_t k = 0; k < 4; ++k) {
+      CAPTURE(k);
+      if (k == 0) REQUIRE(estimator.set_dead(7));
+      if (k == 1) {
+        estimator.revive();
+        REQUIRE(estimator.set_baseline(baseline) == FrameStatus::ok);
+      }
+      if (k == 3) estimator = ContactEstimator(plan);
+      const double time = k < 3 ? 0.5 + static_cast<double>(k > 0) : 2.5;
+      REQUIRE(estimator.update(frame, expected, time) == FrameStatus::ok);
+      check_same(estimates[k], expected);
+      for (std::size_t i = 0; i < tractions.size(); ++i)
+        check_same_number(in_c[k * tractions.size() + i], tractions[i]);
+    }
+  }
+}
+
+TEST_CASE("C sees what a plan is for", "[c_interface]") {
+  const std::vector<EstimatorPlan> plans = telling_plans();
+  for (const EstimatorPlan& plan : plans) {
+    const std::vector<std::byte> bytes = encode_plan(plan);
+    tactile_net_estimator* const estimator =
+        tactile_net_decode(TACTILE_NET_INTERFACE, bytes.data(), bytes.size());
+    REQUIRE(estimator != nullptr);
+    const tactile_net_plan& seen = *tactile_net_plan_of(estimator);
+    CHECK(seen.label == plan.label);
+    CHECK(seen.readings == plan.readings());
+    CHECK(seen.tractions == plan.tractions());
+    CHECK(seen.tractions == seen.unknowns * seen.rows * seen.columns);
+    CHECK(seen.unknowns == plan.unknowns);
+    CHECK(seen.is_skin == plan.cells.has_value());
+    CHECK(seen.spacing_y_m == (plan.cells ? plan.cells->spacing_y : plan.spacing));
+    CHECK(seen.spacing_z_m == (plan.cells ? plan.cells->spacing_z : 0.0));
+    CHECK(seen.centre_y_m == (plan.cells ? plan.cells->centre_y : plan.centre));
+    CHECK(seen.centre_z_m == (plan.cells ? plan.cells->centre_z : 0.0));
+    tactile_net_destroy(estimator);
+  }
+  CHECK(tactile_net_interface() == TACTILE_NET_INTERFACE);
+}
+
+TEST_CASE("C is told why there is no estimator, and no exception gets there", "[c_interface]") {
+  const EstimatorPlan plan = made_plan({});
+  std::vector<std::byte> bytes = encode_plan(plan);
+  const auto decoded = [&](int version) {
+    return why_null(tactile_net_decode(version, bytes.data(), bytes.size()));
+  };
+  CHECK_THAT(decoded(TACTILE_NET_INTERFACE + 1), ContainsSubstring("version 2 of tactile_net.h"));
+  bytes[bytes.size() / 2] ^= std::byte{1};
+  CHECK_THROWS_WITH(decode_plan(bytes), decoded(TACTILE_NET_INTERFACE));
+  CHECK_THAT(why_null(tactile_net_decode(TACTILE_NET_INTERFACE, nullptr, 5)),
+             ContainsSubstring("the plan is a null pointer"));
+  CHECK_THAT(why_null(tactile_net_load(TACTILE_NET_INTERFACE, nullptr)),
+             ContainsSubstring("path of the plan is a null pointer"));
+  CHECK_THAT(why_null(tactile_net_copy(nullptr)), ContainsSubstring("estimator is a null pointer"));
+  CHECK_THAT(why_null(tactile_net_load(TACTILE_NET_INTERFACE, "/no/such.plan")),
+             ContainsSubstring("/no/such.plan: cannot be opened"));
+  // Longer than the room for it: cut off, and ended.
+  const std::string long_name(5000, 'x');
+  CHECK(why_null(tactile_net_load(TACTILE_NET_INTERFACE, long_name.c_str())) ==
+        std::string(1023, 'x'));
+}
+
+TEST_CASE("what is refused leaves C's memory untouched, and has a name", "[c_interface]") {
+  const std::vector<std::byte> bytes = encode_plan(made_plan({}));
+  tactile_net_estimator* const estimator =
+      tactile_net_decode(TACTILE_NET_INTERFACE, bytes.data(), bytes.size());
+  REQUIRE(estimator != nullptr);
+  const std::size_t n = tactile_net_plan_of(estimator)->readings;
+  std::vector<double> frame(n, 1.0);
+  std::vector<double> tractions(tactile_net_plan_of(estimator)->tractions, 17.0);
+  tactile_net_estimate estimate{};
+  estimate.normal_force = 5.0;
+  const auto status = [&] {
+    return tactile_net_update(estimator, frame.data(), n, 1.0, tractions.data(), &estimate);
+  };
+  frame[3] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(status() == TACTILE_NET_NOT_FINITE);
+  CHECK(tactile_net_set_baseline(estimator, frame.data(), n) == TACTILE_NET_NOT_FINITE);
+  frame[3] = 1e308;
+  CHECK(status() == TACTILE_NET_TOO_LARGE);
+  CHECK_FALSE(tactile_net_set_dead(estimator, n));
+  CHECK(estimate.normal_force == 5.0);
+  CHECK(tractions == std::vector<double>(tractions.size(), 17.0));
+  tactile_net_destroy(estimator);
+
+  using std::string_view;
+  CHECK(tactile_net_status_name(TACTILE_NET_OK) == string_view("ok"));
+  CHECK(tactile_net_status_name(TACTILE_NET_WRONG_SIZE) == string_view("wrong_size"));
+  CHECK(tactile_net_status_name(TACTILE_NET_NOT_FINITE) == string_view("not_finite"));
+  CHECK(tactile_net_status_name(TACTILE_NET_TOO_LARGE) == string_view("too_large"));
+  CHECK(tactile_net_status_name(99) == string_view("unknown"));
+}
