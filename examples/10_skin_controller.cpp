@@ -1,17 +1,20 @@
 // A skin in a control loop: 16 x 16 taxels that read three stresses, a thousand frames a second,
 // whose tractions neither pull nor drag more than any surface holds. Prints what was planned, how a
-// finger's grip on it turns to a slip, how far frames are from their minimum, what they take.
+// finger's grip on it turns to a slip, how far frames are from their minimum, what they take. Given
+// two files, it writes the plan and the frames for 12_c_skin_controller.
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <tactile_net/control/planner.hpp>
 #include <tactile_net/realtime/contact_estimator.hpp>
+#include <tactile_net/realtime/plan_file.hpp>
 #include <tactile_net/skin/forward.hpp>
 #include <tactile_net/skin/problem.hpp>
 #include <vector>
 
 using namespace tactile_net;
 
-int main() {
+int main(int count_of_arguments, char** arguments) {
   const SkinArray skin{.rows = 16,
                        .columns = 16,
                        .pitch_y = 2e-3,
@@ -41,6 +44,17 @@ int main() {
     const std::vector<SkinLoad> ball{
         SkinContact{.radius = 6e-3, .force = 2.0, .friction = friction, .direction = 0.5236}};
     frames.push_back(exact_readings(skin, silicone, ball));
+  }
+
+  if (count_of_arguments == 3) {
+    const std::vector<std::byte> plan = encode_plan(planned.plan);
+    std::ofstream(arguments[1], std::ios::binary)
+        .write(reinterpret_cast<const char*>(plan.data()),
+               static_cast<std::streamsize>(plan.size()));
+    std::ofstream file(arguments[2], std::ios::binary);
+    for (const std::vector<double>& frame : frames)
+      file.write(reinterpret_cast<const char*>(frame.data()),
+                 static_cast<std::streamsize>(frame.size() * sizeof(double)));
   }
 
   // In the loop: no allocation, no lock, no system call, no exception.

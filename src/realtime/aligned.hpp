@@ -23,12 +23,12 @@ class Aligned {
  public:
   Aligned() = default;
   explicit Aligned(std::size_t count)
-      : data_(
-            static_cast<T*>(::operator new (std::max<std::size_t>(padded<T>(count), 1) * sizeof(T),
-                                            std::align_val_t{cache_line}))) {
+      : bytes_(std::max<std::size_t>(padded<T>(count), 1) * sizeof(T)),
+        data_(static_cast<T*>(::operator new (bytes_, std::align_val_t{cache_line}))) {
     std::fill_n(data_.get(), padded<T>(count), T{});
   }
   [[nodiscard]] T* data() const noexcept { return data_.get(); }
+  [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
   [[nodiscard]] T& operator[](std::size_t i) const noexcept { return data_[i]; }
 
  private:
@@ -37,6 +37,7 @@ class Aligned {
       ::operator delete (data, std::align_val_t{cache_line});
     }
   };
+  std::size_t bytes_ = 0;
   std::unique_ptr<T[], Free> data_;
 };
 

@@ -30,6 +30,13 @@ class BatchProduct {
   void multiply(const ReadyProduct<T>& a, FrameVectors<const double> x, std::span<double* const> y,
                 std::span<const double> magnitudes, std::span<Moments> moments) noexcept;
 
+  void for_each_array(auto& use) const {
+    use(zero_);
+    use(input_);
+    use(middle_);
+    use(output_);
+  }
+
  private:
   void multiply_factor(const Panels<T>& a, const T* x, std::size_t x_apart, T* y,
                        std::size_t y_apart, bool shared) noexcept;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstring>
 #include <exception>
@@ -18,7 +19,11 @@
 using tactile_net::ContactEstimate;
 using tactile_net::ContactEstimator;
 using tactile_net::EstimatorPlan;
+using tactile_net::FrameCounters;
 using tactile_net::FrameStatus;
+using tactile_net::Preparation;
+using tactile_net::ReadingType;
+using tactile_net::ReadingView;
 
 struct tactile_net_estimator {
   explicit tactile_net_estimator(const EstimatorPlan& from)
@@ -35,13 +40,20 @@ struct tactile_net_estimator {
              .spacing_y_m = from.cells ? from.cells->spacing_y : from.spacing,
              .spacing_z_m = from.cells ? from.cells->spacing_z : 0.0,
              .centre_y_m = from.cells ? from.cells->centre_y : from.centre,
-             .centre_z_m = from.cells ? from.cells->centre_z : 0.0} {}
+             .centre_z_m = from.cells ? from.cells->centre_z : 0.0,
+             .steps = from.cone ? from.cone->steps : 0,
+             .friction_limit = from.cone
+                                   ? from.cone->friction_limit.value_or(ContactEstimate::unknown)
+                                   : ContactEstimate::unknown} {
+    estimator.stop_at(&stop);
+  }
   tactile_net_estimator(const tactile_net_estimator& other)
       : estimator(other.estimator),
         label(other.label),
         tractions(other.tractions),
         plan(other.plan) {
     plan.label = label.c_str();
+    estimator.stop_at(&stop);
   }
   tactile_net_estimator& operator=(const tactile_net_estimator&) = delete;
   ~tactile_net_estimator() = default;
@@ -50,7 +62,9 @@ struct tactile_net_estimator {
   std::string label;
   std::vector<double> tractions;  // of callers who want none
   tactile_net_plan plan;
+  std::atomic<bool> stop{false};
 };
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 namespace {
 
@@ -58,6 +72,12 @@ static_assert(TACTILE_NET_OK == static_cast<int>(FrameStatus::ok));
 static_assert(TACTILE_NET_WRONG_SIZE == static_cast<int>(FrameStatus::wrong_size));
 static_assert(TACTILE_NET_NOT_FINITE == static_cast<int>(FrameStatus::not_finite));
 static_assert(TACTILE_NET_TOO_LARGE == static_cast<int>(FrameStatus::too_large));
+
+static_assert(TACTILE_NET_FLOAT64 == static_cast<int>(ReadingType::float64));
+static_assert(TACTILE_NET_FLOAT32 == static_cast<int>(ReadingType::float32));
+static_assert(TACTILE_NET_INT16 == static_cast<int>(ReadingType::int16));
+static_assert(TACTILE_NET_UINT16 == static_cast<int>(ReadingType::uint16));
+static_assert(TACTILE_NET_INT32 == static_cast<int>(ReadingType::int32));
 
 tactile_net_status in_c(FrameStatus status) noexcept {
   return static_cast<tactile_net_status>(status);
@@ -107,6 +127,14 @@ std::span<const double> frame_of(const double* readings, std::size_t count) noex
   return {readings, readings == nullptr ? 0 : count};
 }
 
+ReadingView view_of(const tactile_net_readings& readings) noexcept {
+  const bool is_known = readings.type >= TACTILE_NET_FLOAT64 && readings.type <= TACTILE_NET_INT32;
+  return {readings.first,
+          static_cast<ReadingType>(readings.type),
+          readings.first == nullptr || !is_known ? 0 : readings.count,
+          {.stride = readings.stride, .scale = readings.scale == 0.0 ? 1.0 : readings.scale}};
+}
+
 tactile_net_estimate in_c(const ContactEstimate& estimate) noexcept {
   return {.time_s = estimate.time,
           .normal_force = estimate.normal_force,
@@ -125,7 +153,11 @@ tactile_net_estimate in_c(const ContactEstimate& estimate) noexcept {
           .residual_rms = estimate.residual_rms,
           .contacts = estimate.contacts,
           .touching = estimate.touching,
+          .unfinished = estimate.unfinished,
+          .unfinished_share = estimate.unfinished_share,
+          .steps = estimate.steps,
           .outlier = estimate.outlier,
+          .age = estimate.age,
           .contact = estimate.contact,
           .pulls = estimate.pulls,
           .implausible = estimate.implausible,
@@ -133,6 +165,17 @@ tactile_net_estimate in_c(const ContactEstimate& estimate) noexcept {
           .beyond_edge = estimate.beyond_edge,
           .baseline_moved = estimate.baseline_moved,
           .saturated = estimate.saturated};
+}
+
+/// One frame of either kind of readings.
+tactile_net_status update_by(tactile_net_estimator& of, const auto& readings, double time_s,
+                             double* tractions, tactile_net_estimate* estimate) noexcept {
+  ContactEstimate contact{
+      .tractions = {tractions == nullptr ? of.tractions.data() : tractions, of.tractions.size()}};
+  const FrameStatus status = of.estimator.update(readings, contact, time_s);
+  const bool answered = status == FrameStatus::ok || contact.age > 0;
+  if (answered && estimate != nullptr) *estimate = in_c(contact);
+  return in_c(status);
 }
 
 }  // namespace
@@ -175,13 +218,13 @@ const tactile_net_plan* tactile_net_plan_of(const tactile_net_estimator* estimat
 tactile_net_status tactile_net_update(tactile_net_estimator* estimator, const double* readings,
                                       size_t count, double time_s, double* tractions,
                                       tactile_net_estimate* estimate) {
-  const std::size_t size = estimator->tractions.size();
-  ContactEstimate contact{
-      .tractions = {tractions == nullptr ? estimator->tractions.data() : tractions, size}};
-  const FrameStatus status =
-      estimator->estimator.update(frame_of(readings, count), contact, time_s);
-  if (status == FrameStatus::ok && estimate != nullptr) *estimate = in_c(contact);
-  return in_c(status);
+  return update_by(*estimator, frame_of(readings, count), time_s, tractions, estimate);
+}
+
+tactile_net_status tactile_net_update_from(tactile_net_estimator* estimator,
+                                           const tactile_net_readings* readings, double time_s,
+                                           double* tractions, tactile_net_estimate* estimate) {
+  return update_by(*estimator, view_of(*readings), time_s, tractions, estimate);
 }
 
 tactile_net_status tactile_net_set_baseline(tactile_net_estimator* estimator,
@@ -189,11 +232,47 @@ tactile_net_status tactile_net_set_baseline(tactile_net_estimator* estimator,
   return in_c(estimator->estimator.set_baseline(frame_of(readings, count)));
 }
 
+tactile_net_status tactile_net_set_baseline_from(tactile_net_estimator* estimator,
+                                                 const tactile_net_readings* readings) {
+  return in_c(estimator->estimator.set_baseline(view_of(*readings)));
+}
+
 bool tactile_net_set_dead(tactile_net_estimator* estimator, size_t taxel) {
   return estimator->estimator.set_dead(taxel);
 }
 
 void tactile_net_revive(tactile_net_estimator* estimator) { estimator->estimator.revive(); }
+
+void tactile_net_set_options(tactile_net_estimator* estimator, const tactile_net_options* options) {
+  estimator->estimator.set_options(
+      {.flush_denormals = options->flush_denormals, .hold = options->hold});
+}
+
+void tactile_net_prepare(tactile_net_estimator* estimator, tactile_net_preparation* result) {
+  const Preparation done = estimator->estimator.prepare();
+  if (result != nullptr) *result = {.bytes = done.bytes, .locked = done.locked};
+}
+
+void tactile_net_set_work(tactile_net_estimator* estimator, size_t steps, double enough) {
+  estimator->estimator.set_work({.steps = steps, .enough = enough});
+}
+
+void tactile_net_stop(tactile_net_estimator* estimator, bool stop) {
+  estimator->stop.store(stop, std::memory_order_relaxed);
+}
+
+void tactile_net_get_counters(const tactile_net_estimator* estimator,
+                              tactile_net_counters* counters) {
+  const FrameCounters& all = estimator->estimator.counters();
+  *counters = {.frames = all.frames,
+               .wrong_size = all.wrong_size,
+               .not_finite = all.not_finite,
+               .too_large = all.too_large};
+}
+
+void tactile_net_reset_counters(tactile_net_estimator* estimator) {
+  estimator->estimator.reset_counters();
+}
 
 const char* tactile_net_status_name(int status) {
   return tactile_net::name(static_cast<FrameStatus>(status))

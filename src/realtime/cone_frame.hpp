@@ -51,6 +51,15 @@ class ConeScratch {
   Done bind(const ReadyCone& ready, std::span<double> tractions, std::size_t steps, bool each,
             Look look, void* context) noexcept;
 
+  /// Calls `use` with each array.
+  void for_each_array(auto& use) const noexcept {
+    for (const Aligned<double>* const array :
+         {&kept_, &free_, &v_, &z_, &input_, &moved_, &residual_, &change_, &zero_})
+      use(*array);
+    use(pairs_);
+    use(product_);
+  }
+
  private:
   /// What rounding in double may add to a distance, over the size of what is summed: 16 roundings.
   static constexpr double rounding_of_doubles = 0x1p-48;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "realtime/border_pressure.hpp"
+#include "realtime/denormals.hpp"
 #include "realtime/estimator_state.hpp"
 #include "realtime/finite.hpp"
 #include "realtime/line_contacts.hpp"
@@ -63,6 +64,7 @@ ContactEstimator::ContactEstimator(const ContactEstimator& other)
   scratch_->prediction_convolution = cloned(other.scratch_->prediction_convolution);
   std::copy_n(other.scratch_->baseline.data(), readings(), scratch_->baseline.data());
   scratch_->work = other.scratch_->work;
+  scratch_->loop.options = other.options();
   for (const std::size_t reading : other.scratch_->dead) set_dead(ready_->taxels[reading]);
 }
 
@@ -178,6 +180,7 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
   estimate.beyond_edge = false;
   estimate.baseline_moved = false;
   estimate.outlier = -1;
+  estimate.age = 0;
   if (ready.cells)
     return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
                               ready.cone ? scratch_->cone->free().data() : nullptr, ready.friction,
@@ -276,7 +279,7 @@ FrameStatus ContactEstimator::refused(std::span<const double> readings) const no
 }
 
 /// @param stored  the product, or what follows it, needs x; else it may subtract by itself
-[[gnu::always_inline]] inline FrameStatus ContactEstimator::prepare(
+[[gnu::always_inline]] inline FrameStatus ContactEstimator::make_input(
     std::span<const double> readings, bool stored, Input& input) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
@@ -317,13 +320,23 @@ FrameStatus ContactEstimator::refused(std::span<const double> readings) const no
 FrameStatus ContactEstimator::admit(std::span<const double> readings, double* x,
                                     bool& saturated) noexcept {
   Input input{.x = x};
-  const FrameStatus status = prepare(readings, true, input);
+  const FrameStatus status = make_input(readings, true, input);
   saturated = input.saturated;
   return status;
 }
 
 FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEstimate& estimate,
                                      double time) noexcept {
+  LoopState& loop = scratch_->loop;
+  const FlushedDenormals flushed(loop.options.flush_denormals);
+  const FrameStatus status = update_frame(readings, estimate, time);
+  loop.close(status, estimate);
+  return status;
+}
+
+/// A frame by itself.
+FrameStatus ContactEstimator::update_frame(std::span<const double> readings,
+                                           ContactEstimate& estimate, double time) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
   const Kernels& loops = ready.loops;
@@ -334,7 +347,7 @@ FrameStatus ContactEstimator::update(std::span<const double> readings, ContactEs
   double* const x = scratch.x.data();
   Input input{.x = x};
   const bool stored = ready.prediction || ready.product32 || scratch.convolution;
-  if (const FrameStatus status = prepare(readings, stored, input); status != FrameStatus::ok)
+  if (const FrameStatus status = make_input(readings, stored, input); status != FrameStatus::ok)
     return status;
 
   double* const f = estimate.tractions.data();

@@ -26,6 +26,9 @@ class ContactFollower {
 
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
+  /// Calls `use` with each array.
+  void for_each_array(auto& use) const noexcept { use(owners_); }
+
  private:
   static constexpr std::size_t patience = 3;  // frames unseen after which it is gone
   static constexpr std::size_t most = 2 * most_contact_rows;

@@ -17,6 +17,7 @@
 #include "realtime/contact_rows.hpp"
 #include "realtime/frame_block.hpp"
 #include "realtime/kernels.hpp"
+#include "realtime/loop_state.hpp"
 #include "realtime/skin_resultant.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
@@ -234,7 +235,8 @@ struct ContactEstimator::Scratch {
               ready.surface() && !ready.surface()->window_deviations.empty()),
         follower(ready.values),
         labels(ready.cells ? 0 : ready.values),
-        block(FrameBlock::of(ready)) {
+        block(FrameBlock::of(ready)),
+        loop(ready.readings(), ready.unknowns * ready.values) {
     for (std::size_t i = 0; i < ready.readings(); ++i)
       if (ready.weights[i] == 0.0) unread.push_back(i);
     unread.reserve(ready.readings());
@@ -301,6 +303,7 @@ struct ContactEstimator::Scratch {
   const std::atomic<bool>* stop = nullptr;
   double distance = 0.0;              // of the frame from its minimum, at most
   std::unique_ptr<FrameBlock> block;  // of batches
+  LoopState loop;
   std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans
   std::vector<std::size_t> unread;  // readings that count for nothing, whatever they say
   std::size_t live = 0;             // readings with a weight

@@ -91,6 +91,17 @@ class Folding {
   void part_exchanged(T* folded) const noexcept;
   void join_exchanged(T* folded) const noexcept;
 
+  void for_each_array(auto& use) const {
+    use(blocks_);
+    use(offsets_);
+    use(transposed_);
+    for (const Exchange& exchange : exchanges_) {
+      use(exchange.first);
+      use(exchange.second);
+      use(exchange.alone);
+    }
+  }
+
  private:
   struct Exchange {  // of one class
     std::vector<std::uint32_t> first{}, second{}, alone{};

@@ -1,5 +1,8 @@
 #include "realtime/frame_block.hpp"
 
+#include <algorithm>
+
+#include "realtime/denormals.hpp"
 #include "realtime/estimator_state.hpp"
 
 namespace tactile_net {
@@ -60,11 +63,18 @@ void ContactEstimator::solve_block() noexcept {
 FrameStatus ContactEstimator::update_batch(std::span<const double> readings,
                                            std::span<ContactEstimate> estimates) noexcept {
   const std::size_t n = ready_->readings();
-  if (readings.size() != n * estimates.size()) return FrameStatus::wrong_size;
-  for (const ContactEstimate& estimate : estimates)
-    if (estimate.tractions.size() != tractions()) return FrameStatus::wrong_size;
+  LoopState& loop = scratch_->loop;
+  if (readings.size() != n * estimates.size() ||
+      std::any_of(estimates.begin(), estimates.end(), [&](const ContactEstimate& estimate) {
+        return estimate.tractions.size() != tractions();
+      })) {
+    loop.count(FrameStatus::wrong_size);
+    return FrameStatus::wrong_size;
+  }
+  const FlushedDenormals flushed(loop.options.flush_denormals);
   FrameStatus first = FrameStatus::ok;
   const auto keep = [&](FrameStatus status) {
+    loop.count(status);
     if (first == FrameStatus::ok) first = status;
     return status == FrameStatus::ok;
   };
@@ -72,7 +82,7 @@ FrameStatus ContactEstimator::update_batch(std::span<const double> readings,
   for (std::size_t i = 0; i < estimates.size(); ++i) {
     const auto frame = readings.subspan(i * n, n);
     if (block == nullptr) {
-      (void)keep(update(frame, estimates[i], estimates[i].time));
+      (void)keep(update_frame(frame, estimates[i], estimates[i].time));
       continue;
     }
     FrameBlock::Waiting& next = block->waiting[block->size];
@@ -88,7 +98,7 @@ FrameStatus ContactEstimator::update_batch(std::span<const double> readings,
   if (in_tiles > 0) solve_block();
   for (std::size_t k = in_tiles; k < in_tiles + left; ++k) {
     const FrameBlock::Waiting& one = block->waiting[k];
-    (void)keep(update(one.readings, *one.estimate, one.estimate->time));
+    (void)update_frame(one.readings, *one.estimate, one.estimate->time);  // admitted, and counted
   }
   return first;
 }

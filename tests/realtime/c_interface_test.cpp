@@ -80,6 +80,7 @@ void check_same(const tactile_net_estimate& c, const ContactEstimate& cpp) {
   CHECK(c.contacts == cpp.contacts);
   CHECK(c.touching == cpp.touching);
   CHECK(c.outlier == cpp.outlier);
+  CHECK(c.age == cpp.age);
   CHECK(c.contact == cpp.contact);
   CHECK(c.pulls == cpp.pulls);
   CHECK(c.implausible == cpp.implausible);
@@ -171,6 +172,68 @@ TEST_CASE("C is told why there is no estimator, and no exception gets there", "[
   const std::string long_name(5000, 'x');
   CHECK(why_null(tactile_net_load(TACTILE_NET_INTERFACE, long_name.c_str())) ==
         std::string(1023, 'x'));
+}
+
+TEST_CASE("C's readings in other numbers, its counters and its held answers are those of C++",
+          "[c_interface]") {
+  const EstimatorPlan plan = made_plan({});
+  const std::vector<std::byte> bytes = encode_plan(plan);
+  tactile_net_estimator* const estimator =
+      tactile_net_decode(TACTILE_NET_INTERFACE, bytes.data(), bytes.size());
+  REQUIRE(estimator != nullptr);
+  std::vector<std::int16_t> counts(2 * plan.readings(), 999);
+  for (std::size_t i = 0; i < plan.readings(); ++i)
+    counts[2 * i] = static_cast<std::int16_t>(100 * i);
+  const auto in_c = [&](tactile_net_type type, double scale) {
+    return tactile_net_readings{counts.data(), plan.readings(), type, 4, scale};
+  };
+  const ReadingLayout layout{.stride = 4, .scale = 0.3};
+  ContactEstimator same(plan);
+  const auto update_both = [&](const tactile_net_readings& readings, const ReadingView& view) {
+    std::vector<double> one(plan.tractions());
+    std::vector<double> other(plan.tractions());
+    tactile_net_estimate estimate{};
+    ContactEstimate expected{.tractions = other};
+    CHECK(tactile_net_update_from(estimator, &readings, 0.5, one.data(), &estimate) ==
+          static_cast<int>(same.update(view, expected, 0.5)));
+    check_same(estimate, expected);
+    CHECK(one == other);
+    return estimate;
+  };
+  const ReadingView good(counts.data(), plan.readings(), layout);
+  CHECK(update_both(in_c(TACTILE_NET_INT16, 0.3), good).normal_force != 0.0);
+  const ReadingView unscaled(counts.data(), plan.readings(), {.stride = 4});
+  update_both(in_c(TACTILE_NET_INT16, 0.0), unscaled);
+  const tactile_net_readings baseline = in_c(TACTILE_NET_UINT16, 0.5);
+  CHECK(tactile_net_set_baseline_from(estimator, &baseline) == TACTILE_NET_OK);
+  CHECK(same.set_baseline(ReadingView(counts.data(), ReadingType::uint16, plan.readings(),
+                                      {.stride = 4, .scale = 0.5})) == FrameStatus::ok);
+  const tactile_net_options hold{false, true};
+  tactile_net_set_options(estimator, &hold);
+  same.set_options({.hold = true});
+  update_both(in_c(TACTILE_NET_INT16, 0.3), good);
+  // A type that there is not, and what is not there at all.
+  const ReadingView none(counts.data(), 0);
+  CHECK(update_both(in_c(static_cast<tactile_net_type>(5), 0.3), none).age == 1);
+  tactile_net_readings nothing = in_c(TACTILE_NET_INT16, 0.3);
+  nothing.first = nullptr;
+  CHECK(update_both(nothing, none).age == 2);
+  counts[0] = 32767;
+  CHECK(update_both(in_c(TACTILE_NET_INT16, 1e304),
+                    ReadingView(counts.data(), plan.readings(), {.stride = 4, .scale = 1e304}))
+            .age == 3);
+
+  tactile_net_counters counted{};
+  tactile_net_get_counters(estimator, &counted);
+  CHECK(FrameCounters{counted.frames, counted.wrong_size, counted.not_finite, counted.too_large} ==
+        same.counters());
+  CHECK(counted.frames == 6);
+  CHECK(counted.wrong_size == 2);
+  CHECK(counted.not_finite + counted.too_large == 1);
+  tactile_net_reset_counters(estimator);
+  tactile_net_get_counters(estimator, &counted);
+  CHECK(counted.frames == 0);
+  tactile_net_destroy(estimator);
 }
 
 TEST_CASE("what is refused leaves C's memory untouched, and has a name", "[c_interface]") {

@@ -1,10 +1,7 @@
 // The promise of what runs in the control loop: no allocation, no lock, no system call. Counted
 // here, and held by the kernel in a child process that may do nothing but exit.
 #include <dlfcn.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
 #include <pthread.h>
-#include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -27,6 +24,7 @@
 #include "tactile_net/realtime/plan_file.hpp"
 #include "tactile_net/tactile_net.h"
 #include "tests/catch.hpp"
+#include "tests/realtime/child_process.hpp"
 #include "tests/realtime/plans.hpp"
 #include "tests/realtime/skin_plans.hpp"
 
@@ -93,7 +91,7 @@ Counts counts() { return {allocations, releases, locks}; }
 /// Everything that a loop may call, on every kind of plan. Set-up is not part of `run`.
 class Loop {
  public:
-  explicit Loop(const EstimatorPlan& plan) {
+  Loop(const EstimatorPlan& plan, const LoopOptions& options) {
     estimator_ = std::make_unique<ContactEstimator>(plan);
     readings_.assign(estimator_->readings(), 1.0);
     bad_ = huge_ = readings_;
@@ -106,7 +104,9 @@ class Loop {
           std::span(tractions_).subspan(k * estimator_->tractions(), estimator_->tractions());
       estimates_[k].rows = rows_[k];
     }
+    floats_.assign(2 * readings_.size(), 1.0F);
     handover_.offer(std::make_unique<ContactEstimator>(plan));
+    options_ = options;
     const std::vector<std::byte> bytes = encode_plan(plan);
     in_c_.reset(tactile_net_decode(TACTILE_NET_INTERFACE, bytes.data(), bytes.size()));
   }
@@ -116,6 +116,7 @@ class Loop {
     bool fine = handover_.exchange(estimator_) && !handover_.exchange(estimator_);
     ContactEstimator& estimator = *estimator_;
     ContactEstimate& estimate = estimates_[0];
+    estimator.set_options(options_);
     const bool can_predict = estimator.set_dead(2);
     fine &= estimator.update(readings_, estimate) == FrameStatus::ok;
     for (std::size_t taxel = 3; taxel < 12; ++taxel) (void)estimator.set_dead(taxel);
@@ -128,6 +129,11 @@ class Loop {
     fine &= estimator.update(bad_, estimate) == FrameStatus::not_finite;
     fine &= estimator.update(huge_, estimate) == FrameStatus::too_large;
     fine &= estimator.update({}, estimate) == FrameStatus::wrong_size;
+    const ReadingView view(floats_.data(), readings_.size(), {.stride = 8, .scale = 2.0});
+    fine &= estimator.update(view, estimate) == FrameStatus::ok;
+    fine &= estimator.set_baseline(view) == FrameStatus::ok;
+    fine &= estimator.counters().frames == 7 && estimator.counters().refused() == 3;
+    estimator.reset_counters();
     fine &= estimator.update_batch(batch_, estimates_) == FrameStatus::ok;
     return fine && run_in_c();
   }
@@ -140,7 +146,17 @@ class Loop {
     const auto status = [&](const std::vector<double>& frame) {
       return tactile_net_update(estimator, frame.data(), n, 0.0, tractions_.data(), &estimate);
     };
+    const tactile_net_options options{options_.flush_denormals, options_.hold};
+    tactile_net_set_options(estimator, &options);
     bool fine = status(readings_) == TACTILE_NET_OK;
+    const tactile_net_readings view{floats_.data(), n, TACTILE_NET_FLOAT32, 8, 2.0};
+    fine &= tactile_net_update_from(estimator, &view, 0.0, tractions_.data(), &estimate) ==
+            TACTILE_NET_OK;
+    fine &= tactile_net_set_baseline_from(estimator, &view) == TACTILE_NET_OK;
+    tactile_net_counters counters{};
+    tactile_net_get_counters(estimator, &counters);
+    fine &= counters.frames == 2;
+    tactile_net_reset_counters(estimator);
     (void)tactile_net_set_dead(estimator, 2);
     fine &= status(readings_) == TACTILE_NET_OK;
     tactile_net_revive(estimator);
@@ -155,7 +171,9 @@ class Loop {
   std::unique_ptr<ContactEstimator> estimator_;
   Handover<ContactEstimator> handover_;
   std::unique_ptr<tactile_net_estimator, DestroyInC> in_c_;
+  LoopOptions options_;
   std::vector<double> readings_, bad_, huge_, batch_, tractions_;
+  std::vector<float> floats_;
   static constexpr std::size_t frames = 27;  // a block, a tile and some beyond
   ContactEstimate estimates_[frames];
   std::array<ContactRow, 3> rows_[frames]{};
@@ -195,29 +213,14 @@ std::vector<EstimatorPlan> plans() {
   return all;
 }
 
-/// From here on, the kernel kills this process at any system call but exit_group.
-bool forbid_system_calls() {
-  sock_filter program[] = {
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_exit_group, 0, 1),
-      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
-      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
-  };
-  const sock_fprog filter{static_cast<unsigned short>(std::size(program)), program};
-  return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-         ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &filter) == 0;
-}
-
-/// Wait status of a child that runs `body` without system calls; its exit code: 0 if true.
+/// Wait status of a child that runs `body`, and that the kernel kills at any system call but
+/// exit_group; its exit code: 0 if true.
 int without_system_calls(const std::function<bool()>& body) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    if (!forbid_system_calls()) ::_exit(77);
-    ::_exit(body() ? 0 : 1);
-  }
-  int status = -1;
-  ::waitpid(child, &status, 0);
-  return status;
+  return in_child([&] {
+    if (!filter_system_calls(SYS_exit_group, SECCOMP_RET_ALLOW, SECCOMP_RET_KILL_PROCESS))
+      ::_exit(77);
+    return body();
+  });
 }
 
 }  // namespace
@@ -236,18 +239,19 @@ TEST_CASE("the counters count", "[real_time]") {
 }
 
 TEST_CASE("the control loop's calls allocate, free and lock nothing", "[real_time]") {
-  for (const EstimatorPlan& plan : plans()) {
-    CAPTURE(plan.label, name(plan.reconstruction.structure), name(plan.reconstruction.precision),
-            plan.prediction.has_value());
-    Loop loop(plan);
-    const Counts before = counts();
-    const bool fine = loop.run();
-    const Counts after = counts();  // before CHECK, which allocates
-    CHECK(fine);
-    CHECK(after.allocations == before.allocations);
-    CHECK(after.releases == before.releases);
-    CHECK(after.locks == before.locks);
-  }
+  for (const EstimatorPlan& plan : plans())
+    for (const bool all_options : {false, true}) {
+      CAPTURE(plan.label, name(plan.reconstruction.structure), name(plan.reconstruction.precision),
+              plan.prediction.has_value(), all_options);
+      Loop loop(plan, {.flush_denormals = all_options, .hold = all_options});
+      const Counts before = counts();
+      const bool fine = loop.run();
+      const Counts after = counts();  // before CHECK, which allocates
+      CHECK(fine);
+      CHECK(after.allocations == before.allocations);
+      CHECK(after.releases == before.releases);
+      CHECK(after.locks == before.locks);
+    }
 }
 
 TEST_CASE("the kernel kills the child that makes a system call", "[real_time]") {
@@ -260,13 +264,14 @@ TEST_CASE("the kernel kills the child that makes a system call", "[real_time]") 
 }
 
 TEST_CASE("the control loop's calls make no system call", "[real_time]") {
-  for (const EstimatorPlan& plan : plans()) {
-    CAPTURE(plan.label, name(plan.reconstruction.structure), name(plan.reconstruction.precision),
-            plan.prediction.has_value());
-    Loop loop(plan);
-    const int status = without_system_calls([&] { return loop.run(); });
-    CHECK_FALSE(WIFSIGNALED(status));
-    CHECK(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == 0);
-  }
+  for (const EstimatorPlan& plan : plans())
+    for (const bool all_options : {false, true}) {
+      CAPTURE(plan.label, name(plan.reconstruction.structure), name(plan.reconstruction.precision),
+              plan.prediction.has_value(), all_options);
+      Loop loop(plan, {.flush_denormals = all_options, .hold = all_options});
+      const int status = without_system_calls([&] { return loop.run(); });
+      CHECK_FALSE(WIFSIGNALED(status));
+      CHECK(WIFEXITED(status));
+      CHECK(WEXITSTATUS(status) == 0);
+    }
 }

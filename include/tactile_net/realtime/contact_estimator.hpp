@@ -20,6 +20,8 @@
 #include "tactile_net/realtime/convolution.hpp"
 #include "tactile_net/realtime/estimator_plan.hpp"
 #include "tactile_net/realtime/frame_status.hpp"
+#include "tactile_net/realtime/loop_options.hpp"
+#include "tactile_net/realtime/reading_view.hpp"
 
 namespace tactile_net {
 
@@ -104,6 +106,9 @@ struct ContactEstimate {
   /// frames of one estimator in the order in which it answered them; copies of it number anew.
   std::span<ContactRow> rows{};
   std::size_t rows_found = 0;
+  /// 0: this frame's answer. Else that many frames were refused since the one that it answers
+  /// (`LoopOptions::hold`); its time is that frame's too.
+  std::size_t age = 0;
 };
 
 struct Moments;
@@ -162,6 +167,10 @@ class ContactEstimator {
   /// @param time      passed through
   FrameStatus update(std::span<const double> readings, ContactEstimate& estimate,
                      double time = 0.0) noexcept;
+  /// The same of readings in a driver's own numbers, with the bits that a copy of them in doubles
+  /// gives. O(readings) more.
+  FrameStatus update(const ReadingView& readings, ContactEstimate& estimate,
+                     double time = 0.0) noexcept;
 
   /// Recorded frames: `update` on each, with the same bits; the time of an estimate stays as it is.
   /// Except for fft, the matrix is read once for a block of frames, and each number of it
@@ -183,6 +192,7 @@ class ContactEstimator {
   /// @return not `ok`: the old baseline stays; `too_large`: a value is beyond 2^969, and a reading
   ///         less it might overflow
   FrameStatus set_baseline(std::span<const double> readings) noexcept;
+  FrameStatus set_baseline(const ReadingView& readings) noexcept;
 
   /// Leaves a taxel out, in all channels, from the next frame on. The answer is the minimiser
   /// without those rows, exactly (a row left out is a row that reads what the others predict of it:
@@ -207,6 +217,21 @@ class ContactEstimator {
   /// its steps began with; of a batch those of its last. Empty without constraints.
   [[nodiscard]] std::span<const double> free_tractions() const noexcept;
 
+  /// From the next frame on; copies have the same.
+  void set_options(const LoopOptions& options) noexcept;
+  [[nodiscard]] const LoopOptions& options() const noexcept;
+  /// Frames of `update` and `update_batch`. A batch of a wrong size counts as one.
+  [[nodiscard]] const FrameCounters& counters() const noexcept;
+  void reset_counters() noexcept;
+
+  /// Call before the loop, in its thread: the first frame then takes as long as any. Locks the
+  /// estimator's memory where the system allows it (`mlock`: RLIMIT_MEMLOCK, or CAP_IPC_LOCK), and
+  /// runs frames of its own, one of zeros, one that presses, so that code and memory are there.
+  /// They are not counted, and change no later answer, but an answer that is held is forgotten.
+  /// Pages stay locked until the process gives them back. What the caller owns, and a
+  /// `Convolution`, are not locked: `mlockall` does that.
+  Preparation prepare() noexcept;
+
   [[nodiscard]] std::size_t readings() const noexcept;
   [[nodiscard]] std::size_t tractions() const noexcept;
   /// The plan's label.
@@ -218,7 +243,12 @@ class ContactEstimator {
   struct Scratch;
   struct FrameBlock;
   struct Input;
-  FrameStatus prepare(std::span<const double> readings, bool stored, Input& input) noexcept;
+  FrameStatus update_frame(std::span<const double> readings, ContactEstimate& estimate,
+                           double time) noexcept;
+  std::span<const double> converted(const ReadingView& readings) noexcept;
+  void run_frames() noexcept;
+  void add_memory(auto& lock) const noexcept;
+  FrameStatus make_input(std::span<const double> readings, bool stored, Input& input) noexcept;
   FrameStatus admit(std::span<const double> readings, double* x, bool& saturated) noexcept;
   void finish(ContactEstimate& estimate, std::span<Moments> moments, const double* x,
               const double* explained) noexcept;
