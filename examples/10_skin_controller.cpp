@@ -27,7 +27,7 @@ int main(int count_of_arguments, char** arguments) {
   // Before the loop, everything that allocates, throws or takes long.
   // Margins are of a friction of 0.6; constraints allow what may come, 1, else no frame could slip.
   const PlannedEstimator planned =
-      plan_estimator(problem, /*alpha*/ 1e-3,
+      plan_estimator(problem, /*alpha*/ 1e-4,
                      {.accuracy = 1e-7,
                       .noise_rms = 10.0,
                       .friction_coefficient = 0.6,
