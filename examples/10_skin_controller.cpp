@@ -31,7 +31,7 @@ int main(int count_of_arguments, char** arguments) {
                      {.accuracy = 1e-7,
                       .noise_rms = 10.0,
                       .friction_coefficient = 0.6,
-                      .cone = ConeOptions{.constraints = {.friction_limit = 1.0}}});
+                      .cone = ConeOptions{.constraints = {.friction_limit = 1.0}, .enough = 0.5}});
   std::printf("%s", planned.why().c_str());
   std::printf("%zu steps towards the constraints\n", planned.plan.cone->steps);
   ContactEstimator estimator(planned.plan);
