@@ -10,18 +10,17 @@
 namespace tactile_net {
 namespace {
 
-constexpr double pieces_in_one = 32.0;
-constexpr auto tabled_pieces = static_cast<std::size_t>(StudentCdf::reach * pieces_in_one);
+constexpr double most_reach = 24.0;
+constexpr double no_rest = 1e-17;  // of 1 - F
 
 /// F, and its first two derivatives times the step and its square.
-std::array<double, 3> at_place(int degrees, double t) {
+std::array<double, 3> at_place(int degrees, double t, double step) {
   const double n = degrees;
   const double log_size =
       std::lgamma(0.5 * (n + 1.0)) - std::lgamma(0.5 * n) - 0.5 * std::log(n * std::numbers::pi);
   const double density = std::exp(log_size - 0.5 * (n + 1.0) * std::log1p(t * t / n));
   const double slope = -density * t * (n + 1.0) / (n + t * t);
-  return {student_series(degrees, t), density / pieces_in_one,
-          slope / (pieces_in_one * pieces_in_one)};
+  return {student_series(degrees, t), density * step, slope * step * step};
 }
 
 }  // namespace
@@ -43,10 +42,12 @@ double student_series(int degrees, double t) {
 }
 
 StudentCdf::StudentCdf(int degrees) : degrees_(degrees) {
-  std::array<double, 3> left = at_place(degrees, 0.0);
-  for (std::size_t i = 0; i < tabled_pieces; ++i) {
-    const std::array<double, 3> right =
-        at_place(degrees, static_cast<double>(i + 1) / pieces_in_one);
+  constexpr double step = 1.0 / pieces_in_one;
+  std::array<double, 3> left = at_place(degrees, 0.0, step);
+  // Beyond t there is less than t times the density.
+  while (end_ < most_reach && (end_ < reach || end_ * left[1] * pieces_in_one > no_rest)) {
+    end_ += step;
+    const std::array<double, 3> right = at_place(degrees, end_, step);
     const double rise = right[0] - left[0] - left[1] - 0.5 * left[2];
     const double slope = right[1] - left[1] - left[2];
     const double curve = right[2] - left[2];
@@ -66,13 +67,7 @@ const StudentCdf& StudentCdf::of(int degrees) {
 }
 
 double StudentCdf::operator()(double t) const {
-  const double place = std::abs(t) * pieces_in_one;
-  if (!(place < static_cast<double>(tabled_pieces))) return student_series(degrees_, t);
-  const auto piece = static_cast<std::size_t>(place);
-  const auto& [a, b, c, d, e, f] = pieces_[piece];
-  const double x = place - static_cast<double>(piece);
-  const double above = a + x * (b + x * (c + x * (d + x * (e + x * f))));
-  return t < 0.0 ? 1.0 - above : above;
+  return std::abs(t) < end_ ? rise(t).value : student_series(degrees_, t);
 }
 
 }  // namespace tactile_net

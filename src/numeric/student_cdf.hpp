@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace tactile_net {
@@ -24,11 +26,31 @@ class StudentCdf {
 
   /// Beyond the table by the series.
   [[nodiscard]] double operator()(double t) const;
-  /// |t| below it is tabled: beyond, 1 - F is no longer told from F to nine digits.
+
+  /// F, and how fast it rises.
+  struct Rise {
+    double value = 0.0, slope = 0.0;
+  };
+  /// The polynomial and its slope. @pre  |t| < end()
+  [[nodiscard]] Rise rise(double t) const {
+    const double place = std::abs(t) * pieces_in_one;
+    const auto piece = static_cast<std::size_t>(place);
+    const auto& [a, b, c, d, e, f] = pieces_[piece];
+    const double x = place - static_cast<double>(piece);
+    const double above = a + x * (b + x * (c + x * (d + x * (e + x * f))));
+    const double slope = b + x * (2.0 * c + x * (3.0 * d + x * (4.0 * e + x * 5.0 * f)));
+    return {t < 0.0 ? 1.0 - above : above, pieces_in_one * slope};
+  }
+  /// Where the table ends: where the rest is no longer told from 0, at most 24.
+  [[nodiscard]] double end() const noexcept { return end_; }
+  /// Beyond, 1 - F is no longer told from F to nine digits.
   static constexpr double reach = 6.0;
 
  private:
+  static constexpr double pieces_in_one = 32.0;
+
   int degrees_;
+  double end_ = 0.0;
   std::vector<std::array<double, 6>> pieces_{};  // of t >= 0
 };
 

@@ -1,6 +1,7 @@
 // What is known of a number, as a mixture: laws that hold of any.
 #include "tactile_net/numeric/distribution.hpp"
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -163,6 +164,52 @@ TEST_CASE("Student's table is its series, and Boost's function", "[distribution]
     CHECK(table(0.0) == 0.5);
     CHECK(&StudentCdf::of(degrees) == &StudentCdf::of(degrees));
   }
+}
+
+TEST_CASE("Student's table rises as the density says, up to where nothing is left",
+          "[distribution]") {
+  for (const int degrees : {1, 2, 5, 22, 87, 400}) {
+    const StudentCdf table(degrees);
+    const boost::math::students_t_distribution<double> reference(degrees);
+    CHECK(table.end() >= StudentCdf::reach);
+    const double end = table.end() - 1e-9;
+    for (double t = -end; t < end; t += 0.0234) {
+      CAPTURE(degrees, t);
+      CHECK(table.rise(t).value == table(t));
+      CHECK_THAT(table.rise(t).slope, WithinAbs(boost::math::pdf(reference, t), 1e-9));
+    }
+    const double rest = boost::math::cdf(boost::math::complement(reference, table.end()));
+    CHECK((rest < 1e-17 || table.end() >= 24.0));
+  }
+}
+
+TEST_CASE("quantiles are found where a distribution hardly rises, or all at once",
+          "[distribution]") {
+  // A spike in a wide one, two apart with nothing between, one far away that hardly counts, a jump
+  // beside a spike, and one whose moments are all another's.
+  const std::vector<Components> hard{
+      {{.probability = 0.5, .scale = 1.0}, {.probability = 0.5, .mean = 0.3, .scale = 1e-7}},
+      {{.probability = 0.4, .mean = -1.0, .scale = 1e-3},
+       {.probability = 0.6, .mean = 1.0, .scale = 1e-3}},
+      {{.probability = 1.0 - 1e-6, .scale = 1.0}, {.probability = 1e-6, .mean = 1e9, .scale = 1e8}},
+      {{.probability = 0.2, .mean = 0.0, .scale = 0.0},
+       {.probability = 0.4, .mean = 1e-4, .scale = 1e-6},
+       {.probability = 0.4, .mean = -3.0, .scale = 2.0}},
+      {{.probability = 0.01, .mean = 1e4, .scale = 1.0}, {.probability = 0.99, .scale = 1e-5}}};
+  for (const Components& components : hard)
+    for (const double degrees : {3.0, 14.5, 46.0, of_gaussians}) {
+      const Distribution one(components, degrees);
+      double before = -std::numeric_limits<double>::infinity();
+      for (const double p : {1e-9, 1e-3, 0.025, 0.3, 0.39999, 0.5, 0.61, 0.975, 0.9999}) {
+        CAPTURE(degrees, one.mean(), p);
+        const double x = one.quantile(p);
+        CHECK(x >= before);
+        before = x;
+        const double least = 1e-11 * std::max(one.deviation(), std::abs(x));
+        CHECK(one.cdf(x + least) >= p - 1e-11);
+        CHECK(one.cdf(x - least) <= p + 1e-11);
+      }
+    }
 }
 
 TEST_CASE("Student's of many degrees is a Gaussian", "[distribution]") {

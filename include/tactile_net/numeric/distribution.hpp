@@ -67,7 +67,7 @@ class Distribution {
 
   /// The probability that the number is at most x.
   [[nodiscard]] double cdf(double x) const;
-  /// The least x with cdf(x) >= p, by bisection that interpolates where it may: about ten `cdf`.
+  /// The least x with cdf(x) >= p, by Newton's steps between bounds: about five `cdf`.
   /// @throw std::invalid_argument  p is not between 0 and 1, both excluded
   [[nodiscard]] double quantile(double p) const;
   /// The central interval. @throw std::invalid_argument  level is not between 0 and 1
@@ -78,6 +78,7 @@ class Distribution {
   [[nodiscard]] double crps(double x) const;
 
  private:
+  class Rising;
   [[nodiscard]] double standard_cdf(double z) const;
   /// Of a component: the probability that it is at most x.
   [[nodiscard]] double cdf_of(const Component& one, double x) const;
