@@ -170,8 +170,9 @@ std::vector<ContactPatch> patches_of(const Surface& surface, std::span<const dou
   for_each_contact(
       p, n, deviations_of_part * whole.normal.deviation / surface.spacing,
       [&](std::size_t first, std::size_t last) { stretches.emplace_back(first, last); });
-  for (const auto& [first, last] : stretches) add(first, last, between(first, last));
-  if (stretches.empty()) add(0, n, whole);
+  if (stretches.size() < 2) stretches.assign(1, {0, n});
+  for (const auto& [first, last] : stretches)
+    add(first, last, stretches.size() == 1 ? whole : between(first, last));
   std::stable_sort(patches.begin(), patches.end(), [](const auto& a, const auto& b) {
     return a.wrench.normal.value > b.wrench.normal.value;
   });

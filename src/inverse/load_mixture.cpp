@@ -100,185 +100,223 @@ std::vector<double> LoadMixture::mean() const {
   return {all.begin(), all.end()};
 }
 
-struct LoadMixture::Sums {
-  double probability;
-  const LoadPrior::Part::Size& size;
-  Eigen::VectorXd means;
-  const Eigen::MatrixXd& known;  // what readings tell of each sum, a column each
-  const Eigen::MatrixXd& rest;   // and what none shows
-  Eigen::VectorXd over;          // 1 / (gamma^2 + alpha)
-  Eigen::MatrixXd model;         // what each traction component's factor may change, a row each
+/// Of one window and weight: what it knows of the sums that it has a share in.
+struct LoadSums::Piece {
+  std::vector<Index> sums{};  // which of all
+  Eigen::MatrixXd known{};    // what readings tell of each, a row each
+  Eigen::MatrixXd rest{};     // and what none shows, a column each; without columns: nothing
+  // Of each size a column.
+  Eigen::MatrixXd over{};  // 1 / (gamma^2 + alpha)
+  Eigen::RowVectorXd scale2{}, alphas{};
+  Eigen::MatrixXd means{};               // of each sum a row
+  std::vector<Eigen::MatrixXd> model{};  // what each component's factor may change of it
+  Index first = 0;                       // component of the mixture
 
-  [[nodiscard]] double covariance(Index a, Index b) const {
-    return size.scale2 * (known.col(a).cwiseProduct(over).dot(known.col(b)) +
-                          rest.col(a).dot(rest.col(b)) / size.alpha) +
-           model.col(a).dot(model.col(b));
+  /// Of two of the window's sums, for each size.
+  [[nodiscard]] Eigen::RowVectorXd covariances(Index a, Index b) const {
+    Eigen::RowVectorXd all = known.row(a).cwiseProduct(known.row(b)) * over;
+    if (rest.cols() > 0) all.array() += rest.col(a).dot(rest.col(b)) / alphas.array();
+    all.array() *= scale2.array();
+    for (const Eigen::MatrixXd& one : model) all += one.row(a).cwiseProduct(one.row(b));
+    return all;
   }
-  [[nodiscard]] double scale(Index a) const { return std::sqrt(covariance(a, a)); }
+  /// Of each sum, for each size.
+  [[nodiscard]] Eigen::MatrixXd variances() const {
+    Eigen::MatrixXd all = known.cwiseAbs2() * over;
+    if (rest.cols() > 0) all += rest.colwise().squaredNorm().transpose() * alphas.cwiseInverse();
+    all.array().rowwise() *= scale2.array();
+    for (const Eigen::MatrixXd& one : model) all += one.cwiseAbs2();
+    return all;
+  }
 };
 
-template <class Take>
-void LoadMixture::each(std::span<const std::vector<double>> weights, const Take& take) const {
-  Eigen::MatrixXd sums(tables_->tractions_count(), std::ssize(weights));
-  for (Index k = 0; k < sums.cols(); ++k) {
-    const std::vector<double>& one = weights[static_cast<std::size_t>(k)];
-    check_weights(one, static_cast<std::size_t>(sums.rows()));
-    sums.col(k) = as_eigen(std::span(one));
-  }
-  for (const LoadPrior::Part& part : *parts_) {
-    const LoadPrior::Tables::Entry& entry = *part.entry;
-    const auto details = tables_->details(entry);
-    const Eigen::MatrixXd all = tables_->sums(entry, tables_->inside(*part.window, sums));
-    const Eigen::MatrixXd known = details->v.transpose() * all;
-    const Eigen::MatrixXd rest = all - details->v * known;
-    const Index inside_one = all.rows() / tables_->components;
-    for (const LoadPrior::Part::Size& size : part.sizes) {
-      const Eigen::VectorXd filtered = part.filtered(size.alpha);
-      Eigen::MatrixXd model(model_share_ > 0.0 ? tables_->components : 0, all.cols());
-      for (Index u = 0; u < model.rows(); ++u)
-        model.row(u) = model_share_ *
-                       (details->v.middleRows(u * inside_one, inside_one) * filtered).transpose() *
-                       all.middleRows(u * inside_one, inside_one);
-      take(Sums{.probability = size.probability,
-                .size = size,
-                .means = known.transpose() * filtered,
-                .known = known,
-                .rest = rest,
-                .over = (entry.gamma2.array() + size.alpha).inverse(),
-                .model = std::move(model)});
+/// Of all components; zero where a window has no share in a sum.
+struct LoadSums::Table {
+  double sigma = 1.0;
+  double degrees = 0.0;
+  std::vector<Piece> pieces{};
+  Eigen::VectorXd probabilities{};
+  Eigen::MatrixXd means{}, variances{};  // over sigma and its square: a column for each sum
+
+  [[nodiscard]] Eigen::VectorXd covariances(Index a, Index b) const {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(probabilities.size());
+    for (const Piece& piece : pieces) {
+      const auto at = [&](Index sum) {
+        return std::find(piece.sums.begin(), piece.sums.end(), sum) - piece.sums.begin();
+      };
+      const Index i = at(a);
+      const Index j = at(b);
+      if (std::max(i, j) < std::ssize(piece.sums))
+        all.segment(piece.first, piece.over.cols()) = piece.covariances(i, j).transpose();
     }
+    return all;
   }
+};
+
+LoadSums::LoadSums(std::shared_ptr<const Table> table) : table_(std::move(table)) {}
+
+std::size_t LoadSums::count() const noexcept {
+  return static_cast<std::size_t>(table_->means.cols());
+}
+
+Distribution LoadSums::of(std::size_t sum) const {
+  const auto at = static_cast<Index>(sum);
+  const auto means = table_->means.col(at);
+  const auto variances = table_->variances.col(at);
+  std::vector<Distribution::Component> all;
+  all.reserve(static_cast<std::size_t>(means.size()));
+  double outside = 0.0;  // the probability that no window holds any of it
+  for (Index c = 0; c < means.size(); ++c) {
+    if (means(c) == 0.0 && variances(c) == 0.0)
+      outside += table_->probabilities(c);
+    else
+      all.push_back({.probability = table_->probabilities(c),
+                     .mean = table_->sigma * means(c),
+                     .scale = table_->sigma * std::sqrt(variances(c))});
+  }
+  if (outside > 0.0) all.push_back({.probability = outside});
+  return Distribution(std::move(all), table_->degrees);
+}
+
+std::optional<Distribution> LoadSums::ratio(std::size_t numerator, std::size_t denominator) const {
+  const auto above = static_cast<Index>(numerator);
+  const auto below = static_cast<Index>(denominator);
+  const Distribution whole = of(denominator);
+  if (!(std::abs(whole.mean()) > deviations_from_zero * whole.deviation())) return std::nullopt;
+  const double sign = whole.mean() < 0.0 ? -1.0 : 1.0;
+  const Eigen::VectorXd covariances = table_->covariances(above, below);
+  std::vector<Distribution::Component> ratios;
+  for (Index c = 0; c < covariances.size(); ++c) {
+    const double divisor = sign * table_->means(c, below);
+    // A component in which the denominator changes its sign is one of the unlikely.
+    if (!(divisor > 0.0)) continue;
+    ratios.push_back({.probability = table_->probabilities(c),
+                      .mean = sign * table_->means(c, above),
+                      .scale = std::sqrt(table_->variances(c, above)),
+                      .divisor = divisor,
+                      .divisor_scale = std::sqrt(table_->variances(c, below)),
+                      .covariance = covariances(c)});
+  }
+  return Distribution(std::move(ratios), table_->degrees);
+}
+
+LoadSums LoadMixture::sums(std::span<const std::vector<double>> weights) const {
+  Eigen::MatrixXd all(tables_->tractions_count(), std::ssize(weights));
+  for (Index k = 0; k < all.cols(); ++k) {
+    const std::vector<double>& one = weights[static_cast<std::size_t>(k)];
+    check_weights(one, static_cast<std::size_t>(all.rows()));
+    all.col(k) = as_eigen(std::span(one));
+  }
+  const auto count = static_cast<Index>(components());
+  LoadSums::Table table{.sigma = sigma_,
+                        .degrees = degrees_,
+                        .probabilities = Eigen::VectorXd(count),
+                        .means = Eigen::MatrixXd::Zero(count, all.cols()),
+                        .variances = Eigen::MatrixXd::Zero(count, all.cols())};
+  const LoadPrior::Tables::Window* window = nullptr;
+  Eigen::MatrixXd inside;     // what the window holds of each sum that it has a share in
+  std::vector<Index> shared;  // which these are
+  Index first = 0;
+  for (const LoadPrior::Part& part : *parts_) {
+    if (part.window != window) {
+      window = part.window;
+      inside = tables_->inside(*window, all);
+      shared.clear();
+      for (Index k = 0; k < all.cols(); ++k)
+        if ((inside.col(k).array() != 0.0).any()) shared.push_back(k);
+      inside = inside(Eigen::indexing::all, shared).eval();
+    }
+    const auto details = tables_->details(*part.entry);
+    const Index own = inside.rows() / tables_->components;
+    LoadSums::Piece piece{.sums = shared, .over = part.over(), .first = first};
+    piece.known = Eigen::MatrixXd::Zero(inside.cols(), details->roots.cols());
+    piece.means = Eigen::MatrixXd::Zero(inside.cols(), piece.over.cols());
+    const Eigen::MatrixXd filtered = part.filtered();
+    for (Index u = 0; u < tables_->components; ++u) {
+      const Eigen::MatrixXd of_one =
+          inside.middleRows(u * own, own).transpose() * details->roots.middleRows(u * own, own);
+      const Eigen::MatrixXd means = of_one * filtered;
+      piece.known += of_one;
+      piece.means += means;
+      if (model_share_ > 0.0) piece.model.emplace_back(model_share_ * means);
+    }
+    if (details->v.cols() < details->v.rows())
+      piece.rest = tables_->sums(*part.entry, inside) - details->v * piece.known.transpose();
+    piece.scale2.resize(piece.over.cols());
+    piece.alphas.resize(piece.over.cols());
+    for (Index i = 0; i < piece.alphas.size(); ++i) {
+      const LoadPrior::Part::Size& size = part.sizes[static_cast<std::size_t>(i)];
+      piece.scale2(i) = size.scale2;
+      piece.alphas(i) = size.alpha;
+      table.probabilities(first + i) = size.probability;
+    }
+    const auto here = Eigen::seqN(first, piece.alphas.size());
+    table.means(here, shared) = piece.means.transpose();
+    table.variances(here, shared) = piece.variances().transpose();
+    first += piece.alphas.size();
+    table.pieces.push_back(std::move(piece));
+  }
+  return LoadSums(std::make_shared<const LoadSums::Table>(std::move(table)));
 }
 
 Distribution LoadMixture::of(std::span<const double> weights) const {
-  return of_each(std::array{std::vector<double>(weights.begin(), weights.end())}).front();
+  return sums(std::array{std::vector<double>(weights.begin(), weights.end())}).of(0);
 }
 
 std::vector<Distribution> LoadMixture::of_each(std::span<const std::vector<double>> weights) const {
-  std::vector<std::vector<Distribution::Component>> all(weights.size());
-  each(weights, [&](const Sums& sums) {
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      const auto at = static_cast<Index>(k);
-      all[k].push_back({.probability = sums.probability,
-                        .mean = sigma_ * sums.means(at),
-                        .scale = sigma_ * sums.scale(at)});
-    }
-  });
+  const LoadSums all = sums(weights);
   std::vector<Distribution> result;
-  result.reserve(all.size());
-  for (auto& one : all) result.emplace_back(std::move(one), degrees_);
-  return result;
-}
-
-std::vector<Distribution> LoadMixture::of_tractions() const {
-  std::vector<std::vector<Distribution::Component>> all(
-      static_cast<std::size_t>(tables_->tractions_count()));
-  std::vector<double> outside(all.size(), 1.0);  // the probability that no window holds it
-  for (const LoadPrior::Part& part : *parts_) {
-    const LoadPrior::Tables::Entry& entry = *part.entry;
-    const auto details = tables_->details(entry);
-    const std::vector<Index>& columns = part.window->columns;
-    const Eigen::MatrixXd squares = details->roots.cwiseAbs2();
-    for (const LoadPrior::Part::Size& size : part.sizes) {
-      Eigen::VectorXd means = Eigen::VectorXd::Zero(tables_->tractions_count());
-      tables_->add(*part.window, sigma_ * (details->roots * part.filtered(size.alpha)), means);
-      const Eigen::VectorXd variances =
-          size.scale2 * (squares * (entry.gamma2.array() + size.alpha).inverse().matrix() +
-                         details->hidden / size.alpha);
-      for (std::size_t i = 0; i < columns.size(); ++i) {
-        const auto column = static_cast<std::size_t>(columns[i]);
-        const auto at = static_cast<Index>(i);
-        all[column].push_back({.probability = size.probability,
-                               .mean = means(columns[i]),
-                               .scale = std::hypot(sigma_ * std::sqrt(variances(at)),
-                                                   model_share_ * means(columns[i]))});
-        outside[column] -= size.probability;
-      }
-    }
-  }
-  std::vector<Distribution> result;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (outside[i] > unlikely) all[i].push_back({.probability = outside[i]});
-    result.emplace_back(std::move(all[i]), degrees_);
-  }
+  result.reserve(all.count());
+  for (std::size_t k = 0; k < all.count(); ++k) result.push_back(all.of(k));
   return result;
 }
 
 std::optional<Distribution> LoadMixture::ratio(std::span<const double> numerator,
                                                std::span<const double> denominator) const {
-  const std::array both{std::vector<double>(numerator.begin(), numerator.end()),
-                        std::vector<double>(denominator.begin(), denominator.end())};
-  std::vector<Distribution::Component> ratios;
-  std::vector<Distribution::Component> denominators;
-  each(both, [&](const Sums& sums) {
-    denominators.push_back(
-        {.probability = sums.probability, .mean = sums.means(1), .scale = sums.scale(1)});
-    ratios.push_back({.probability = sums.probability,
-                      .mean = sums.means(0),
-                      .scale = sums.scale(0),
-                      .divisor = sums.means(1),
-                      .divisor_scale = sums.scale(1),
-                      .covariance = sums.covariance(0, 1)});
-  });
-  const Distribution whole(denominators, degrees_);
-  if (!(std::abs(whole.mean()) > deviations_from_zero * whole.deviation())) return std::nullopt;
-  if (whole.mean() < 0.0)
-    for (Distribution::Component& one : ratios) {
-      one.mean = -one.mean;
-      one.divisor = -one.divisor;
-    }
-  // A component in which the denominator changes its sign is one of the unlikely.
-  std::erase_if(ratios, [](const auto& one) { return !(one.divisor > 0.0); });
-  return Distribution(std::move(ratios), degrees_);
+  return sums(std::array{std::vector<double>(numerator.begin(), numerator.end()),
+                         std::vector<double>(denominator.begin(), denominator.end())})
+      .ratio(0, 1);
 }
 
-RootCovariance LoadMixture::covariance(std::span<const double> about, double noise_rms) const {
-  require_positive("noise_rms", noise_rms);
-  const Index n = tables_->tractions_count();
-  check_tractions(about, static_cast<std::size_t>(n));
-  const Eigen::VectorXd f = as_eigen(about) / sigma_;
-  const double spread = student_variance(degrees_);
-  std::vector<Eigen::VectorXd> columns;
-  const auto add = [&](const LoadPrior::Tables::Window& window, const Eigen::VectorXd& inside) {
-    columns.emplace_back(Eigen::VectorXd::Zero(n));
-    tables_->add(window, inside, columns.back());
-  };
+std::vector<Distribution> LoadMixture::of_tractions() const {
+  const auto count = static_cast<std::size_t>(tables_->tractions_count());
+  std::vector<std::size_t> sizes(count);
+  std::vector<double> outside(count, 1.0);  // the probability that no window holds it
+  for (const LoadPrior::Part& part : *parts_)
+    for (const Index column : part.window->columns) {
+      sizes[static_cast<std::size_t>(column)] += part.sizes.size();
+      for (const LoadPrior::Part::Size& size : part.sizes)
+        outside[static_cast<std::size_t>(column)] -= size.probability;
+    }
+  std::vector<std::vector<Distribution::Component>> all(count);
+  for (std::size_t i = 0; i < count; ++i) all[i].reserve(sizes[i] + 1);
   for (const LoadPrior::Part& part : *parts_) {
-    const LoadPrior::Tables::Entry& entry = *part.entry;
-    const auto& window = *part.window;
-    const auto details = tables_->details(entry);
-    Eigen::VectorXd seen = Eigen::VectorXd::Zero(part.beta.size());
-    double hidden = 0.0;
-    for (const LoadPrior::Part::Size& size : part.sizes) {
-      seen +=
-          (size.probability * spread * size.scale2 * (entry.gamma2.array() + size.alpha).inverse())
-              .matrix();
-      hidden += size.probability * spread * size.scale2 / size.alpha;
-      const Eigen::VectorXd means = details->roots * part.filtered(size.alpha);
-      const double root = std::sqrt(size.probability);
-      columns.emplace_back(-f);
-      tables_->add(window, means, columns.back());
-      columns.back() *= root;
-      const Index own = means.size() / tables_->components;
-      for (Index u = 0; u < tables_->components && model_share_ > 0.0; ++u) {
-        Eigen::VectorXd of_component = Eigen::VectorXd::Zero(means.size());
-        of_component.segment(u * own, own) = means.segment(u * own, own);
-        add(window, of_component * (root * std::sqrt(spread) * model_share_));
+    const auto details = tables_->details(*part.entry);
+    const Eigen::MatrixXd means = details->roots * part.filtered();
+    const Eigen::MatrixXd seen = details->roots.cwiseAbs2() * part.over();
+    const std::vector<double>& signs = tables_->reflections[part.window->reflection].tractions;
+    const auto own = means.rows() / tables_->components;
+    for (Index i = 0; i < means.rows(); ++i) {
+      const double sign = signs[static_cast<std::size_t>(i / own)];
+      auto& here = all[static_cast<std::size_t>(part.window->columns[static_cast<std::size_t>(i)])];
+      for (Index a = 0; a < means.cols(); ++a) {
+        const LoadPrior::Part::Size& size = part.sizes[static_cast<std::size_t>(a)];
+        const double mean = means(i, a);
+        const double variance = size.scale2 * (seen(i, a) + details->hidden(i) / size.alpha) +
+                                model_share_ * mean * (model_share_ * mean);
+        here.push_back({.probability = size.probability,
+                        .mean = sigma_ * sign * mean,
+                        .scale = sigma_ * std::sqrt(variance)});
       }
     }
-    for (Index i = 0; i < seen.size(); ++i) add(window, details->roots.col(i) * std::sqrt(seen(i)));
-    const Index own = details->v.rows();
-    if (details->v.cols() == own) continue;
-    const Eigen::MatrixXd rest = tables_->tractions(
-        entry, Eigen::MatrixXd::Identity(own, own) - details->v * details->v.transpose());
-    for (Index i = 0; i < own; ++i) add(window, rest.col(i) * std::sqrt(hidden));
   }
-  Matrix root{static_cast<std::size_t>(n), columns.size(), {}};
-  root.values.resize(root.rows * root.columns);
-  Eigen::Map<RowMajor> s(root.values.data(), n, std::ssize(columns));
-  for (Index i = 0; i < s.cols(); ++i)
-    s.col(i) = columns[static_cast<std::size_t>(i)] * (sigma_ / noise_rms);
-  return {std::move(root), used_};
+  std::vector<Distribution> result;
+  result.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (outside[i] > unlikely) all[i].push_back({.probability = outside[i]});
+    result.emplace_back(std::move(all[i]), degrees_);
+  }
+  return result;
 }
 
 LoadCovariance::LoadCovariance(LoadMixture mixture, std::span<const double> about, double noise_rms)
@@ -317,21 +355,24 @@ std::vector<double> LoadCovariance::deviations_of(
 Matrix LoadCovariance::covariances(std::span<const std::vector<double>> weights) const {
   const std::size_t count = weights.size();
   Matrix all{count, count, std::vector<double>(count * count)};
-  Eigen::VectorXd about(std::ssize(weights));
+  Eigen::RowVectorXd about(std::ssize(weights));
   for (std::size_t k = 0; k < count; ++k) {
     check_weights(weights[k], about_.size());
     about(static_cast<Index>(k)) =
         as_eigen(std::span(weights[k])).dot(as_eigen(std::span(about_))) / mixture_.sigma_;
   }
+  const LoadSums sums = mixture_.sums(weights);
+  const LoadSums::Table& known = *sums.table_;
   const double spread = student_variance(mixture_.degrees_);
   const double unit = std::pow(mixture_.sigma_ / noise_rms_, 2);
-  mixture_.each(weights, [&](const LoadMixture::Sums& sums) {
-    const Eigen::VectorXd error = sums.means - about;
-    for (Index a = 0; a < about.size(); ++a)
-      for (Index b = 0; b < about.size(); ++b)
-        all(static_cast<std::size_t>(a), static_cast<std::size_t>(b)) +=
-            unit * sums.probability * (spread * sums.covariance(a, b) + error(a) * error(b));
-  });
+  const Eigen::MatrixXd errors = known.means.rowwise() - about;
+  const auto at = [&](Index a, Index b) {
+    const Eigen::VectorXd own = a == b ? known.variances.col(a) : known.covariances(a, b);
+    return unit * known.probabilities.dot(spread * own + errors.col(a).cwiseProduct(errors.col(b)));
+  };
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b <= a; ++b)
+      all(a, b) = all(b, a) = at(static_cast<Index>(a), static_cast<Index>(b));
   return all;
 }
 

@@ -142,9 +142,23 @@ struct LoadPrior::Part {
   };
   std::vector<Size> sizes{};  // those that are likely
 
+  /// 1 / (gamma^2 + alpha), a column for each size.
+  [[nodiscard]] Eigen::MatrixXd over() const {
+    Eigen::MatrixXd all(beta.size(), std::ssize(sizes));
+    for (Eigen::Index i = 0; i < all.cols(); ++i)
+      all.col(i) = (entry->gamma2.array() + sizes[static_cast<std::size_t>(i)].alpha).inverse();
+    return all;
+  }
   /// What each component of the decomposition is filtered to.
   [[nodiscard]] Eigen::VectorXd filtered(double alpha) const {
     return entry->gamma.array() / (entry->gamma2.array() + alpha) * beta.array();
+  }
+  /// A column for each size.
+  [[nodiscard]] Eigen::MatrixXd filtered() const {
+    Eigen::MatrixXd all(beta.size(), std::ssize(sizes));
+    for (Eigen::Index i = 0; i < all.cols(); ++i)
+      all.col(i) = filtered(sizes[static_cast<std::size_t>(i)].alpha);
+    return all;
   }
 };
 

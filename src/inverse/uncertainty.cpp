@@ -61,36 +61,35 @@ UncertainResultant resultant_between(std::size_t first, std::size_t last, const 
   const bool two = tractions.size() > n;
   const Resultant sum = resultant_between(first, last, tractions.first(n),
                                           tractions.subspan(n, two ? n : std::size_t{0}), surface);
-  // The gradient of each result by the tractions, made of three: F_v, F_t and the centre.
-  std::array<std::vector<double>, 3> gradients;
-  gradients.fill(std::vector<double>(tractions.size()));
-  auto& [on_normal, on_tangential, on_centre] = gradients;
+  // The gradient of each result by the tractions: F_v, F_t, the centre and the angle.
+  std::vector<std::vector<double>> gradients(4, std::vector<double>(tractions.size()));
   const std::optional<double> centre = sum.centre();
   for (std::size_t i = first; i < last; ++i) {
-    on_normal[i] = d;
-    if (two) on_tangential[n + i] = d;
-    if (centre) on_centre[i] = d * (surface.position(i) - *centre) / sum.normal;
+    gradients[0][i] = d;
+    if (two) gradients[1][n + i] = d;
+    if (centre) gradients[2][i] = d * (surface.position(i) - *centre) / sum.normal;
   }
-  const auto uncertain = [&](double value, std::span<const double> gradient) {
-    return Uncertain{value, covariance.deviation(gradient) * noise_rms};
-  };
-
-  UncertainResultant result;
-  result.normal = uncertain(sum.normal, on_normal);
-  if (two) result.tangential = uncertain(sum.tangential, on_tangential);
-  if (centre) result.centre = uncertain(*centre, on_centre);
   if (centre && two) {
     const double slope = sum.tangential / sum.normal;
     const double scale = 1.0 / sum.normal / (1.0 + slope * slope);
-    std::vector<double> on_angle(tractions.size());
     for (std::size_t i = 0; i < tractions.size(); ++i)
-      on_angle[i] = (on_tangential[i] - slope * on_normal[i]) * scale;
-    result.angle = uncertain(*sum.angle(), on_angle);
+      gradients[3][i] = (gradients[1][i] - slope * gradients[0][i]) * scale;
   }
+  const std::vector<double> deviations = covariance.deviations_of(gradients);
+  const auto uncertain = [&](double value, std::size_t which) {
+    return Uncertain{value, deviations[which] * noise_rms};
+  };
+
+  UncertainResultant result;
+  result.normal = uncertain(sum.normal, 0);
+  if (two) result.tangential = uncertain(sum.tangential, 1);
+  if (centre) result.centre = uncertain(*centre, 2);
+  if (centre && two) result.angle = uncertain(*sum.angle(), 3);
+  gradients.pop_back();
+  const Matrix all = covariance.covariances(gradients);
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j <= i; ++j)
-      result.covariance[3 * i + j] = result.covariance[3 * j + i] =
-          covariance.covariance(gradients[i], gradients[j]) * noise_rms * noise_rms;
+    for (std::size_t j = 0; j < 3; ++j)
+      result.covariance[3 * i + j] = all(i, j) * noise_rms * noise_rms;
   return result;
 }
 

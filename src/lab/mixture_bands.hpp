@@ -2,6 +2,7 @@
 /// Bands of tractions of which all that the readings leave possible is known. Private.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -30,10 +31,10 @@ struct BoundTractions {
     const Distribution& one = each[i];
     const double apart = bound != nullptr ? one.mean() - bound->values[i] : 0.0;
     bands.deviations.push_back(std::hypot(one.deviation(), apart));
+    const CentralInterval interval = one.interval(level);
     const bool pushes = bound != nullptr && i < bound->pressures;
-    const CentralInterval interval = (pushes ? one.at_least(0.0) : one).interval(level);
-    bands.low.push_back(interval.low);
-    bands.high.push_back(interval.high);
+    bands.low.push_back(pushes ? std::max(interval.low, 0.0) : interval.low);
+    bands.high.push_back(pushes ? std::max(interval.high, 0.0) : interval.high);
   }
   return bands;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/lab/scene_problem.hpp"
@@ -27,15 +28,24 @@ class OwnTractions {
   [[nodiscard]] bool same() const noexcept { return same_; }
   [[nodiscard]] const Surface& grid() const noexcept { return grid_; }
 
-  /// Of each own traction the weights of all on the grid.
-  [[nodiscard]] std::vector<std::vector<double>> rows() const {
-    std::vector<std::vector<double>> all;
+  /// What a mixture knows of each.
+  [[nodiscard]] std::vector<Distribution> of(const LoadMixture& mixture) const {
+    if (same_) return mixture.of_tractions();
+    std::vector<Distribution> own;
+    if (grid_.stride == 1 && grid_.spacing == own_.spacing) {  // those over the taxels
+      std::vector<Distribution> all = mixture.of_tractions();
+      for (std::size_t u = 0; u < unknowns_; ++u)
+        for (std::size_t i = 0; i < own_.count; ++i)
+          own.push_back(std::move(all[u * grid_.count + grid_.margin + i]));
+      return own;
+    }
+    std::vector<std::vector<double>> rows;  // of each the weights of all on the grid
     for (std::size_t u = 0; u < unknowns_; ++u)
       for (std::size_t i = 0; i < own_.count; ++i) {
-        std::vector<double>& row = all.emplace_back(unknowns_ * grid_.count);
+        std::vector<double>& row = rows.emplace_back(unknowns_ * grid_.count);
         weights(i, [&](std::size_t at, double weight) { row[u * grid_.count + at] = weight; });
       }
-    return all;
+    return mixture.of_each(rows);
   }
 
   /// Of tractions on the grid the own ones.

@@ -92,10 +92,13 @@ ResultantDistributions distributions_between(std::size_t first, std::size_t last
     moment[i] = grid.spacing * grid.position(i);
     if (two) drag[grid.count + i] = grid.spacing;
   }
-  ResultantDistributions known{.normal = mixture.of(force), .centre = mixture.ratio(moment, force)};
+  std::vector<std::vector<double>> weights{std::move(force), std::move(moment)};
+  if (two) weights.push_back(std::move(drag));
+  const LoadSums sums = mixture.sums(weights);
+  ResultantDistributions known{.normal = sums.of(0), .centre = sums.ratio(1, 0)};
   if (!two) return known;
-  known.tangential = mixture.of(drag);
-  known.slope = mixture.ratio(drag, force);
+  known.tangential = sums.of(2);
+  known.slope = sums.ratio(2, 0);
   return known;
 }
 
@@ -156,7 +159,7 @@ FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const
   bands.noise = estimate_noise(problem, frame.readings(), mean, mixture.degrees_of_freedom(),
                                scene.stated_noise());
   bands.holds_model_error = true;  // as noise that is larger than stated
-  const RootCovariance covariance = mixture.covariance(mean, rms);
+  const LoadCovariance covariance(mixture, mean, rms);
   const double level = scene.scene().interval_level;
   const auto between = [&](std::size_t first, std::size_t last) {
     UncertainResultant part = resultant_between(first, last, own.grid(), mean, covariance, rms);
@@ -168,8 +171,8 @@ FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const
   // Of constrained tractions deviations are about them.
   const bool bound = result.constrained.has_value();
   const std::vector<double> f = bound ? own.on_grid(tractions) : mean;
-  std::optional<RootCovariance> about_bound;
-  if (bound) about_bound.emplace(mixture.covariance(f, rms));
+  std::optional<LoadCovariance> about_bound;
+  if (bound) about_bound.emplace(mixture, f, rms);
   const Covariance& about = bound ? *about_bound : covariance;
   bands.nearest_to_slipping =
       nearest_to_slipping(own.grid(), f, about, rms, bands.resultant, between);
@@ -178,8 +181,7 @@ FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const
                  {.friction_limit = scene.scene().reconstruct.friction_limit,
                   .smoothed_variance = smoothed_variance(scene, mixture.degrees_of_freedom()),
                   .between = between}));
-  const std::vector<Distribution> each =
-      own.same() ? mixture.of_tractions() : mixture.of_each(own.rows());
+  const std::vector<Distribution> each = own.of(mixture);
   const BoundTractions about_these{.values = tractions, .pressures = scene.surface().count};
   TractionBands found = bands_of(each, level, bound ? &about_these : nullptr);
   bands.deviation = std::move(found.deviations);

@@ -109,30 +109,46 @@ class LoadPrior {
   std::shared_ptr<const Tables> tables_;
 };
 
+/// Several sums of weights times tractions, worked out together.
+class LoadSums {
+ public:
+  [[nodiscard]] std::size_t count() const noexcept;
+  /// @pre  sum < count()
+  [[nodiscard]] Distribution of(std::size_t sum) const;
+  /// Of one sum over another, as a centre is of the moment over the force: exactly (Fieller 1954).
+  /// Absent: the denominator is less than five of its deviations away from 0.
+  /// @pre  both < count()
+  [[nodiscard]] std::optional<Distribution> ratio(std::size_t numerator,
+                                                  std::size_t denominator) const;
+
+ private:
+  friend class LoadMixture;
+  friend class LoadCovariance;
+  struct Piece;
+  struct Table;
+  explicit LoadSums(std::shared_ptr<const Table> table);
+
+  std::shared_ptr<const Table> table_;
+};
+
 /// What is known of a load after a frame. Keeps the prior's tables alive.
 class LoadMixture {
  public:
   /// The tractions' mean [Pa], components x values. O(values x readings) for each likely window.
   [[nodiscard]] std::vector<double> mean() const;
 
-  /// Of the sum of weights times tractions.
+  /// Of sums of weights times tractions: one pass over the likely windows for all.
   /// @throw std::invalid_argument  there is not one weight per traction
+  [[nodiscard]] LoadSums sums(std::span<const std::vector<double>> weights) const;
+  /// Of one of them. @throw  as `sums`
   [[nodiscard]] Distribution of(std::span<const double> weights) const;
   [[nodiscard]] std::vector<Distribution> of_each(
       std::span<const std::vector<double>> weights) const;
-  /// Of every traction: O(values x readings) for each likely component.
-  [[nodiscard]] std::vector<Distribution> of_tractions() const;
-  /// Of one sum over another, as a centre is of the moment over the force: exactly (Fieller 1954).
-  /// Absent: the denominator is less than five of its deviations away from 0.
-  /// @throw std::invalid_argument  there is not one weight per traction
+  /// As `LoadSums::ratio`. @throw  as `sums`
   [[nodiscard]] std::optional<Distribution> ratio(std::span<const double> numerator,
                                                   std::span<const double> denominator) const;
-
-  /// The mean squares of the error of given tractions, per unit of `noise_rms` squared: about the
-  /// mean the covariance. A column for each value, reading and alpha of each likely window: of a
-  /// skin's frame of noise alone gigabytes, where `LoadCovariance` takes none.
-  /// @throw std::invalid_argument  noise_rms is not > 0, there is not one traction per column
-  [[nodiscard]] RootCovariance covariance(std::span<const double> about, double noise_rms) const;
+  /// Of every traction: O(values x readings) for each likely component.
+  [[nodiscard]] std::vector<Distribution> of_tractions() const;
 
   /// tr H on average: how many of the readings' degrees of freedom the tractions use up.
   [[nodiscard]] double degrees_of_freedom() const noexcept { return used_; }
@@ -149,11 +165,6 @@ class LoadMixture {
   friend class LoadCovariance;
 
   explicit LoadMixture(std::shared_ptr<const LoadPrior::Tables> tables);
-  /// Of one component the means and covariances of several sums, over sigma and its square.
-  struct Sums;
-  /// Of each component.
-  template <class Take>
-  void each(std::span<const std::vector<double>> weights, const Take& take) const;
 
   std::shared_ptr<const LoadPrior::Tables> tables_;
   std::shared_ptr<const std::vector<LoadPrior::Part>> parts_;
@@ -163,7 +174,8 @@ class LoadMixture {
   double model_share_ = 0.0;
 };
 
-/// What `LoadMixture::covariance` is, worked out for each sum that is asked for: for skins.
+/// The mean squares of the error of given tractions, per unit of a noise's rms squared: about the
+/// mixture's mean the covariance. Worked out for the sums that are asked for.
 class LoadCovariance final : public Covariance {
  public:
   /// @param about  one per traction [Pa]
