@@ -1,11 +1,15 @@
 #include "inverse/load_tables.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -14,6 +18,7 @@
 #include "inverse/mirror_classes.hpp"
 #include "inverse/stabiliser_weight.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/threads.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
 
 namespace tactile_net {
@@ -32,6 +37,7 @@ constexpr double least_gamma2 = 1e-8;
 constexpr std::array drag_weights = {0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 /// Bands of forces and drags of a skin are as wide with these as with those, and hold as often.
 constexpr std::array skin_weights = {0.5, 2.0, 8.0};
+constexpr double least_entry = 1e-15;      // over the largest entry of T'K'
 constexpr double least_difference = 1e-5;  // of two squares, over the larger one
 
 }  // namespace
@@ -76,6 +82,22 @@ Eigen::MatrixXd WindowCoordinates::sums(const Eigen::Ref<const Eigen::MatrixXd>&
   return sizes_.asDiagonal() * c;
 }
 
+void WindowCoordinates::part_exchanged(Eigen::Ref<Eigen::MatrixXd> c) const {
+  const Index n = count();
+  const auto pair = [&](Index a, Index b) {
+    const Eigen::RowVectorXd one = c.row(a);
+    c.row(a) = (one + c.row(b)) * std::numbers::sqrt2 / 2.0;
+    c.row(b) = (one - c.row(b)) * std::numbers::sqrt2 / 2.0;
+  };
+  for (Index i = 0; i < y_.cols(); ++i)
+    for (Index j = 0; j < z_.cols(); ++j) {
+      const Index here = i * z_.cols() + j;
+      const Index there = j * z_.cols() + i;
+      if (i < j) pair(here, there);
+      if (c.rows() > n) pair(n + here, 2 * n + there);
+    }
+}
+
 Eigen::VectorXd WindowCoordinates::squares() const {
   Eigen::VectorXd all = sizes_.cwiseAbs2();
   Eigen::Map<RowMajor> cells(all.data(), y_.cols(), z_.cols());
@@ -83,11 +105,13 @@ Eigen::VectorXd WindowCoordinates::squares() const {
   return all;
 }
 
-LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& options)
+LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& options,
+                          std::size_t least_parted)
     : weighting(problem),
       components(static_cast<Index>(problem.components)),
       block(static_cast<Index>(problem.grid.count())),
-      kernel_(as_eigen(problem.kernel)) {
+      kernel_(as_eigen(problem.kernel)),
+      least_parted_(least_parted) {
   if (problem.components == 1)
     tangential_weights = {1.0};
   else if (problem.is_line)
@@ -95,139 +119,276 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
   else
     tangential_weights.assign(skin_weights.begin(), skin_weights.end());
   find_reflections(problem);
-  const auto levels =
-      window_levels(problem.grid, options.narrowest * options.depth, problem.is_line);
-  const auto key = [](const WindowPlace& place) {
-    return std::tuple(place.rows.first, place.rows.count, place.columns.first, place.columns.count);
-  };
-  const auto image = [&](WindowPlace place, const Reflection& reflection) {
-    const auto turned = [](AxisRange range, std::size_t values) {
-      return AxisRange{static_cast<Index>(values) - range.count - range.first, range.count};
-    };
-    if (reflection.of_y) place.rows = turned(place.rows, problem.grid.rows);
-    if (reflection.of_z) place.columns = turned(place.columns, problem.grid.columns);
-    return place;
-  };
-  for (std::size_t i = levels.size(); i-- > 0;) {  // the whole surface first
-    const std::vector<WindowPlace>& level = levels[i];
-    std::map<decltype(key({})), std::size_t> known;
-    for (const WindowPlace& place : level) {
-      std::size_t reflection = 0;
-      while (reflection < reflections.size() &&
-             !known.contains(key(image(place, reflections[reflection]))))
-        ++reflection;
-      if (reflection == reflections.size()) {
-        reflection = 0;
-        known.emplace(key(place), shapes.size());
-        shapes.push_back({.coordinates = {problem, place, options.depth}});
-      }
-      add_window(problem, place, known.at(key(image(place, reflections[reflection]))), reflection);
-      Shape& shape = shapes[windows.back().shape];
-      shape.windows.push_back(windows.size() - 1);
-      if (shape.columns.empty()) {
-        shape.columns = windows.back().columns;
-        decompose(shape, options.prior_power, -std::log(static_cast<double>(level.size())));
-      }
-    }
-  }
+  add_windows(problem, options);
+  entries.resize(shapes.size() * tangential_weights.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i].first = i * tangential_weights.size();
+  decompose_all(options.prior_power, options.threads);
   kept_.resize(entries.size());
   asked_.resize(entries.size());
+}
+
+WindowPlace LoadPrior::Tables::Reflection::image(const WindowPlace& place,
+                                                 const SurfaceGrid& grid) const {
+  const auto turned = [](const AxisRange& range, std::size_t values) {
+    return AxisRange{static_cast<Index>(values) - range.count - range.first, range.count};
+  };
+  WindowPlace found{of_y ? turned(place.rows, grid.rows) : place.rows,
+                    of_z ? turned(place.columns, grid.columns) : place.columns};
+  if (exchanged) std::swap(found.rows, found.columns);
+  return found;
 }
 
 void LoadPrior::Tables::find_reflections(const LinearProblem& problem) {
   Reflection none{.readings = std::vector<Index>(problem.sites.size()),
                   .signs = Eigen::VectorXd::Ones(std::ssize(problem.sites)),
+                  .components = std::vector<std::size_t>(problem.components),
                   .tractions = std::vector<double>(problem.components, 1.0)};
   std::iota(none.readings.begin(), none.readings.end(), Index{0});
+  std::iota(none.components.begin(), none.components.end(), std::size_t{0});
   reflections.push_back(std::move(none));
-  for (const Axis along : {Axis::y, Axis::z}) {
-    if (problem.is_line && along == Axis::z) continue;
-    const MirroredReadings mirrored = mirrored_readings(problem, along);
-    if (!mirrored) continue;
+  // With each that there is by then, and behind it.
+  const auto add = [&](const MirroredReadings& of, const auto& change) {
+    if (!of) return;
     const std::size_t count = reflections.size();
     for (std::size_t i = 0; i < count; ++i) {
       Reflection both = reflections[i];
-      (along == Axis::y ? both.of_y : both.of_z) = true;
-      for (std::size_t row = 0; row < problem.sites.size(); ++row) {
-        const auto at = static_cast<Index>(row);
-        const std::size_t other = (*mirrored)[row];
-        both.readings[row] = reflections[i].readings[other];
-        both.signs(at) = reflections[i].signs(static_cast<Index>(other));
-        if (is_odd(problem.sites[row].quantity, Traction::normal, along)) both.signs(at) *= -1.0;
+      for (std::size_t row = 0; row < of->size(); ++row) {
+        both.readings[row] = reflections[i].readings[(*of)[row]];
+        both.signs(static_cast<Index>(row)) = reflections[i].signs(static_cast<Index>((*of)[row]));
       }
-      for (std::size_t u = 0; u < problem.components; ++u)
-        if (skin_tractions[u] ==
-            (along == Axis::y ? Traction::tangential_y : Traction::tangential_z))
-          both.tractions[u] *= -1.0;
+      change(both);
       reflections.push_back(std::move(both));
+    }
+  };
+  for (const Axis along : {Axis::y, Axis::z}) {
+    if (problem.is_line && along == Axis::z) continue;
+    add(mirrored_readings(problem, along), [&](Reflection& both) {
+      (along == Axis::y ? both.of_y : both.of_z) = true;
+      for (std::size_t row = 0; row < problem.sites.size(); ++row)
+        if (is_odd(problem.sites[row].quantity, Traction::normal, along))
+          both.signs(static_cast<Index>(row)) *= -1.0;
+      for (std::size_t u = 0; u < problem.components; ++u)
+        if (axis(skin_tractions[u]) == along) both.tractions[u] *= -1.0;
+    });
+  }
+  add(exchanged_readings(problem), [&](Reflection& both) {
+    both.exchanged = true;
+    if (problem.components < 3) return;
+    std::swap(both.components[1], both.components[2]);
+    std::swap(both.tractions[1], both.tractions[2]);
+  });
+}
+
+void LoadPrior::Tables::add_windows(const LinearProblem& problem, const LoadPriorOptions& options) {
+  const auto levels =
+      window_levels(problem.grid, options.narrowest * options.depth, problem.is_line);
+  const auto key = [](const WindowPlace& place) {
+    return std::tuple(place.rows.first, place.rows.count, place.columns.first, place.columns.count);
+  };
+  for (std::size_t i = levels.size(); i-- > 0;) {  // the whole surface first
+    std::map<decltype(key({})), std::size_t> known;
+    for (const WindowPlace& place : levels[i]) {
+      const auto shape_of = [&](const Reflection& by) {
+        return known.find(key(by.image(place, problem.grid)));
+      };
+      std::size_t reflection = 0;
+      while (reflection < reflections.size() && shape_of(reflections[reflection]) == known.end())
+        ++reflection;
+      if (reflection == reflections.size()) {
+        reflection = 0;
+        known.emplace(key(place), shapes.size());
+        Shape shape{.coordinates = {problem, place, options.depth},
+                    .log_prior = -std::log(static_cast<double>(levels[i].size())),
+                    .columns = columns_of(problem, place, reflections.front())};
+        for (std::size_t k = 1; k < reflections.size(); ++k)
+          if (key(reflections[k].image(place, problem.grid)) == key(place)) shape.own.push_back(k);
+        shapes.push_back(std::move(shape));
+      }
+      const Reflection& by = reflections[reflection];
+      const std::size_t shape = shape_of(by)->second;
+      shapes[shape].windows.push_back(windows.size());
+      windows.push_back(
+          {.shape = shape, .reflection = reflection, .columns = columns_of(problem, place, by)});
     }
   }
 }
 
-void LoadPrior::Tables::add_window(const LinearProblem& problem, const WindowPlace& place,
-                                   std::size_t shape, std::size_t reflection) {
-  Window window{.shape = shape, .reflection = reflection};
-  const Reflection& by = reflections[reflection];
+std::vector<Index> LoadPrior::Tables::columns_of(const LinearProblem& problem,
+                                                 const WindowPlace& place,
+                                                 const Reflection& by) const {
   const auto value = [](const AxisRange& range, Index i, bool turned) {
     return range.first + (turned ? range.count - 1 - i : i);
   };
-  for (Index u = 0; u < components; ++u)
-    for (Index row = 0; row < place.rows.count; ++row)
-      for (Index column = 0; column < place.columns.count; ++column)
-        window.columns.push_back(
-            u * block + value(place.rows, row, by.of_y) * static_cast<Index>(problem.grid.columns) +
-            value(place.columns, column, by.of_z));
-  windows.push_back(std::move(window));
+  const WindowPlace shape = by.image(place, problem.grid);
+  std::vector<Index> columns;
+  for (const std::size_t u : by.components)
+    for (Index i = 0; i < shape.rows.count; ++i)
+      for (Index j = 0; j < shape.columns.count; ++j)
+        columns.push_back(static_cast<Index>(u) * block +
+                          value(place.rows, by.exchanged ? j : i, by.of_y) *
+                              static_cast<Index>(problem.grid.columns) +
+                          value(place.columns, by.exchanged ? i : j, by.of_z));
+  return columns;
 }
 
-void LoadPrior::Tables::decompose(Shape& shape, double prior_power, double log_prior) {
-  shape.first = entries.size();
-  shape.most_log_prior =
-      Eigen::VectorXd::Constant(mixture_alphas, -std::numeric_limits<double>::infinity());
+/// The whole surface, which sizes alphas, and then shape after shape by whoever is free.
+void LoadPrior::Tables::decompose_all(double prior_power, std::size_t threads) {
+  decompose(shapes.front(), prior_power);
+  std::atomic<std::size_t> next = 1;
+  std::mutex mutex;
+  std::exception_ptr failure;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < shapes.size(); i = next++) decompose(shapes[i], prior_power);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      failure = std::current_exception();
+    }
+  };
+  {
+    Threads others;
+    const bool is_long = static_cast<std::size_t>(kernel_.rows()) >= least_parted_;
+    const std::size_t most = !is_long ? 1 : threads == 0 ? processors() : threads;
+    try {
+      for (std::size_t k = 1; k < std::min(most, shapes.size()); ++k) others.start(work);
+    } catch (const std::system_error&) {  // what has no thread is worked out here
+    }
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// Of y and of z with both, or of one exchange: those that undo themselves and one another.
+std::vector<const LoadPrior::Tables::Reflection*> LoadPrior::Tables::classifying(
+    const Shape& shape) const {
+  std::vector<const Reflection*> by;
+  if (static_cast<std::size_t>(kernel_.rows()) < least_parted_) return by;
+  for (const std::size_t k : shape.own)
+    if (!reflections[k].exchanged) by.push_back(&reflections[k]);
+  for (const std::size_t k : shape.own)
+    if (by.empty() && reflections[k].of_y == reflections[k].of_z) by.push_back(&reflections[k]);
+  return by;
+}
+
+std::vector<Eigen::SparseMatrix<double>> LoadPrior::Tables::classes_by(
+    std::span<const Reflection* const> by) const {
+  const Index rows = kernel_.rows();
+  std::vector<Eigen::SparseMatrix<double>> classes;
+  if (by.empty()) {
+    classes.emplace_back(rows, rows).setIdentity();
+    return classes;
+  }
+  const bool has_two = by.size() > 1;
+  for (const double of_first : {1.0, -1.0})
+    for (const double of_second : {1.0, -1.0}) {
+      if (!has_two && of_second < 0.0) continue;
+      const auto character = [&](const Reflection& one) {
+        if (!has_two) return of_first;
+        return (one.of_y ? of_first : 1.0) * (one.of_z ? of_second : 1.0);
+      };
+      std::vector<Eigen::Triplet<double>> numbers;
+      Index count = 0;
+      for (Index row = 0; row < rows; ++row) {
+        std::map<Index, double> sum{{row, 1.0}};
+        for (const Reflection* const one : by) {
+          const Index other = one->readings[static_cast<std::size_t>(row)];
+          sum[other] += character(*one) * one->signs(other);
+        }
+        if (sum.begin()->first < row) continue;
+        double square = 0.0;
+        for (const auto& [unused, value] : sum) square += value * value;
+        if (square == 0.0) continue;  // it is its own image, with the other sign
+        for (const auto& [at, value] : sum)
+          numbers.emplace_back(at, count, value / std::sqrt(square));
+        ++count;
+      }
+      if (count == 0) continue;
+      classes.emplace_back(rows, count).setFromTriplets(numbers.begin(), numbers.end());
+    }
+  return classes;
+}
+
+void LoadPrior::Tables::decompose(Shape& shape, double prior_power) {
   const Index rows = kernel_.rows();
   const Index own = shape.coordinates.count();
-  const Eigen::MatrixXd columns = kernel_(Eigen::indexing::all, shape.columns).transpose();
-  Eigen::MatrixXd seen(columns.rows(), rows);  // T'K' of weight 1
-  for (Index u = 0; u < components; ++u)
-    seen.middleRows(u * own, own) = shape.coordinates.sums(columns.middleRows(u * own, own));
+  Eigen::MatrixXd seen = kernel_(Eigen::indexing::all, shape.columns).transpose();
+  for (Index u = 0; u < components; ++u)  // T'K' of weight 1
+    seen.middleRows(u * own, own) = shape.coordinates.sums(seen.middleRows(u * own, own));
   int exponent = 0;  // a power of two scales without a rounding, and squares stay numbers
   std::frexp(seen.cwiseAbs().maxCoeff(), &exponent);
   const double size = std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
   seen /= size;
   // No more rows than columns say the same: of the normal traction, and of the tangential ones.
-  const auto reduced = [rows](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
-    if (x.rows() > rows) return HouseholderQr(x).triangle();
+  const auto reduced = [](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
+    if (x.rows() > x.cols()) return HouseholderQr(x).triangle();
     return x;
   };
-  const Eigen::MatrixXd normal = reduced(seen.topRows(own));
-  const Eigen::MatrixXd tangential = reduced(seen.bottomRows(seen.rows() - own));
-  for (const double weight : tangential_weights) {
-    Eigen::MatrixXd both(normal.rows() + tangential.rows(), rows);
-    both << normal, tangential / weight;
-    both = reduced(both);
-    const Svd parts = both.rows() == rows ? singular_value_decomposition(both)
-                                          : long_singular_value_decomposition(both);
-    Entry entry{.shape = static_cast<std::size_t>(&shape - shapes.data()),
-                .tangential_weight = weight};
+  const std::vector<const Reflection*> by = classifying(shape);
+  if (!by.empty() && by.front()->exchanged) shape.coordinates.part_exchanged(seen);
+  const std::vector<Eigen::SparseMatrix<double>> classes = classes_by(by);
+  // Half of a class's rows, or three quarters, are nothing but rounding.
+  const auto own_rows = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
+    if (by.empty()) return reduced(x);
+    std::vector<Index> kept;
+    for (Index i = 0; i < x.rows(); ++i)
+      if (x.row(i).cwiseAbs().maxCoeff() > least_entry) kept.push_back(i);
+    return reduced(x(kept, Eigen::indexing::all));
+  };
+  std::vector<Eigen::MatrixXd> normal, tangential;
+  for (const Eigen::SparseMatrix<double>& one : classes) {
+    const Eigen::MatrixXd of_class = seen * one;
+    normal.push_back(own_rows(of_class.topRows(own)));
+    tangential.push_back(own_rows(of_class.bottomRows(seen.rows() - own)));
+  }
+  struct Value {
+    double gamma = 0.0;  // over size
+    std::size_t of = 0;  // class
+    Index column = 0;
+  };
+  shape.most_log_prior =
+      Eigen::VectorXd::Constant(mixture_alphas, -std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < tangential_weights.size(); ++i) {
+    std::vector<Svd> parts;
+    std::vector<Value> values;
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+      Eigen::MatrixXd both(normal[c].rows() + tangential[c].rows(), classes[c].cols());
+      both << normal[c], tangential[c] / tangential_weights[i];
+      both = reduced(both);
+      parts.push_back(both.rows() == both.cols() ? singular_value_decomposition(both)
+                                                 : long_singular_value_decomposition(both));
+      for (Index k = 0; k < parts[c].values.size(); ++k)
+        values.push_back({.gamma = parts[c].values(k), .of = c, .column = k});
+    }
+    std::stable_sort(values.begin(), values.end(),
+                     [](const Value& a, const Value& b) { return a.gamma > b.gamma; });
     if (alphas.size() == 0) {
-      const double largest = size * parts.values(0);
+      const double largest = size * values.front().gamma;
       if (!(largest > 0.0)) throw std::invalid_argument(nothing_is_read);
       alphas.resize(mixture_alphas);
       for (Index a = 0; a < mixture_alphas; ++a)
         alphas(a) = largest * largest * most_alpha * std::ldexp(1.0, -static_cast<int>(a));
     }
     const double least = std::sqrt(least_gamma2 * alphas(mixture_alphas - 1));
-    const Index shown = (size * parts.values.array() > least).count();
-    entry.u = parts.v.leftCols(shown);
-    entry.gamma = size * parts.values.head(shown);
+    std::erase_if(values, [&](const Value& one) { return !(size * one.gamma > least); });
+    Entry& entry = entries[shape.first + i];
+    entry.shape = static_cast<std::size_t>(&shape - shapes.data());
+    entry.tangential_weight = tangential_weights[i];
+    entry.u.resize(rows, std::ssize(values));
+    entry.gamma.resize(std::ssize(values));
+    for (Index k = 0; k < entry.gamma.size(); ++k) {
+      const Value& one = values[static_cast<std::size_t>(k)];
+      entry.u.col(k) = classes[one.of] * parts[one.of].v.col(one.column);
+      entry.gamma(k) = size * one.gamma;
+    }
     entry.gamma2 = entry.gamma.cwiseAbs2();
     entry.log_prior = Eigen::VectorXd::Constant(
-        mixture_alphas, components == 1 ? log_prior : log_prior - negative_log_prior(weight));
+        mixture_alphas, components == 1
+                            ? shape.log_prior
+                            : shape.log_prior - negative_log_prior(tangential_weights[i]));
     for (Index a = 0; a < mixture_alphas; ++a)
       entry.log_prior(a) += 0.5 * (alphas(a) / (entry.gamma2.array() + alphas(a))).log().sum() -
                             prior_power * std::log(2.0) * static_cast<double>(a);
     shape.most_log_prior = shape.most_log_prior.cwiseMax(entry.log_prior);
-    entries.push_back(std::move(entry));
   }
 }
 

@@ -2,15 +2,18 @@
 /// What a mixture of loads knows before anything is read: its windows, and of each with each
 /// tangential weight a decomposition. Private.
 ///
-/// Of windows that are mirror images of one another on an array that mirrors itself one is
-/// decomposed: for the others the readings are reflected instead. What only answers need is made
-/// when a frame finds a window likely.
+/// Of windows that are images of one another on an array that is its own, with y or z reflected or
+/// the two exchanged, one is decomposed: for the others the readings are reflected instead. A
+/// window that is its own image is decomposed class by class. What only answers need is made when a
+/// frame finds a window likely.
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "inverse/weighting.hpp"
@@ -31,6 +34,9 @@ class WindowCoordinates {
   [[nodiscard]] Eigen::MatrixXd tractions(const Eigen::Ref<const Eigen::MatrixXd>& c) const;
   /// T' f.
   [[nodiscard]] Eigen::MatrixXd sums(const Eigen::Ref<const Eigen::MatrixXd>& f) const;
+  /// Of a square window's components one after another, a row each: turns what an exchange of y and
+  /// z makes of each other into their sum and their difference.
+  void part_exchanged(Eigen::Ref<Eigen::MatrixXd> c) const;
   /// The squares of each value: the diagonal of T T'.
   [[nodiscard]] Eigen::VectorXd squares() const;
 
@@ -40,19 +46,25 @@ class WindowCoordinates {
 };
 
 struct LoadPrior::Tables {
-  /// Of readings and of tractions: y -> -y, z -> -z, both or none.
+  /// Of readings and of tractions: y -> -y, z -> -z, both or none, and then y and z exchanged or
+  /// not.
   struct Reflection {
-    std::vector<Eigen::Index> readings{};  // the one that each becomes
-    Eigen::VectorXd signs{};               // of each
-    std::vector<double> tractions{};       // the sign of each component
-    bool of_y = false, of_z = false;
+    std::vector<Eigen::Index> readings{};   // the one that each becomes
+    Eigen::VectorXd signs{};                // of each
+    std::vector<std::size_t> components{};  // of the tractions, the one that each becomes
+    std::vector<double> tractions{};        // the sign of each
+    bool of_y = false, of_z = false, exchanged = false;
+
+    [[nodiscard]] WindowPlace image(const WindowPlace& place, const SurfaceGrid& grid) const;
   };
   /// One of the windows that are each other's images.
   struct Shape {
-    std::vector<Eigen::Index> columns{};  // of K: the window's values, of each component
     WindowCoordinates coordinates;
-    std::size_t first = 0;             // entry of the least weight, those of the others follow
-    Eigen::VectorXd most_log_prior{};  // of the entries, of each alpha
+    double log_prior = 0.0;               // of each of its windows
+    std::vector<std::size_t> own{};       // reflections that leave it where it is
+    std::vector<Eigen::Index> columns{};  // of K: the window's values, of each component
+    std::size_t first = 0;                // entry of the least weight, those of the others follow
+    Eigen::VectorXd most_log_prior{};     // of the entries, of each alpha
     std::vector<std::size_t> windows{};
   };
   /// Where a load may lie, with whatever tangential weight.
@@ -76,7 +88,10 @@ struct LoadPrior::Tables {
     Eigen::VectorXd hidden{};  // the squares of what no reading shows of each value
   };
 
-  Tables(const LinearProblem& problem, const LoadPriorOptions& options);
+  /// @param least_parted  readings: of fewer a decomposition takes a millisecond, as a thread does,
+  ///                      and is neither parted into classes nor given one
+  Tables(const LinearProblem& problem, const LoadPriorOptions& options,
+         std::size_t least_parted = 128);
 
   /// Kept as long as there is room: those that were asked for longest ago go. Several threads may
   /// ask.
@@ -114,15 +129,25 @@ struct LoadPrior::Tables {
 
  private:
   void find_reflections(const LinearProblem& problem);
-  void add_window(const LinearProblem& problem, const WindowPlace& place, std::size_t shape,
-                  std::size_t reflection);
-  void decompose(Shape& shape, double prior_power, double log_prior);
+  void add_windows(const LinearProblem& problem, const LoadPriorOptions& options);
+  /// Columns of K, of a shape's values as they lie in the window.
+  [[nodiscard]] std::vector<Eigen::Index> columns_of(const LinearProblem& problem,
+                                                     const WindowPlace& place,
+                                                     const Reflection& by) const;
+  void decompose_all(double prior_power, std::size_t threads);
+  void decompose(Shape& shape, double prior_power);
+  /// Of the reflections that leave a shape where it is those by which it is parted into classes.
+  [[nodiscard]] std::vector<const Reflection*> classifying(const Shape& shape) const;
+  /// Combinations of readings, orthonormal columns: no traction of the shape mixes two classes.
+  [[nodiscard]] std::vector<Eigen::SparseMatrix<double>> classes_by(
+      std::span<const Reflection* const> by) const;
   [[nodiscard]] Details make(const Entry& entry) const;
   /// T or T' of each component, over its weight.
   [[nodiscard]] Eigen::MatrixXd of_components(const Entry& entry, const Eigen::MatrixXd& values,
                                               auto map) const;
 
   Eigen::MatrixXd kernel_;
+  std::size_t least_parted_;
   mutable std::mutex mutex_{};
   mutable std::vector<std::shared_ptr<const Details>> kept_{};  // of each entry
   mutable std::vector<std::size_t> asked_{};                    // when it was asked for

@@ -45,6 +45,33 @@ MirroredReadings mirrored_readings(const LinearProblem& problem, Axis along) {
   return of;
 }
 
+MirroredReadings exchanged_readings(const LinearProblem& problem) {
+  const SurfaceGrid& grid = problem.grid;
+  if (problem.is_line || grid.rows != grid.columns || grid.spacing_y != grid.spacing_z ||
+      grid.margin_rows != grid.margin_columns || grid.boundary_y != grid.boundary_z)
+    return std::nullopt;
+  const double rounding =
+      1e-12 * (std::abs(grid.centre_y) + std::abs(grid.centre_z) + grid.spacing_y);
+  const auto exchanges = [&](std::size_t a, std::size_t b) {
+    const Site& one = problem.sites[a];
+    const Site& other = problem.sites[b];
+    return one.depth == other.depth && one.width == other.width &&
+           one.quantity == exchanged(other.quantity) && problem.weights[a] == problem.weights[b] &&
+           std::abs(one.y - grid.centre_y - (other.z - grid.centre_z)) <= rounding &&
+           std::abs(one.z - grid.centre_z - (other.y - grid.centre_y)) <= rounding;
+  };
+  std::vector<std::size_t> of(problem.sites.size(), problem.sites.size());
+  for (std::size_t row = 0; row < of.size(); ++row) {
+    if (of[row] < of.size()) continue;
+    std::size_t other = row;
+    while (other < of.size() && (of[other] < of.size() || !exchanges(row, other))) ++other;
+    if (other == of.size()) return std::nullopt;
+    of[row] = other;
+    of[other] = row;
+  }
+  return of;
+}
+
 namespace {
 
 /// Whether a reading that the reflection leaves alone or exchanges is of a class: +1 even, -1 odd.

@@ -17,6 +17,9 @@ using MirroredReadings = std::optional<std::vector<std::size_t>>;
 /// Of y -> -y or z -> -z. What is odd changes its sign besides.
 [[nodiscard]] MirroredReadings mirrored_readings(const LinearProblem& problem, Axis along);
 
+/// Of y and z exchanged, of a grid that is the same along both.
+[[nodiscard]] MirroredReadings exchanged_readings(const LinearProblem& problem);
+
 /// One class: combinations of readings, and the waves that show in no other one's.
 struct MirrorClass {
   Eigen::SparseMatrix<double, Eigen::RowMajor> readings;  ///< orthonormal rows, of W g

@@ -225,24 +225,36 @@ TEST_CASE("a skin's mixture is the posterior of squares of cells", "[load_mixtur
   CHECK_THAT(found.cdf(at), WithinAbs(dense.below, 1e-9));
 }
 
-TEST_CASE("a dragged skin's mixture is its model's, whether windows mirror one another or not",
-          "[load_mixture]") {
-  const SkinArray skin{.rows = 4,
+namespace {
+
+/// Of three readings a taxel. 0: it mirrors itself along both axes; 1: along none; 2: with unknown
+/// offsets; 3: and its axes may be exchanged; 4: only that.
+LinearProblem dragged_skin(int kind) {
+  const SkinArray skin{.rows = kind < 3 ? std::size_t{4} : std::size_t{3},
                        .columns = 3,
                        .pitch_y = 1.0,
                        .pitch_z = 1.0,
                        .depths = {1.0},
                        .reads = {Quantity::stress_x, Quantity::shear_xy, Quantity::shear_xz}};
   SkinProblemOptions given{.components = 3, .grid = {.spacing = 1.0}};
-  const int kind = GENERATE(0, 1, 2);
-  if (kind == 1) given.dead_taxels = {0};
+  if (kind == 1 || kind == 4) given.dead_taxels = {0};
   if (kind == 2) given.unknown_offsets = true;
-  const LinearProblem problem = make_problem(skin, pad, given);
+  return make_problem(skin, pad, given);
+}
+
+}  // namespace
+
+TEST_CASE("a dragged skin's mixture is its model's, whether windows mirror one another or not",
+          "[load_mixture]") {
+  const int kind = GENERATE(0, 1, 2, 3, 4);
+  const LinearProblem problem = dragged_skin(kind);
   const LoadPriorOptions options{.depth = 1.0, .narrowest = 2.0};
   const DenseModel model(problem, options);
   const LoadPrior::Tables tables(problem, options);
   CHECK(tables.windows.size() == model.model.windows().size());
   CHECK((tables.shapes.size() < tables.windows.size()) == (kind != 1));
+  CHECK(tables.reflections.size() ==
+        std::array<std::size_t, 5>{4, 1, 4, 8, 2}.at(static_cast<std::size_t>(kind)));
   const LoadPrior prior(problem, options);
   const std::size_t cells = problem.grid.count();
   std::vector<std::vector<double>> sums;
@@ -287,6 +299,38 @@ TEST_CASE("a dragged skin's mixture is its model's, whether windows mirror one a
       CHECK_THAT(own.deviation(), WithinRel(dense.deviation, 1e-9));
     }
   }
+}
+
+TEST_CASE("a window that is its own image is decomposed class by class, by any number of threads",
+          "[load_mixture]") {
+  const int kind = GENERATE(-1, 0, 1, 2, 3, 4);
+  const LinearProblem problem = kind < 0 ? line_of(2) : dragged_skin(kind);
+  LoadPriorOptions options{.depth = 1.0, .narrowest = 2.0};
+  const LoadPrior::Tables whole(problem, options);
+  const LoadPrior::Tables parted(problem, options, 1);
+  options.threads = 3;
+  const LoadPrior::Tables together(problem, options, 1);
+  REQUIRE(parted.entries.size() == whole.entries.size());
+  REQUIRE(together.entries.size() == whole.entries.size());
+  bool is_parted = false;
+  for (std::size_t i = 0; i < whole.entries.size(); ++i) {
+    CAPTURE(kind, i);
+    const auto& a = whole.entries[i];
+    const auto& b = parted.entries[i];
+    is_parted = is_parted || a.u != b.u;
+    const double largest = whole.entries.front().gamma(0);
+    const auto spread = [](const auto& one) -> Eigen::MatrixXd {
+      return one.u * one.gamma2.asDiagonal() * one.u.transpose();
+    };
+    CHECK((spread(a) - spread(b)).norm() < 1e-13 * largest * largest);
+    CHECK((b.u.transpose() * b.u).isIdentity(1e-13));
+    const Eigen::Index both = std::min(a.gamma.size(), b.gamma.size());
+    CHECK((a.gamma.head(both) - b.gamma.head(both)).norm() < 1e-13 * largest);
+    CHECK((a.log_prior - b.log_prior).head(36).cwiseAbs().maxCoeff() < 1e-8);
+    CHECK(together.entries[i].u == b.u);
+    CHECK(together.entries[i].gamma == b.gamma);
+  }
+  CHECK(is_parted == (kind != 1));
 }
 
 TEST_CASE("what answers need is made again where there was no room for it", "[load_mixture]") {
@@ -343,15 +387,19 @@ TEST_CASE("sums of the mean tractions are the sums' means", "[load_mixture]") {
     CHECK_THAT(known.mean(), WithinAbs(sum, 1e-12));
   }
   const auto each = mixture.of_tractions();
-  const RootCovariance covariance = mixture.covariance(mean, pad_noise);
-  const std::vector<double> deviations = covariance.deviations();
+  std::vector<std::vector<double>> single(mean.size(), std::vector<double>(mean.size()));
+  for (std::size_t i = 0; i < mean.size(); ++i) single[i][i] = 1.0;
+  const LoadSums sums = mixture.sums(single);
+  REQUIRE(sums.count() == mean.size());
   for (std::size_t i = 0; i < mean.size(); ++i) {
     CHECK_THAT(each[i].mean(), WithinAbs(mean[i], 1e-12));
-    CHECK_THAT(each[i].deviation(), WithinAbs(deviations[i] * pad_noise, 1e-9));
+    CHECK_THAT(sums.of(i).mean(), WithinAbs(mean[i], 1e-12));
+    CHECK_THAT(sums.of(i).deviation(), WithinRel(each[i].deviation(), 1e-9));
+    for (const double p : {0.025, 0.5, 0.8})
+      CHECK_THAT(sums.of(i).quantile(p),
+                 WithinAbs(each[i].quantile(p), 1e-9 * each[i].deviation()));
   }
   const auto force = weights_of_force(problem);
-  CHECK_THAT(mixture.of(force).deviation(),
-             WithinRel(covariance.deviation(force) * pad_noise, 1e-9));
   const auto centre = mixture.ratio(weights_of_moment(problem), force);
   REQUIRE(centre);
   CHECK_THAT(
@@ -363,7 +411,8 @@ TEST_CASE("sums of the mean tractions are the sums' means", "[load_mixture]") {
   CHECK(mixture.alpha_quantile(0.25) <= mixture.alpha_quantile(0.75));
 }
 
-TEST_CASE("a covariance worked out sum by sum is the root's", "[load_mixture]") {
+TEST_CASE("a covariance is that of the sums' distributions, about any tractions",
+          "[load_mixture]") {
   const std::size_t unknowns = GENERATE(std::size_t{1}, std::size_t{2});
   const LinearProblem problem = line_of(unknowns);
   const LoadPrior prior(problem, {.depth = 1.0});
@@ -374,32 +423,51 @@ TEST_CASE("a covariance worked out sum by sum is the root's", "[load_mixture]") 
     const LoadMixture mixture = prior.given(readings, {.rms = pad_noise, .model_share = 0.02});
     std::vector<double> about = mixture.mean();
     about[7] += 0.05;
-    const RootCovariance root = mixture.covariance(about, 3.0);
-    const LoadCovariance sums(mixture, about, 3.0);
-    CHECK(sums.degrees_of_freedom() == root.degrees_of_freedom());
+    const LoadCovariance covariance(mixture, about, 3.0);
+    CHECK(covariance.degrees_of_freedom() == mixture.degrees_of_freedom());
     std::vector<std::vector<double>> weights{weights_of_force(problem), weights_of_moment(problem)};
     weights.emplace_back(problem.components * problem.grid.count());
     weights.back()[7] = 1.0;
-    const Matrix all = sums.covariances(weights);
-    const std::vector<double> deviations = sums.deviations_of(weights);
+    if (unknowns == 2) weights.push_back(weights_of_force(problem, 1));
+    /// The mean square of the error of a sum.
+    const auto square = [&](const std::vector<double>& sum) {
+      const Distribution known = mixture.of(sum);
+      const double off =
+          known.mean() - as_eigen(std::span(sum)).dot(as_eigen(std::span(std::as_const(about))));
+      return (std::pow(known.deviation(), 2) + off * off) / 9.0;
+    };
+    const Matrix all = covariance.covariances(weights);
+    const std::vector<double> deviations = covariance.deviations_of(weights);
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      CHECK_THAT(sums.deviation(weights[i]), WithinRel(root.deviation(weights[i]), 1e-9));
-      CHECK_THAT(deviations[i], WithinRel(root.deviation(weights[i]), 1e-9));
+      CHECK_THAT(std::pow(deviations[i], 2), WithinRel(square(weights[i]), 1e-9));
+      CHECK_THAT(covariance.deviation(weights[i]), WithinRel(deviations[i], 1e-12));
       for (std::size_t j = 0; j < weights.size(); ++j) {
+        // Cov(a, b) = (V(a + b) - V(a - b)) / 4, of sums as large as each other.
+        const double size = deviations[i] / deviations[j];
+        std::vector<double> sum = weights[i];
+        std::vector<double> difference = sum;
+        for (std::size_t k = 0; k < sum.size(); ++k) {
+          sum[k] += size * weights[j][k];
+          difference[k] -= size * weights[j][k];
+        }
         const double scale = deviations[i] * deviations[j];
-        const double expected = root.covariance(weights[i], weights[j]);
+        const double expected = (square(sum) - square(difference)) / (4.0 * size);
+        CAPTURE(unknowns, i, j);
         CHECK_THAT(all(i, j), WithinAbs(expected, 1e-9 * scale));
-        CHECK_THAT(sums.covariance(weights[i], weights[j]), WithinAbs(expected, 1e-9 * scale));
+        CHECK_THAT(covariance.covariance(weights[i], weights[j]),
+                   WithinAbs(all(i, j), 1e-12 * scale));
       }
     }
-    const std::vector<double> expected = root.deviations();
-    const std::vector<double> found = sums.deviations();
-    for (std::size_t i = 0; i < found.size(); ++i)
-      CHECK_THAT(found[i], WithinRel(expected[i], 1e-9));
+    const std::vector<double> found = covariance.deviations();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      std::vector<double> single(found.size());
+      single[i] = 1.0;
+      CHECK_THAT(found[i], WithinRel(covariance.deviation(single), 1e-9));
+    }
     CHECK_THROWS_AS(LoadCovariance(mixture, about, 0.0), std::invalid_argument);
     CHECK_THROWS_AS(LoadCovariance(mixture, readings, 1.0), std::invalid_argument);
-    CHECK_THROWS_AS(sums.deviation(readings), std::invalid_argument);
-    CHECK_THROWS_AS(sums.covariance(about, readings), std::invalid_argument);
+    CHECK_THROWS_AS(covariance.deviation(readings), std::invalid_argument);
+    CHECK_THROWS_AS(covariance.covariance(about, readings), std::invalid_argument);
   }
 }
 
@@ -486,8 +554,6 @@ TEST_CASE("a mixture takes any frame and no other size", "[load_mixture]") {
   CHECK_THROWS_AS(prior.given(pressed(1), {.rms = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(prior.given(pressed(1), {.rms = 1.0, .degrees = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(nothing.of(std::vector<double>(3)), std::invalid_argument);
-  CHECK_THROWS_AS(nothing.covariance(nothing.mean(), 0.0), std::invalid_argument);
-  CHECK_THROWS_AS(nothing.covariance(std::vector<double>(3), 1.0), std::invalid_argument);
   CHECK_THROWS_AS(nothing.alpha_quantile(1.0), std::invalid_argument);
   CHECK_THROWS_AS(LoadPrior(problem, {.depth = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(LoadPrior(problem, {.depth = 1.0, .narrowest = 0.0}), std::invalid_argument);
@@ -530,13 +596,12 @@ TEST_CASE("what a formula may be off by is in every sum but not in a ratio of on
       std::pow(doubted.ratio(drag, normal)->deviation(), 2) - std::pow(friction.deviation(), 2);
   CHECK_THAT(friction2, WithinRel(2.0 * spread * std::pow(share * friction.mean(), 2), 0.05));
 
-  // The covariance has the same, of sums and of each traction.
-  const RootCovariance covariance = doubted.covariance(doubted.mean(), pad_noise);
-  CHECK_THAT(covariance.deviation(both) * pad_noise, WithinRel(doubted.of(both).deviation(), 1e-6));
-  const std::vector<double> each = covariance.deviations();
-  const std::vector<Distribution> tractions = doubted.of_tractions();
-  for (std::size_t i = 0; i < each.size(); ++i)
-    CHECK_THAT(each[i] * pad_noise, WithinRel(tractions[i].deviation(), 1e-6));
+  // The covariance has the same.
+  const LoadCovariance covariance(doubted, doubted.mean(), pad_noise);
+  const std::vector<std::vector<double>> parts{normal, drag};
+  const Matrix all = covariance.covariances(parts);
+  CHECK_THAT((all(0, 0) + 2.0 * all(0, 1) + all(1, 1)) * pad_noise * pad_noise,
+             WithinRel(std::pow(doubted.of(both).deviation(), 2), 1e-9));
   CHECK_THROWS_AS(prior.given(readings, {.rms = pad_noise, .model_share = -0.1}),
                   std::invalid_argument);
 }

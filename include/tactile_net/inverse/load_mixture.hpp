@@ -77,6 +77,8 @@ struct LoadPriorOptions {
   /// likely, which is for coarse arrays, between whose taxels they would hide; 1/2 is a
   /// half-Cauchy of the load's size.
   double prior_power = 0.0;
+  /// Most that decompose windows at the same time; 0: as many as run so here. It changes no bit.
+  std::size_t threads = 0;
 };
 
 class LoadMixture;
