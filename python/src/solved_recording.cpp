@@ -8,6 +8,7 @@
 #include "first_look.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/lab/recorded_noise.hpp"
+#include "tactile_net/lab/skin_distributions.hpp"
 #include "tactile_net/lab/uncertainty.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/pages/recording_page.hpp"
@@ -149,30 +150,44 @@ Bands SolvedRecording::bands(Watcher& watcher) const {
   return bands;
 }
 
+std::size_t SolvedRecording::directions(const std::string& what) const {
+  if (what == "normal_force") return 1;
+  if (what == "tangential_force" || what == "centre") return is_line() ? 1 : 2;
+  throw std::invalid_argument("\"" + what +
+                              "\" has no distribution: ask for \"normal_force\", "
+                              "\"tangential_force\" or \"centre\"");
+}
+
+std::vector<std::optional<Distribution>> SolvedRecording::distributions(const std::string& what,
+                                                                        std::size_t frame) const {
+  const auto& mixture = answers_[frame]->mixture;
+  if (mixture == nullptr)
+    throw std::invalid_argument(
+        "the answer is one alpha's, of which only deviations are known: state [noise] and, under "
+        "[reconstruct], answer = \"mixture\"");
+  if (is_line()) {
+    const lab::ResultantDistributions found = lab::resultant_distributions(
+        {std::get<lab::SceneProblem>(problems_[frame]), readings(frame), mixture});
+    if (what == "normal_force") return {found.normal};
+    return {what == "centre" ? found.centre : found.tangential};
+  }
+  const lab::WrenchDistributions found =
+      lab::wrench_distributions(*mixture, std::get<lab::SkinSceneProblem>(problem_).problem());
+  if (what == "normal_force") return {found.normal};
+  if (what == "centre") return {found.centre_y, found.centre_z};
+  return {found.tangential_y, found.tangential_z};
+}
+
 std::vector<double> SolvedRecording::quantiles(const std::string& what,
                                                const std::vector<double>& probabilities,
                                                Watcher& watcher) const {
   const auto locked = lock_of(shared_);
-  if (what != "normal_force" && what != "tangential_force" && what != "centre")
-    throw std::invalid_argument("\"" + what +
-                                "\" has no distribution: ask for \"normal_force\", "
-                                "\"tangential_force\" or \"centre\"");
+  const std::vector<std::optional<Distribution>> none(directions(what));
   std::vector<double> all;
   for (std::size_t i = 0; i < frames(); ++i) {
     watcher.frame();
-    std::optional<Distribution> known;
-    if (answers_[i]) {
-      if (!is_line() || answers_[i]->mixture == nullptr)
-        throw std::invalid_argument(
-            "the answer is one alpha's, of which only deviations are known: state [noise] and, "
-            "under [reconstruct], answer = \"mixture\"");
-      const lab::SceneFrame frame(std::get<lab::SceneProblem>(problems_[i]), readings(i));
-      const lab::ResultantDistributions found = lab::resultant_distributions(frame);
-      known = what == "normal_force"       ? std::optional(found.normal)
-              : what == "tangential_force" ? found.tangential
-                                           : found.centre;
-    }
-    for (const double p : probabilities) all.push_back(known ? known->quantile(p) : unknown);
+    for (const auto& known : answers_[i] ? distributions(what, i) : none)
+      for (const double p : probabilities) all.push_back(known ? known->quantile(p) : unknown);
   }
   return all;
 }

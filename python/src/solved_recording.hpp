@@ -16,6 +16,7 @@
 #include "tactile_net/lab/recording.hpp"
 #include "tactile_net/lab/recording_row.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
+#include "tactile_net/numeric/distribution.hpp"
 #include "watcher.hpp"
 
 namespace tactile_net::python {
@@ -65,10 +66,13 @@ class SolvedRecording {
   /// Of a line: the more costly part, made when it is asked for. @pre has_bands()
   [[nodiscard]] Bands bands(Watcher& watcher) const;
 
-  /// Of a line, of every frame as many quantiles of "normal_force", "tangential_force" [N/m] or
-  /// "centre" [m], frames x count; NaN where a frame has no answer, or nothing presses.
-  /// @throw std::invalid_argument  `what` is none of these, a probability is not between 0 and 1,
-  ///                               the answer is one alpha's
+  /// Into which "normal_force", "tangential_force" or "centre" is split: of a skin the latter two
+  /// along y and z. @throw std::invalid_argument  `what` is none of these
+  [[nodiscard]] std::size_t directions(const std::string& what) const;
+  /// Of every frame as many quantiles of each direction [N/m, of a skin N; m],
+  /// frames x directions x count; NaN where a frame has no answer, or nothing presses.
+  /// @throw std::invalid_argument  as of `directions`, a probability is not between 0 and 1, the
+  ///                               answer is one alpha's
   [[nodiscard]] std::vector<double> quantiles(const std::string& what,
                                               const std::vector<double>& probabilities,
                                               Watcher& watcher) const;
@@ -88,6 +92,9 @@ class SolvedRecording {
   [[nodiscard]] std::string json(const lab::RecordingOverview& overview,
                                  const std::string& name) const;
   [[nodiscard]] std::string tractions_csv() const;
+  /// Of each direction. @pre  the frame has an answer
+  [[nodiscard]] std::vector<std::optional<Distribution>> distributions(const std::string& what,
+                                                                       std::size_t frame) const;
   [[nodiscard]] std::optional<double> time(std::size_t frame) const;
   [[nodiscard]] std::span<const double> readings(std::size_t frame) const;
 

@@ -141,7 +141,7 @@ Array quantiles_of(const SolvedRecording& self, const std::string& what,
     const nb::gil_scoped_release released;
     all = self.quantiles(what, probabilities, watcher);
   }
-  return owned(std::move(all), {self.frames(), probabilities.size()});
+  return owned(std::move(all), {self.frames(), self.directions(what), probabilities.size()});
 }
 
 /// A call of `SolvedRecording` that may take long: Ctrl-C ends it, other threads run on.

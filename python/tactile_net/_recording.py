@@ -35,12 +35,17 @@ class Distribution:
         self.quantile([0.5])  # refuses what has none
 
     def quantile(self, p: ArrayLike) -> Floats:
-        """(T, P): the values with these probabilities below them. ValueError where one is not between 0 and 1."""
+        """(T, P), of what a skin has along y and z (T, 2, P): the values with these probabilities below them. ValueError
+        where one is not between 0 and 1, both excluded."""
         probabilities = [float(one) for one in np.atleast_1d(np.asarray(p, dtype=float))]
-        return np.asarray(self._solved.quantiles(self._what, probabilities))
+        found = np.asarray(self._solved.quantiles(self._what, probabilities))
+        return found[:, 0] if found.shape[1] == 1 else found
 
     def interval(self, level: float = 0.95) -> Floats:
-        """(T, 2): the central interval with this probability. ValueError where it is not between 0 and 1."""
+        """(T, 2), of what a skin has along y and z (T, 2, 2): the ends of the central interval with this probability.
+        ValueError where it is not between 0 and 1, both excluded."""
+        if not 0.0 < level < 1.0:
+            raise ValueError(f"level must be between 0 and 1, both excluded, but is {level!r}")
         return self.quantile([0.5 - 0.5 * level, 0.5 + 0.5 * level])
 
     def __repr__(self) -> str:
@@ -294,10 +299,12 @@ class Solution(Document):
         return self._band(3)[:, 1]
 
     def interval(self, what: str, level: float = 0.95) -> Floats:
-        """(T, 2): the central interval of "normal_force", "tangential_force" [N/m] or "centre" [m] that holds it with
-        this probability. nan where a frame has no answer or, of the centre, nothing presses.
+        """The ends of the central interval of "normal_force", "tangential_force" [N/m, of skins N] or "centre" [m] that
+        holds it with this probability: (T, 2), of what skins have along y and z (T, 2, 2), as the attribute and the ends
+        behind it. nan where a frame has no answer or it was not solved for, and of the centre where nothing presses.
 
-        ValueError where the answer is one alpha's: the scene states an alpha, or nobody knows the noise.
+        ValueError where there is no such name, the level is not between 0 and 1, or the answer is one alpha's: the scene
+        states an alpha, nobody knows the noise, or a skin's scene does not say `answer = "mixture"`.
         """
         return self.distribution(what).interval(level)
 

@@ -189,6 +189,58 @@ def test_a_mirrored_contact_has_a_mirrored_answer(skin: tn.Skin) -> None:
     assert np.allclose(other[:, ::-1], one * np.array([1.0, -1.0, 1.0])[:, None, None], atol=1e-9 * np.abs(one).max())
 
 
+def test_a_skin_answered_by_its_mixture_has_intervals_at_any_level(skin: tn.Skin) -> None:
+    scene = moving(skin).replace({"reconstruct.alpha": None, "reconstruct.answer": "mixture", "report.level": 0.8})
+    assert isinstance(scene, tn.Skin)
+    solution = scene.simulate().solve()
+    frame = 2
+    resultant = tn.run(scene, frame=frame).told.reconstructions[0].resultant
+    assert resultant.normal.interval.level == 0.8
+    for what, ends in {
+        "normal_force": [resultant.normal],
+        "tangential_force": [resultant.tangential_y, resultant.tangential_z],
+        "centre": list(resultant.centre),
+    }.items():
+        known = solution.distribution(what)
+        value = getattr(solution, what)
+        wide, narrow = solution.interval(what), known.interval(0.5)
+        assert wide.shape == (*value.shape, 2) == narrow.shape
+        assert np.all((wide[..., 0] < value) & (value < wide[..., 1]))
+        assert np.all((wide[..., 0] < narrow[..., 0]) & (narrow[..., 1] < wide[..., 1]))
+        assert np.array_equal(known.quantile([0.25, 0.75]), narrow)
+        # The command says the same at the scene's level.
+        said = [[one.interval.low, one.interval.high] for one in ends]
+        assert solution.interval(what, 0.8)[frame].reshape(-1, 2) == pytest.approx(np.array(said), rel=1e-9)
+    truth = scene.cell_area * solution.recording.truth[:, 0].sum(axis=(1, 2))  # type: ignore[index]
+    low, high = solution.interval("normal_force", 0.99).T
+    assert np.all((low < truth) & (truth < high))
+
+    held = solution.interval("normal_force")
+    assert np.array_equal(pickle.loads(pickle.dumps(solution)).interval("normal_force"), held)
+    readings = solution.recording.readings.copy()
+    readings[1, 0, 0] = np.nan
+    skipped = scene.solve(readings, missing="skip")
+    assert np.isnan(skipped.interval("centre")[1]).all()
+    assert np.allclose(np.delete(skipped.interval("normal_force"), 1, axis=0), np.delete(held, 1, axis=0), rtol=1e-9)
+    alone = scene.replace({"sensor.reads": ["stress_x"], "contact.0.friction": 0.0}).simulate().solve()
+    assert np.isnan(alone.interval("tangential_force")).all()
+    assert alone.interval("tangential_force").shape == (4, 2, 2)
+
+
+def test_what_a_skin_has_no_interval_of_it_says(skin: tn.Skin) -> None:
+    by_mixture = skin.replace({"reconstruct.alpha": None, "reconstruct.answer": "mixture"}).simulate().solve()
+    for what in ("torsion", "friction", "wrench"):
+        with pytest.raises(ValueError, match=f'"{what}" has no distribution'):
+            by_mixture.interval(what)
+    for level in (0.0, 1.0, -0.5, 1.5, float("nan")):
+        with pytest.raises(ValueError, match="level must be between 0 and 1"):
+            by_mixture.interval("normal_force", level)
+    with pytest.raises(ValueError, match="between 0 and 1"):
+        by_mixture.distribution("centre").quantile([0.5, 1.0])
+    with pytest.raises(ValueError, match="one alpha"):
+        skin.simulate().solve().interval("normal_force")
+
+
 def test_results_of_skins(skin: tn.Skin, tmp_path: Path) -> None:
     result = tn.run(skin)
     answer = result.skin

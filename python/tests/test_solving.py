@@ -291,8 +291,11 @@ def test_a_mixture_has_intervals_that_hold_the_force() -> None:
     assert np.isnan(solution.interval("tangential_force")).all()
     with pytest.raises(ValueError, match="no distribution"):
         solution.interval("torsion")
+    for level in (0.0, 1.0, -0.5, float("nan")):
+        with pytest.raises(ValueError, match="level must be between 0 and 1"):
+            solution.interval("normal_force", level)
     with pytest.raises(ValueError, match="between 0 and 1"):
-        solution.interval("normal_force", 1.0)
+        known.quantile([1.0])
     by_alpha = scene.replace({"reconstruct.answer": "alpha"}).simulate().solve()
     assert by_alpha.has_bands
     with pytest.raises(ValueError, match="one alpha"):

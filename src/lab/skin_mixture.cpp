@@ -13,6 +13,7 @@
 #include "lab/skin_bands.hpp"
 #include "realtime/touching_cells.hpp"
 #include "tactile_net/inverse/uncertainty.hpp"
+#include "tactile_net/lab/skin_distributions.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 
 namespace tactile_net::lab {
@@ -66,30 +67,50 @@ std::vector<Cells> contacts_in(const SurfaceGrid& grid, std::span<const double> 
   return counted;
 }
 
+/// The weights of a sum over cells of one component: its force.
+std::vector<double> force_in(std::span<const std::size_t> cells, const LinearProblem& problem,
+                             std::size_t component) {
+  const SurfaceGrid& grid = problem.grid;
+  std::vector<double> weights(problem.components * grid.count());
+  for (const std::size_t cell : cells) weights[component * grid.count() + cell] = grid.area();
+  return weights;
+}
+
+/// What the readings leave possible of what presses in some cells.
+WrenchDistributions distributions_in(std::span<const std::size_t> cells, const LoadMixture& mixture,
+                                     const LinearProblem& problem) {
+  const SurfaceGrid& grid = problem.grid;
+  const std::vector<double> force = force_in(cells, problem, 0);
+  const auto centre = [&](bool along_z) {
+    std::vector<double> moment = force;
+    for (const std::size_t cell : cells)
+      moment[cell] *= along_z ? grid.z(cell % grid.columns) : grid.y(cell / grid.columns);
+    return mixture.ratio(moment, force);
+  };
+  WrenchDistributions known{
+      .normal = mixture.of(force), .centre_y = centre(false), .centre_z = centre(true)};
+  if (problem.components == 1) return known;
+  known.tangential_y = mixture.of(force_in(cells, problem, 1));
+  known.tangential_z = mixture.of(force_in(cells, problem, 2));
+  return known;
+}
+
 /// The intervals of what presses in some cells.
 class Intervals {
  public:
-  Intervals(const LoadMixture& mixture, const SurfaceGrid& grid, std::size_t components,
-            double level)
-      : mixture_(mixture), grid_(grid), components_(components), level_(level) {}
+  Intervals(const LoadMixture& mixture, const LinearProblem& problem, double level)
+      : mixture_(mixture), problem_(problem), level_(level) {}
 
   void add(UncertainWrench& wrench, std::span<const std::size_t> cells) const {
-    const auto of = [&](std::optional<Uncertain>& one, std::size_t component) {
-      if (one) one->interval = mixture_.of(sum(cells, component)).interval(level_);
+    const WrenchDistributions known = distributions_in(cells, mixture_, problem_);
+    const auto of = [&](std::optional<Uncertain>& one, const std::optional<Distribution>& of_it) {
+      if (one && of_it) one->interval = of_it->interval(level_);
     };
-    const std::vector<double> force = sum(cells, 0);
-    wrench.normal.interval = mixture_.of(force).interval(level_);
-    of(wrench.tangential_y, 1);
-    of(wrench.tangential_z, 2);
-    const auto centre = [&](std::optional<Uncertain>& one, bool along_z) {
-      if (!one) return;
-      std::vector<double> moment = force;
-      for (const std::size_t cell : cells)
-        moment[cell] *= along_z ? grid_.z(cell % grid_.columns) : grid_.y(cell / grid_.columns);
-      if (const auto known = mixture_.ratio(moment, force)) one->interval = known->interval(level_);
-    };
-    centre(wrench.centre_y, false);
-    centre(wrench.centre_z, true);
+    wrench.normal.interval = known.normal.interval(level_);
+    of(wrench.tangential_y, known.tangential_y);
+    of(wrench.tangential_z, known.tangential_z);
+    of(wrench.centre_y, known.centre_y);
+    of(wrench.centre_z, known.centre_z);
   }
 
   /// Of the drag over the force, along the drag that was found; none where that may point anywhere.
@@ -99,12 +120,13 @@ class Intervals {
     if (!wrench.tangential_y || !wrench.tangential_z) return std::nullopt;
     const Uncertain drag = drag_of(wrench);
     if (!(drag.value > deviations * drag.deviation)) return std::nullopt;
-    std::vector<double> along(components_ * grid_.count());
+    const SurfaceGrid& grid = problem_.grid;
+    std::vector<double> along(problem_.components * grid.count());
     for (const std::size_t cell : cells) {
-      along[grid_.count() + cell] = grid_.area() * wrench.tangential_y->value / drag.value;
-      along[2 * grid_.count() + cell] = grid_.area() * wrench.tangential_z->value / drag.value;
+      along[grid.count() + cell] = grid.area() * wrench.tangential_y->value / drag.value;
+      along[2 * grid.count() + cell] = grid.area() * wrench.tangential_z->value / drag.value;
     }
-    const auto known = mixture_.ratio(along, sum(cells, 0));
+    const auto known = mixture_.ratio(along, force_in(cells, problem_, 0));
     if (!known) return std::nullopt;
     CentralInterval interval = known->interval(level_);
     interval.low = std::max(interval.low, 0.0);
@@ -112,21 +134,22 @@ class Intervals {
   }
 
  private:
-  /// The weights of a sum over cells of one component.
-  [[nodiscard]] std::vector<double> sum(std::span<const std::size_t> cells,
-                                        std::size_t component) const {
-    std::vector<double> weights(components_ * grid_.count());
-    for (const std::size_t cell : cells) weights[component * grid_.count() + cell] = grid_.area();
-    return weights;
-  }
-
   const LoadMixture& mixture_;
-  const SurfaceGrid& grid_;
-  std::size_t components_;
+  const LinearProblem& problem_;
   double level_;
 };
 
+Cells all_of(const SurfaceGrid& grid) {
+  Cells all(grid.count());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 }  // namespace
+
+WrenchDistributions wrench_distributions(const LoadMixture& mixture, const LinearProblem& problem) {
+  return distributions_in(all_of(problem.grid), mixture, problem);
+}
 
 void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
                        std::span<const double> readings) {
@@ -147,9 +170,8 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
   answer.high = std::move(bands.high);
 
   const LoadCovariance covariance(mixture, mean, rms);
-  const Intervals intervals(mixture, grid, solved.components, level);
-  Cells all(grid.count());
-  std::iota(all.begin(), all.end(), std::size_t{0});
+  const Intervals intervals(mixture, solved, level);
+  const Cells all = all_of(grid);
   answer.wrench = resultant_of(grid, mean, all, covariance, rms);
   intervals.add(answer.wrench, all);
   const std::vector<Cells> contacts = contacts_in(grid, f, mean, answer.wrench.normal);

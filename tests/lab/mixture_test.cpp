@@ -4,12 +4,14 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/lab/run.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/skin_distributions.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/scene/reader.hpp"
@@ -283,6 +285,21 @@ TEST_CASE("a skin is answered by its mixture where that is asked for", "[lab][mi
              WithinRel(answer.wrench.normal.value, 1e-12));
   CHECK(answer.low.size() == answer.tractions.size());
   for (std::size_t i = 0; i < answer.low.size(); ++i) CHECK(answer.low[i] <= answer.high[i]);
+  // At any level what presses is in an interval, at the scene's in the answer's.
+  const WrenchDistributions known = wrench_distributions(*answer.mixture, problem.problem());
+  const UncertainWrench& wrench = answer.wrench;
+  for (const auto& [of, told] :
+       {std::pair{std::optional(known.normal), std::optional(wrench.normal)},
+        {known.tangential_y, wrench.tangential_y},
+        {known.tangential_z, wrench.tangential_z},
+        {known.centre_y, wrench.centre_y},
+        {known.centre_z, wrench.centre_z}}) {
+    REQUIRE((of && told && told->interval));
+    CHECK(of->interval(0.95).low == told->interval->low);
+    CHECK(of->interval(0.95).high == told->interval->high);
+    CHECK(told->interval->low < of->interval(0.5).low);
+    CHECK(of->interval(0.5).high < told->interval->high);
+  }
   // Frames of a recording have the same.
   RecordingSolver solver(AnyProblem(problem), Method::tikhonov);
   std::vector<double> read = readings;
