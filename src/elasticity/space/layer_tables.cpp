@@ -1,8 +1,9 @@
 #include "elasticity/space/layer_tables.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 
@@ -16,6 +17,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t tables = layer_table_orders.size();
+constexpr std::size_t places = 16;  // of a panel of r
 constexpr std::array edges = {
     0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, LayerTables::reach};
 constexpr std::size_t panels = edges.size() - 1;
@@ -45,11 +47,6 @@ std::vector<Node> nodes(double end, double width) {
 /// 20 points resolve 20 radians of J_j(k r), and poles as far as 0.739 beside a panel 1 wide.
 double width_for(std::size_t panel) { return std::min(1.0, 20.0 / edges[panel + 1]); }
 
-/// Chebyshev's node i of a panel of r, as an angle.
-double chebyshev_angle(std::size_t i) {
-  return pi * (static_cast<double>(i) + 0.5) / LayerTables::At::count;
-}
-
 /// J_j(k r) / (k r)^j, j = 0 ... 3, at all radii and nodes: they know neither material nor depth.
 /// 9 MB, made once in a process, in 0.1 s; a depth then takes some milliseconds.
 class BesselValues {
@@ -59,16 +56,15 @@ class BesselValues {
   /// Of node i of a panel of r, for the nodes of k that any depth asks for.
   static const Row& at(std::size_t panel, std::size_t i) {
     static const BesselValues all;
-    return all.rows_[panel * LayerTables::At::count + i];
+    return all.rows_[panel * places + i];
   }
 
  private:
   BesselValues() {
     for (std::size_t panel = 0; panel < panels; ++panel) {
       const std::vector<Node> all = nodes(largest_table_decay, width_for(panel));
-      for (std::size_t i = 0; i < LayerTables::At::count; ++i) {
-        const double r = edges[panel] + 0.5 * (edges[panel + 1] - edges[panel]) *
-                                            (1.0 + std::cos(chebyshev_angle(i)));
+      for (std::size_t i = 0; i < places; ++i) {
+        const double r = RadialPanels<places>::node(edges[panel], edges[panel + 1], i);
         Row& row = rows_.emplace_back();
         row.reserve(all.size());
         for (const Node& node : all) row.push_back(reduced_bessel(node.k * r));
@@ -103,60 +99,27 @@ LayerTables::LayerTables(const Material& material, double depth)
     : slips_(material.layer->base == Base::frictionless),
       nu_(material.poisson_ratio),
       rest_(1.0 - depth),
-      coefficients_(panels * tables * At::count) {
-  constexpr std::size_t count = At::count;
+      panels_({edges.begin(), edges.end()}) {
   const Material layer{
       .youngs_modulus = 1.0, .poisson_ratio = nu_, .layer = Layer{1.0, material.layer->base}};
   double width = 0.0;
   std::vector<LayerFunctionValues> values;
   for (std::size_t panel = 0; panel < panels; ++panel) {
     if (width_for(panel) != width) values = integrand(layer, depth, width = width_for(panel));
-    double* const coefficients = coefficients_.data() + panel * tables * count;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double angle = chebyshev_angle(i);
+    for (std::size_t i = 0; i < places; ++i) {
       const BesselValues::Row& bessel = BesselValues::at(panel, i);
       LayerFunctionValues sums{};
       for (std::size_t node = 0; node < values.size(); ++node)
         for (std::size_t t = 0; t < tables; ++t)
           sums[t] +=
               values[node][t] * bessel[node][static_cast<std::size_t>(layer_table_orders[t])];
-      for (std::size_t t = 0; t < tables; ++t)
-        for (std::size_t n = 0; n < count; ++n)
-          coefficients[t * count + n] +=
-              (n == 0 ? 1.0 : 2.0) / count * sums[t] * std::cos(static_cast<double>(n) * angle);
+      panels_.add(panel, i, sums);
     }
     if (!slips_) continue;
     for (const LayerTable t :
          {LayerTable::tangential_displacement_mean, LayerTable::tangential_displacement_turning})
-      std::fill_n(coefficients + static_cast<std::size_t>(t) * count, count,
-                  std::numeric_limits<double>::quiet_NaN());
+      panels_.fill(panel, t, std::numeric_limits<double>::quiet_NaN());
   }
-}
-
-LayerTables::At LayerTables::at(double r) const noexcept {
-  const auto* const end = std::upper_bound(edges.begin() + 1, edges.end() - 1, r);
-  const auto panel = static_cast<std::size_t>(end - edges.begin()) - 1;
-  const double from = edges[panel];
-  const double s = 2.0 * (r - from) / (edges[panel + 1] - from) - 1.0;
-  At at;
-  at.coefficients_ = coefficients_.data() + panel * tables * At::count;
-  at.polynomials_[0] = 1.0;
-  at.polynomials_[1] = s;
-  // From those near n / 2, so that no long chain of sums waits for the one before.
-  for (std::size_t n = 2; n < At::count; ++n) {
-    const std::size_t m = std::bit_floor(n - 1);
-    at.polynomials_[n] =
-        2.0 * at.polynomials_[m] * at.polynomials_[n - m] - at.polynomials_[2 * m - n];
-  }
-  return at;
-}
-
-double LayerTables::At::operator()(LayerTable table) const noexcept {
-  const double* const c = coefficients_ + static_cast<std::size_t>(table) * count;
-  double sums[4] = {};
-  for (std::size_t n = 0; n < count; n += 4)
-    for (std::size_t lane = 0; lane < 4; ++lane) sums[lane] += c[n + lane] * polynomials_[n + lane];
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 double LayerTables::Far::operator()(LayerTable table) const noexcept {

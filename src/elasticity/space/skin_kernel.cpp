@@ -6,73 +6,13 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
+#include "elasticity/space/layer_field.hpp"
 #include "elasticity/space/layer_tables.hpp"
-#include "elasticity/space/read.hpp"
 #include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
 namespace {
-
-/// Tables times their angles at a place (y, z), for a load along z in exchanged axes: tables of f /
-/// r^j and the place in units of the thickness, or tables of f and the place's direction.
-template <class Table>
-struct LayerField {
-  const Table& table;
-  Traction load;
-  double y, z;
-
-  [[nodiscard]] double stress(Axis a, Axis b) const noexcept {
-    using enum LayerTable;
-    a = turned(a);
-    b = turned(b);
-    if (a > b) std::swap(a, b);
-    const bool normal = load == Traction::normal;
-    if (b == Axis::x) return normal ? table(normal_x) : y * table(tangential_x);
-    if (a == Axis::x) {
-      if (normal) return (b == Axis::y ? y : z) * table(normal_radial);
-      return vector(b, tangential_mean, tangential_turning);
-    }
-    if (a != b)
-      return normal ? 2.0 * y * z * table(normal_deviator)
-                    : z * table(tangential_deviator) +
-                          z * (3.0 * y * y - z * z) * table(tangential_deviator_turning);
-    const double trace = normal ? table(normal_trace) : y * table(tangential_trace);
-    const double deviator =
-        normal ? (y * y - z * z) * table(normal_deviator)
-               : y * table(tangential_deviator) +
-                     y * (y * y - 3.0 * z * z) * table(tangential_deviator_turning);
-    return a == Axis::y ? trace + deviator : trace - deviator;
-  }
-  [[nodiscard]] double displacement(Axis a) const noexcept {
-    using enum LayerTable;
-    a = turned(a);
-    const bool normal = load == Traction::normal;
-    if (a == Axis::x)
-      return normal ? table(normal_displacement_x) : y * table(tangential_displacement_x);
-    if (normal) return (a == Axis::y ? y : z) * table(normal_displacement_radial);
-    return vector(a, tangential_displacement_mean, tangential_displacement_turning);
-  }
-
- private:
-  [[nodiscard]] Axis turned(Axis a) const noexcept {
-    return load == Traction::tangential_z ? exchanged(a) : a;
-  }
-  [[nodiscard]] double vector(Axis a, LayerTable mean, LayerTable turning) const noexcept {
-    return a == Axis::y ? table(mean) + (y * y - z * z) * table(turning)
-                        : 2.0 * y * z * table(turning);
-  }
-};
-
-template <class Table>
-double reading(Quantity quantity, Traction load, const Material& material, const Table& table,
-               double y, double z) noexcept {
-  const double h = material.layer->thickness;
-  if (load == Traction::tangential_z) std::swap(y, z);
-  const double value = read(quantity, LayerField<Table>{table, load, y, z}, material) / h;
-  return traits(quantity).kind == QuantityKind::displacement ? value : value / h;
-}
 
 /// The positive half of Gauss and Legendre's rule over a width, in pieces no wider than a layer,
 /// over which what the base adds is smooth.
@@ -135,9 +75,9 @@ SkinKernel::LayerPart SkinKernel::layer_part(Quantity quantity, Traction compone
   const double w = z / h;
   const double near = std::sqrt(v * v + w * w);
   if (near < LayerTables::reach)
-    return {reading(quantity, component, material_, tables_->at(near), v, w), false};
+    return {layer_reading(quantity, component, material_, tables_->at(near), v, w), false};
   const double r = std::hypot(v, w);  // whose square may be too large
-  return {reading(quantity, component, material_, tables_->far(r), v / r, w / r), true};
+  return {layer_reading(quantity, component, material_, tables_->far(r), v / r, w / r), true};
 }
 
 double SkinKernel::with_base(Quantity quantity, Traction component, double half_space, double y,
