@@ -1,0 +1,127 @@
+#include "tactile_net/elasticity/space/ball_kernel.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+
+#include "elasticity/space/ball_tables.hpp"
+#include "elasticity/space/layer_field.hpp"
+#include "numeric/require.hpp"
+
+namespace tactile_net {
+namespace {
+
+using Direction = std::array<double, 3>;
+
+double dot(const Direction& a, const Direction& b) noexcept {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Beyond, sums would lose digits and take many seconds.
+constexpr double most_radii_a_depth = 32000.0;
+
+void check_ball(const Material& material, double radius, double depth) {
+  require(material.layer && material.layer->base == Base::bonded,
+          "a curved skin must be a layer that is bonded to its base: give its thickness, and no "
+          "frictionless base");
+  require_finite("radius", radius);
+  require(radius != 0.0, "radius", "not be 0", radius);
+  require(radius < 0.0 || material.layer->thickness < radius, "layer.thickness",
+          "be less than the surface's least radius of curvature, " + shortest(radius),
+          material.layer->thickness);
+  const double least =
+      std::min(std::abs(radius), BallTables::farthest * material.layer->thickness) /
+      most_radii_a_depth;
+  require(depth >= least, "depth",
+          "be at least 1 / 32000 of the radius, or of 320 thicknesses where that is less: " +
+              shortest(least),
+          depth);
+}
+
+}  // namespace
+
+BallPlace ball_place(const SurfaceFrame& load, const SurfaceFrame& taxel, double radius) noexcept {
+  const Direction& from = load[0];
+  const Direction& to = taxel[0];
+  const double cosine = dot(from, to);
+  const double sine =
+      std::hypot(from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
+                 from[0] * to[1] - from[1] * to[0]);
+  const double stretch = sine > 0.0 ? std::atan2(sine, cosine) / sine : 1.0;
+  const double y = dot(taxel[1], from);
+  const double z = dot(taxel[2], from);
+  const Direction& along = load[1];
+  const double tilt = dot(along, to) / (1.0 + cosine);
+  return {.y = radius * stretch * y,
+          .z = radius * stretch * z,
+          .cosine = dot(along, taxel[1]) - tilt * y,
+          .sine = dot(along, taxel[2]) - tilt * z};
+}
+
+BallKernel::BallKernel(const Material& material, double radius, double depth)
+    : material_(material), radius_(radius), depth_(depth) {
+  check(material);
+  check_depth(material, depth);
+  check_ball(material, radius, depth);
+  const double h = material.layer->thickness;
+  tables_ = std::make_shared<BallTables>(material.poisson_ratio, h / radius, depth / h);
+}
+
+template <std::size_t count>
+std::array<double, count> BallKernel::read_at(Quantity quantity,
+                                              const std::array<Traction, count>& components,
+                                              double y, double z) const noexcept {
+  constexpr double rounding = 1.0 + 1e-12;
+  const double h = material_.layer->thickness;
+  const double v = y / h;
+  const double w = z / h;
+  const double arc = std::sqrt(v * v + w * w);
+  std::array<double, count> readings{};
+  if (!(arc * h <= std::numbers::pi * std::abs(radius_) * rounding)) {
+    readings.fill(std::numeric_limits<double>::quiet_NaN());
+  } else if (arc <= tables_->end() * rounding) {
+    const BallTables::Panels::At table = tables_->at(arc);
+    for (std::size_t i = 0; i < count; ++i)
+      readings[i] = layer_reading(quantity, components[i], material_, table, v, w);
+  }
+  return readings;
+}
+
+double BallKernel::operator()(Quantity quantity, Traction component, double y,
+                              double z) const noexcept {
+  return read_at(quantity, std::array{component}, y, z)[0];
+}
+
+void BallKernel::operator()(Quantity quantity, Traction component, std::span<const double> y,
+                            std::span<const double> z, std::span<double> readings) const noexcept {
+  assert(y.size() == readings.size() && z.size() == readings.size());
+  for (std::size_t i = 0; i < readings.size(); ++i)
+    readings[i] = (*this)(quantity, component, y[i], z[i]);
+}
+
+std::array<double, 3> BallKernel::operator()(Quantity quantity,
+                                             const BallPlace& place) const noexcept {
+  const auto [x, y, z] = read_at(quantity, skin_tractions, place.y, place.z);
+  return {x, place.cosine * y + place.sine * z, place.cosine * z - place.sine * y};
+}
+
+double BallKernel::error_bound(Quantity quantity) const noexcept {
+  const double compliance = (1.0 + material_.poisson_ratio) / material_.youngs_modulus;
+  const double core = radius_ / (radius_ - material_.layer->thickness);
+  const double stress =
+      1e-12 * 1.5 / std::numbers::pi / depth_ / depth_ * std::max(1.0, core * core);
+  switch (traits(quantity).kind) {
+    case QuantityKind::stress:
+      return stress;
+    case QuantityKind::strain:
+      return stress * compliance;
+    case QuantityKind::displacement:
+      return stress * depth_ * compliance;
+  }
+  return 0.0;
+}
+
+}  // namespace tactile_net
