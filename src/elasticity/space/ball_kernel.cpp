@@ -21,7 +21,7 @@ double dot(const Direction& a, const Direction& b) noexcept {
 }
 
 /// Beyond, sums would lose digits and take many seconds.
-constexpr double most_radii_a_depth = 32000.0;
+constexpr double most_radii_a_depth = 16000.0;
 
 void check_ball(const Material& material, double radius, double depth) {
   require(material.layer && material.layer->base == Base::bonded,
@@ -36,7 +36,7 @@ void check_ball(const Material& material, double radius, double depth) {
       std::min(std::abs(radius), BallTables::farthest * material.layer->thickness) /
       most_radii_a_depth;
   require(depth >= least, "depth",
-          "be at least 1 / 32000 of the radius, or of 320 thicknesses where that is less: " +
+          "be at least 1 / 16000 of the radius, or of 320 thicknesses where that is less: " +
               shortest(least),
           depth);
 }

@@ -97,7 +97,7 @@ PlaneWaveOf<Number> layer_wave(const Number& nu, const LayerFunctionsOf<Number>&
 }
 
 /// The amplitudes of what a round load makes of a wave: functions of the distance times an angle,
-/// in the order of layer_tables.hpp and with the signs of i^j.
+/// in the order of layer_table.hpp and with the signs of i^j.
 template <class Number>
 std::array<Number, 15> round_amplitudes(const PlaneWaveOf<Number>& wave, const Number& nu) {
   const auto across = [&](const SagittalAmplitudesOf<Number>& f) {

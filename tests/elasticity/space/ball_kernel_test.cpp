@@ -121,10 +121,10 @@ TEST_CASE("a curved skin's readings are those of 50 digits", "[ball]") {
 }
 
 TEST_CASE("a curved skin's readings are those of 50 digits, at all radii and depths", "[long]") {
-  const double nu = GENERATE(0.0, 0.25, 0.48, 0.5);
-  const double radius = GENERATE(2.5, 7.5, 25.0, 75.0, 330.0, -2.5, -7.5, -25.0, -75.0, -330.0);
+  const double nu = GENERATE(0.0, 0.48, 0.5);
+  const double radius = GENERATE(2.5, 7.5, 75.0, 330.0, -2.5, -7.5, -75.0, -330.0);
   const double depth = GENERATE(0.1, 0.5, 1.0);
-  if (std::abs(radius) / depth < 800.0) check_digits(nu, radius, depth);
+  if (std::abs(radius) / depth < 400.0) check_digits(nu, radius, depth);
 }
 
 TEST_CASE("a curved skin tends to a flat one as its curvature does to zero", "[ball][property]") {
@@ -400,6 +400,7 @@ TEST_CASE("a curved skin reads up to the antipode, and nothing far away", "[ball
   const BallKernel large(material, 20.0, 0.5);
   for (const Quantity q : skin_quantities) {
     CHECK_THAT(large(q, Traction::normal, 47.99, 0.0), WithinAbs(0.0, large.error_bound(q)));
+    CHECK(large(q, Traction::tangential_y, 33.0, 33.0) != 0.0);
     CHECK(large(q, Traction::normal, 48.01, 0.0) == 0.0);
   }
 }
@@ -484,8 +485,8 @@ TEST_CASE("what is no curved skin is refused, with the rule", "[ball]") {
   CHECK_THROWS_WITH(BallKernel(material, 30.0, 4.1),
                     "depth must be at most the layer's thickness (got 4.1)");
   CHECK_THROWS_WITH(BallKernel(material, 32.0, 0.0009),
-                    "depth must be at least 1 / 32000 of the radius, or of 320 thicknesses where "
-                    "that is less: 0.001 (got 9e-04)");
+                    "depth must be at least 1 / 16000 of the radius, or of 320 thicknesses where "
+                    "that is less: 0.002 (got 9e-04)");
   CHECK_NOTHROW(BallKernel(material, 2.0 + 4.0, 0.04));
   CHECK_THROWS_WITH(BallKernel(layer(0.51, 4.0, Base::bonded), 30.0, 1.0),
                     "poisson_ratio must lie in [0, 0.5] (got 0.51)");

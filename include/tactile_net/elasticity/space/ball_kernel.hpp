@@ -56,8 +56,8 @@ class BallKernel {
   /// @param material  with a bonded layer
   /// @param radius    of the outer surface [m]: > 0 on a ball, and more than the thickness; < 0
   ///                  where the skin lines a hole, which a base surrounds
-  /// @param depth     below the surface [m], > 0, at most the thickness; at least 1 / 32000 of
-  ///                  |radius|, or a hundredth of the thickness where that is less
+  /// @param depth     below the surface [m], > 0, at most the thickness; at least 1 / 16000 of
+  ///                  |radius|, or a fiftieth of the thickness where that is less
   ///
   /// @throw std::invalid_argument  a value is out of its range; the layer is missing, or slips on
   ///                               its base
