@@ -2,11 +2,17 @@
 
 Both are fetched by hand (`pip install daqp clarabel scipy`) and set up once; a plan's steps start anew in each frame.
 Prints the difference in P's norm over what both say they are off, at most 1, and the ratio of times.
+
+`cone.py --picture docs/control/steps.svg` needs neither: it draws how far frames are from their minimum after so many
+steps, and the bound that each says of itself.
 """
 
 from __future__ import annotations
 
+import math
+import sys
 import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -118,7 +124,79 @@ def compare(name: str, scene: tn.Scene, alpha: float, steps: int, rival: Any, ra
     assert worst <= 1.0
 
 
+def course(size: int, alpha: float) -> tuple[list[int], list[float], list[float]]:
+    """Steps, and after them the median of a hundred frames' true distances and bounds, in standard deviations."""
+    random = np.random.default_rng(2)
+    scene = tn.Scene.from_dict(skin(size))
+    bare = scene.kernel_matrix()
+    alpha *= np.linalg.norm(bare, 2) ** 2
+    noisy = scene.replace({"noise": {"rms": 1.0}, "reconstruct.alpha": alpha})
+    estimator = tn.Estimator(noisy.plan(friction_limit=FRICTION, steps=64, diagnostics=False))
+    P = scene.normal_matrix(alpha)
+    y, z = estimator.plan.y, estimator.plan.z
+    cells = np.stack(np.meshgrid(y, z, indexing="ij"), axis=-1).reshape(-1, 2)
+    steps = list(range(1, 41))
+    off, bound = np.zeros((100, len(steps))), np.zeros((100, len(steps)))
+    for frame in range(100):
+        readings = bare @ contacts(cells, 3, random, 4e-3)
+        readings *= 100.0 / np.abs(readings).max()
+        readings += random.standard_normal(len(readings))
+        estimator.set_work(steps=64)
+        best = estimator.update(readings).ravel().copy()
+        for k, count in enumerate(steps):
+            estimator.set_work(steps=count)
+            left = estimator.update(readings).ravel() - best
+            off[frame, k] = math.sqrt(max(left @ P @ left, 0.0))
+            bound[frame, k] = estimator.contact.unfinished
+    return steps, list(np.median(off, axis=0)), list(np.median(bound, axis=0))
+
+
+def picture(file: Path) -> None:
+    width, height, left, bottom, top = 720, 360, 70, 310, 20
+    low, high = -3.0, 2.0
+
+    def at(step: float, value: float) -> str:
+        x = left + (width - left - 20) * step / 40
+        y = bottom - (bottom - top) * (min(max(math.log10(max(value, 1e-9)), low), high) - low) / (high - low)
+        return f"{x:.1f},{y:.1f}"
+
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="13">']
+    parts.append(f'<rect width="{width}" height="{height}" fill="white"/>')
+    for decade in range(int(low), int(high) + 1):
+        x, y = at(0, 10.0**decade).split(",")
+        parts.append(
+            f'<path d="M{x},{y}H{width - 20}" stroke="#ddd"/><text x="{left - 8}" y="{float(y) + 4}" text-anchor="end">{10.0**decade:g}</text>'
+        )
+    for step in range(0, 41, 8):
+        x = at(step, 1.0).split(",")[0]
+        parts.append(f'<text x="{x}" y="{bottom + 18}" text-anchor="middle">{step}</text>')
+    parts.append(f'<text x="{(left + width) / 2}" y="{height - 8}" text-anchor="middle">steps</text>')
+    parts.append(
+        f'<text transform="translate(16,{(top + bottom) / 2}) rotate(-90)" text-anchor="middle">standard deviations</text>'
+    )
+    cases = [
+        ("8 x 8 x 3, alpha 1e-3", 8, 1e-3, "#0072b2"),
+        ("16 x 16 x 3, alpha 1e-3", 16, 1e-3, "#d55e00"),
+        ("16 x 16 x 3, alpha 1e-4", 16, 1e-4, "#009e73"),
+    ]
+    for row, (label, size, alpha, colour) in enumerate(cases):
+        steps, off, bound = course(size, alpha)
+        for values, dash in ((bound, ""), (off, ' stroke-dasharray="5 4"')):
+            points = " ".join(at(step, value) for step, value in zip(steps, values, strict=True) if value > 10.0**low)
+            parts.append(f'<polyline fill="none" stroke="{colour}" stroke-width="1.8"{dash} points="{points}"/>')
+        y = top + 14 + 18 * row
+        parts.append(
+            f'<path d="M450,{y - 4}h26" stroke="{colour}" stroke-width="1.8"/><text x="482" y="{y}">{label}: the bound</text>'
+        )
+    parts.append(
+        f'<path d="M450,{top + 64}h26" stroke="#444" stroke-width="1.8" stroke-dasharray="5 4"/><text x="482" y="{top + 68}">the true distance</text></svg>'
+    )
+    file.write_text("\n".join(parts) + "\n", encoding="utf-8")
+
+
 def main() -> None:
+    if sys.argv[1:2] == ["--picture"]:
+        return picture(Path(sys.argv[2]))
     for count in (41, 81):
         compare(f"line {count}", tn.Scene.from_dict(line(count)), 1e-4, 24, by_daqp, 1e-3)
     compare("skin 8 x 8", tn.Scene.from_dict(skin(8)), 1e-3, 24, by_clarabel, 4e-3)
