@@ -40,8 +40,8 @@ void print_controller(std::ostream& out, const lab::PlannedController& planned,
     const auto told = [&](double value) { return knows_noise ? brief(value, 2) : percent(value); };
     out << "  frames obey "
         << (cone->friction_limit ? "|q| <= " + brief(*cone->friction_limit, 2) + " p" : "p >= 0")
-        << " in " << counted(cone->steps, "step") << ", " << streamed_bytes(cone->step)
-        << " bytes each; unfinished " << told(cone->expected.median) << ", 99.9 % "
+        << ": " << counted(cone->steps, "step") << ", " << duration(frame_seconds)
+        << " here: unfinished " << told(cone->expected.median) << ", 99.9 % "
         << told(cone->expected.high) << ", worst " << told(cone->expected.worst)
         << (knows_noise ? " standard deviations" : " of the tractions") << '\n';
   }
