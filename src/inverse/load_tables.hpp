@@ -8,7 +8,6 @@
 /// frame finds a window likely.
 #pragma once
 
-#include <Eigen/SparseCore>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -16,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "inverse/mirror_classes.hpp"
 #include "inverse/weighting.hpp"
 #include "inverse/window_places.hpp"
 #include "tactile_net/inverse/load_mixture.hpp"
