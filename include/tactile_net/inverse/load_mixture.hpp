@@ -37,10 +37,10 @@
 ///                                               set-up   memory   first    again
 ///     line of 41 taxels, 1 unknown               8 ms     2 MB    0.4 ms   0.2 ms
 ///     line of 41 taxels, 2 unknowns              0.2 s    7 MB    2.4 ms   0.9 ms
-///     skin of 8 x 8, normal traction alone       0.03 s   2 MB    2 ms     0.3 ms
-///     skin of 8 x 8 x 3 readings                 1.0 s   25 MB    12 ms    3 ms
-///     skin of 8 x 8 x 3, two depths apart        3.3 s   66 MB    20 ms    6 ms
-///     skin of 16 x 16, normal traction alone     0.7 s   20 MB    4 ms     3 ms
+///     skin of 8 x 8, normal traction alone       0.02 s   2 MB    1 ms     0.2 ms
+///     skin of 8 x 8 x 3 readings                 0.4 s   15 MB    12 ms    2.4 ms
+///     skin of 8 x 8 x 3, two depths apart        1.5 s   40 MB    10 ms    4 ms
+///     skin of 16 x 16, normal traction alone     0.3 s   13 MB    4 ms     2.6 ms
 ///
 /// What answers need of likely windows is kept, 96 MB at most. A frame of noise alone makes nearly
 /// all windows likely: the first one costs as much as the set-up does.
@@ -88,8 +88,9 @@ class LoadPrior {
  public:
   /// A singular value decomposition for each window, and of a line's two components for each of six
   /// tangential weights, of a skin's three for each of three; one for all windows that are each
-  /// other's images on an array that mirrors itself. Of a line windows of up to nine widths a
-  /// quarter apart, of a skin squares a third apart; and the whole surface.
+  /// other's images on an array that mirrors itself or whose y and z may be exchanged. Of a line
+  /// windows of up to nine widths a quarter apart, of a skin squares a third apart; and the whole
+  /// surface.
   ///
   /// @throw std::invalid_argument  an option is out of range, no reading depends on the tractions
   LoadPrior(const LinearProblem& problem, const LoadPriorOptions& options);
