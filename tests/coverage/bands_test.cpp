@@ -2,6 +2,7 @@
 // often as they say.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,7 @@ TEST_CASE("ranks of the model's own draws are uniform, and a tenth in a deviatio
                                  .of_noise = "degrees = 1e6\n",
                                  .dead = {2, 7, 8}}}) {
     CAPTURE(setting.pitch, setting.unknowns, setting.dead.size());
-    const ModelRanks found = model_ranks(setting, draws, 4, 1);
+    const ModelRanks found = model_ranks(setting, {.draws = draws});
     REQUIRE(found.of.size() == (setting.unknowns == 1 ? 6 : 12));
     CHECK(found.hash.size() == 64);
     for (const Ranks& one : found.of) {
@@ -49,6 +50,25 @@ TEST_CASE("ranks of the model's own draws are uniform, and a tenth in a deviatio
   }
   CHECK(std::abs(dispersion(forces)) < 2.6);
   CHECK(dispersion(planted) < -3.3);
+}
+
+TEST_CASE("ranks are uniform whatever is known of the noise, and on a skin", "[bands]") {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto check = [](const ModelRanks& found, std::size_t numbers) {
+    REQUIRE(found.of.size() == numbers);
+    for (const Ranks& one : found.of) {
+      CAPTURE(one.name);
+      CHECK(kolmogorov(one.values) < 1.95);
+      CHECK(std::abs(dispersion(one.values)) < 3.3);
+    }
+  };
+  for (const double degrees : {0.0, infinite}) {
+    CAPTURE(degrees);
+    const ModelRanks found = model_ranks(Setting{.reconstruct = mixture}, {.degrees = degrees});
+    check(found, 6);
+    CHECK(dispersion(found.of.front().planted) < dispersion(found.of.front().values));
+  }
+  check(model_ranks(SkinSetting{.rows = 6}, {.draws = 300, .places = 2}), 11);
 }
 
 TEST_CASE("the mixture's intervals hold contacts that its model does not know", "[bands]") {

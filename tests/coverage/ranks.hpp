@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,14 +48,31 @@ struct ModelRanks {
 
 inline constexpr double planted_error = 1.1;
 
+struct RankOptions {
+  std::size_t draws = 1000;
+  std::size_t places = 4;  ///< on the surface, evenly apart, of each traction
+  std::uint64_t seed = 1;
+  /// In place of those with which the scene knows its noise: 0: nobody knows it; infinity: it is
+  /// certain.
+  std::optional<double> degrees{};
+};
+
 /// Ranks of draws of the model of the setting's scene, which the scene's mixture answers: tractions
 /// in a window, their size and weight, the noise and its level, and a constant of each channel
 /// where offsets are unknown. Of all draws those count whose largest reading is 10 to 1000 times
-/// the noise that is stated, as scenes have it: of a choice by readings alone ranks stay uniform.
+/// the noise that is stated, as scenes have it, or where nobody knows it of what the answer leaves
+/// of the readings: of a choice by readings alone ranks stay uniform.
 ///
 /// @param setting  its noise: stated, in units of the readings
-/// @param places   on the surface, evenly apart, of each traction
-[[nodiscard]] ModelRanks model_ranks(const Setting& setting, std::size_t draws, std::size_t places,
-                                     std::uint64_t seed);
+[[nodiscard]] ModelRanks model_ranks(const Setting& setting, const RankOptions& options);
+
+/// Of a square skin on an incompressible half space. Lengths are in depths.
+struct SkinSetting {
+  std::size_t rows = 8;
+  double pitch = 1.0;
+  bool drags = true;  ///< shear is read too
+};
+/// The same: "force", "centre y", "centre z", "drag y", "drag z", places.
+[[nodiscard]] ModelRanks model_ranks(const SkinSetting& setting, const RankOptions& options);
 
 }  // namespace tactile_net::coverage

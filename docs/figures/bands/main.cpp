@@ -21,7 +21,7 @@ The force is 506 N/m, it says, and with 95 %: 493 to 519. How often does the tru
 presses: the [table](#in-short) below has every kind of array and contact that was tried. If they are not, less often: [what breaks it](#what-breaks-it) says how much, and what to do.
 
 This page is about lines that are answered by the [mixture](scene.md#reconstruct), the default where the noise is stated (what that is: [internals/mixture.md](internals/mixture.md)). Nothing in the
-mixture was fitted to these contacts.
+mixture was fitted to these contacts. Of skins there are [ranks](#loads-that-the-model-does-know) here, and contacts in [internals](internals/mixture.md#skins).
 )";
 
 struct Arguments {

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "docs/figures/bands/tables.hpp"
@@ -14,12 +17,18 @@ using namespace coverage;
 struct Array {
   std::string name;
   Setting setting;
+  std::optional<double> degrees{};  ///< as `RankOptions` has them
+};
+struct Skin {
+  std::string name;
+  SkinSetting setting;
 };
 
 constexpr std::size_t places = 20;
 
 std::vector<Array> arrays() {
-  const std::string certain = "degrees = 1e6\n";
+  constexpr double certain = std::numeric_limits<double>::infinity();
+  constexpr double not_known = 0.0;
   std::vector<double> uneven;  // half a depth to one and a half apart
   for (double y = -8.0; y <= 8.0; y += uneven.size() % 3 == 0   ? 0.5
                                        : uneven.size() % 3 == 1 ? 1.5
@@ -28,15 +37,26 @@ std::vector<Array> arrays() {
   std::vector<Array> all;
   for (const double pitch : {0.25, 0.5, 1.0, 2.0, 3.0})
     all.push_back({text("%g apart", pitch), {.pitch = pitch}});
-  all.push_back({"1 apart, noise certain", {.of_noise = certain}});
+  all.push_back({"1 apart, noise certain", {}, certain});
   all.push_back({"1 apart, on a layer", {.layer = true}});
   all.push_back({"0.5 to 1.5 apart", {.positions = uneven}});
   all.push_back({"1 apart, 4 of 17 dead", {.dead = {2, 7, 8, 13}}});
   all.push_back({"1 apart, offset unknown", {.reconstruct = "offset = true\n"}});
   all.push_back({"1 apart, two unknowns", {.unknowns = 2}});
   all.push_back({"2 apart, two unknowns", {.pitch = 2.0, .unknowns = 2}});
+  all.push_back({"2 apart, noise certain", {.pitch = 2.0}, certain});
+  all.push_back({"1 apart, two unknowns, noise certain", {.unknowns = 2}, certain});
+  all.push_back({"0.5 apart, noise not known", {.pitch = 0.5}, not_known});
+  all.push_back({"1 apart, noise not known", {}, not_known});
+  all.push_back({"1 apart, two unknowns, noise not known", {.unknowns = 2}, not_known});
   for (Array& array : all) array.setting.reconstruct += by_mixture;
   return all;
+}
+
+std::vector<Skin> skins() {
+  return {{"8 x 8 x 3, 1 apart", {}},
+          {"8 x 8 x 3, 2 apart", {.pitch = 2.0}},
+          {"8 x 8, 1 apart, normal traction alone", {.drags = false}}};
 }
 
 struct Test {
@@ -56,12 +76,14 @@ std::string words(const Test& test) {
 }
 
 constexpr std::array sums = {"force", "centre", "tangential", "friction"};
+constexpr std::array sums_of_skins = {"force", "centre y", "centre z", "drag y", "drag z"};
 constexpr std::size_t least_ranks = 100;  // of a ratio that hardly any frame has nothing is told
 
 /// Of the sums, a column each.
-std::string columns(const std::vector<Ranks>& found, std::vector<double> Ranks::*which) {
+std::string columns(const std::vector<Ranks>& found, std::span<const char* const> names,
+                    std::vector<double> Ranks::*which) {
   std::string cells;
-  for (const char* name : sums) {
+  for (const char* name : names) {
     const auto at = std::find_if(found.begin(), found.end(),
                                  [&](const Ranks& one) { return one.name == name; });
     const bool told = at != found.end() && at->values.size() >= least_ranks;
@@ -74,7 +96,8 @@ struct Counts {
   std::size_t tests = 0, outside = 0, caught = 0;
 };
 
-std::string row(const Array& array, const ModelRanks& found, Counts& all) {
+std::string row(const std::string& name, std::span<const char* const> names,
+                const ModelRanks& found, Counts& all) {
   Counts own;
   Test worst;  // of the places
   for (const Ranks& one : found.of) {
@@ -91,7 +114,7 @@ std::string row(const Array& array, const ModelRanks& found, Counts& all) {
   all.outside += own.outside;
   all.caught += own.caught;
   const std::vector<double>& force = found.of.front().values;
-  return "| " + array.name + " |" + columns(found.of, &Ranks::values) +
+  return "| " + name + " |" + columns(found.of, names, &Ranks::values) +
          text(" %.2f, %+.1f | %.0f / %.0f / %.0f | %zu of %zu | %zu |\n", worst.most,
               worst.dispersion, 100.0 * share_within(force, 0.5), 100.0 * share_within(force, 0.8),
               100.0 * share_within(force, 0.95), own.outside, own.tests, own.caught);
@@ -109,9 +132,9 @@ std::string pooled_rows(const std::vector<ModelRanks>& all) {
           together.planted.insert(together.planted.end(), one.planted.begin(), one.planted.end());
         }
   }
-  return "| all together |" + columns(pooled, &Ranks::values) +
-         " | | | |\n| the same, deviations a tenth too large |" + columns(pooled, &Ranks::planted) +
-         " | | | |\n";
+  return "| all together |" + columns(pooled, sums, &Ranks::values) +
+         " | | | |\n| the same, deviations a tenth too large |" +
+         columns(pooled, sums, &Ranks::planted) + " | | | |\n";
 }
 
 /// sqrt(N) (ECDF - u) over u: four panels, a curve for each array, between the lines of 99 %.
@@ -168,23 +191,37 @@ std::string drawing(const std::vector<ModelRanks>& all) {
 
 Section ranks_section(const Options& options, std::string& picture) {
   const std::vector<Array> all = arrays();
-  std::vector<ModelRanks> found(all.size());
-  in_parallel(options.threads, all.size(), "ranks", [&](std::size_t i) {
-    found[i] = model_ranks(all[i].setting, options.draws, places / all[i].setting.unknowns,
-                           1000 * options.seed + i);
+  const std::vector<Skin> squares = skins();
+  std::vector<ModelRanks> found(all.size() + squares.size());
+  // Skins take longest and come first.
+  in_parallel(options.threads, found.size(), "ranks", [&](std::size_t k) {
+    const std::size_t i = found.size() - 1 - k;
+    RankOptions of{.draws = options.draws, .seed = 1000 * options.seed + i};
+    if (i < all.size()) {
+      of.places = places / all[i].setting.unknowns;
+      of.degrees = all[i].degrees;
+      found[i] = model_ranks(all[i].setting, of);
+    } else {
+      const SkinSetting& setting = squares[i - all.size()].setting;
+      of.places = setting.drags ? places / 3 : places;
+      found[i] = model_ranks(setting, of);
+    }
   });
   picture = drawing(found);
   Section section;
+  for (const ModelRanks& one : found) section.drawn += one.hash;
   Counts counts;
-  std::string rows;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    rows += row(all[i], found[i], counts);
-    section.drawn += found[i].hash;
-  }
+  std::string rows, rows_of_skins;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (i < all.size())
+      rows += row(all[i].name, sums, found[i], counts);
+    else
+      rows_of_skins += row(squares[i - all.size()].name, sums_of_skins, found[i], counts);
+  found.resize(all.size());
   section.text = text(
       R"(## Loads that the model does know
 
-Nature draws a load as the model has it: a window of the surface, how hard, a field in it, noise whose level is known as from five readings (`degrees`). The scene
+Nature draws a load as the model has it: a window of the surface, how hard, a field in it, noise whose level is known as from five readings (`degrees`), for certain, or not at all. The scene
 answers, and the truth's *rank* in the answer is noted: the probability that the answer gave to less. If the answers are right, ranks are spread evenly: one truth in
 ten lies in the lowest tenth. %zu draws on each array 15 to 16 depths long, pitch in depths, largest reading 10 to 1000 times the noise; force, centre, tangential force,
 friction and %zu places on the surface.
@@ -198,12 +235,18 @@ places. *outside*: how many of the tests are. *caught*: how many would be if eve
 
 ![How far the ranks' distribution is from an even one, a line for each array: within the grey band for force, centre and a place, and bent alike with deviations a tenth too large](bands/ranks.svg)
 
-Each line is an array: the share of ranks up to u, less u, times the root of their number, over u from 0 to 1; 1 % of even ones leave the grey band.
+Each line is an array or a skin: the share of ranks up to u, less u, times the root of their number, over u from 0 to 1; 1 % of even ones leave the grey band.
 
 | array | force | centre | tangential | friction | places | force: 50 / 80 / 95 % | outside | caught |
 |---|---|---|---|---|---|---|---|---|
 )" + rows +
       pooled_rows(found) +
+      R"(
+Skins of the model that answers them where a scene says `answer = "mixture"`, on an incompressible half space, noise known as from five readings; centre and drag along y and z:
+
+| skin | force | centre y | centre z | drag y | drag z | places | force: 50 / 80 / 95 % | outside | caught |
+|---|---|---|---|---|---|---|---|---|---|
+)" + rows_of_skins +
       text(
           "\nTogether %zu of %zu tests are outside; chance alone would put about %.0f there. With "
           "deviations a tenth too large %zu are.\n",
