@@ -75,7 +75,8 @@ def tractions(solution: Solution, frame: int | None = None, ax: Any = None) -> A
 
 
 def over_time(solution: Solution, ax: Any = None) -> Any:
-    """Normal tractions over y and time, blue presses, red pulls; of a skin its forces with bands of two deviations."""
+    """Normal tractions over y and time, blue presses, red pulls; of a skin its forces with bands of two deviations, of its
+    mixture with 95 % intervals."""
     if isinstance(solution, SkinSolution):
         return _forces(solution, _axes(ax))
     ax = _axes(ax)
@@ -165,10 +166,14 @@ def _seen_from_outside(ax: Any) -> Any:
 
 def _forces(solution: SkinSolution, ax: Any) -> Any:
     t = np.arange(len(solution)) if solution.t is None else solution.t
+    values, deviation = solution.wrench[:, :3], 2 * solution.wrench_deviation[:, :3]
+    low, high = values - deviation, values + deviation
+    if solution.scene.to_dict().get("reconstruct", {}).get("answer") == "mixture":
+        force, drag = solution.interval("normal_force"), solution.interval("tangential_force")
+        low, high = np.moveaxis(np.concatenate([force[:, None], drag], axis=1), -1, 0)
     for i, name in enumerate(("into the skin", "along y", "along z")):
-        values, band = solution.wrench[:, i], 2 * solution.wrench_deviation[:, i]
-        (line,) = ax.plot(t, values, label=name)
-        ax.fill_between(t, values - band, values + band, color=line.get_color(), alpha=0.2, linewidth=0)
+        (line,) = ax.plot(t, values[:, i], label=name)
+        ax.fill_between(t, low[:, i], high[:, i], color=line.get_color(), alpha=0.2, linewidth=0)
     ax.axhline(0.0, color="0.8", linewidth=1)
     ax.set_xlabel("frame" if solution.t is None else "t [s]")
     ax.set_ylabel("force [N]")

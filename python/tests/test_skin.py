@@ -371,6 +371,10 @@ def test_pictures_of_skins(skin: tn.Skin) -> None:
     assert tn.plot.result(tn.run(skin)).get_ylabel() == "z [mm]"
     assert tn.plot.readings(recording).get_ylabel() == "z [mm]"
     assert tn.plot.over_time(solution).get_ylabel() == "force [N]"
+    of_mixture = skin.replace({"reconstruct.alpha": None, "reconstruct.answer": "mixture"}).solve(recording)
+    band = tn.plot.over_time(of_mixture).collections[0].get_datalim(matplotlib.pyplot.gca().transData)
+    force = of_mixture.interval("normal_force")
+    assert (band.y0, band.y1) == pytest.approx((force.min(), force.max()))
     line = tn.Scene.load(PROJECT / "scenes/fingertip.toml")
     with pytest.raises(ValueError, match="is of skins"):
         tn.plot.pressure_map(line, np.zeros((1, 3, 3)))

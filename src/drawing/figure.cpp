@@ -45,14 +45,15 @@ std::string csv_of(const Plot& plot) {
   text = field(plot.x_label);
   for (const Curve& curve : plot.curves) {
     text += ',' + field(curve.label);
-    if (!curve.half_width.empty()) text += ',' + field(curve.label + " half width");
+    if (!curve.low.empty())
+      text += ',' + field(curve.label + " low") + ',' + field(curve.label + " high");
   }
   text += '\n';
   for (std::size_t i = 0; i < plot.x.size(); ++i) {
     text += value(plot.x[i]);
     for (const Curve& curve : plot.curves) {
       text += ',' + value(curve.y[i]);
-      if (!curve.half_width.empty()) text += ',' + value(curve.half_width[i]);
+      if (!curve.low.empty()) text += ',' + value(curve.low[i]) + ',' + value(curve.high[i]);
     }
     text += '\n';
   }

@@ -54,7 +54,9 @@ std::string json_curve(const Curve& curve, bool alone) {
                      ",\"colour\":" + std::to_string(curve.colour) +
                      ",\"y\":" + json_list(curve.y, json_number);
   if (!curve.x.empty()) json += ",\"x\":" + json_list(curve.x, json_number);
-  if (!curve.half_width.empty()) json += ",\"band\":" + json_list(curve.half_width, json_number);
+  if (!curve.low.empty())
+    json += ",\"low\":" + json_list(curve.low, json_number) +
+            ",\"high\":" + json_list(curve.high, json_number);
   if (!curve.names.empty()) json += ",\"names\":" + json_list(curve.names, json_words);
   if (curve.quiet)
     json += ",\"quiet\":true";

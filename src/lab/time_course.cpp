@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "lab/own_tractions.hpp"
 #include "tactile_net/lab/method.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/uncertainty.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -22,6 +24,18 @@ Resultant pressed(const Scene& scene, const Surface& surface, double time,
   return exact;
 }
 
+/// Of a frame that its mixture answers, under constraints too.
+ResultantIntervals intervals_of(const SceneFrame& frame) {
+  const double level = frame.problem().scene().interval_level;
+  const ResultantDistributions known = resultant_distributions(frame);
+  const auto interval = [&](const std::optional<Distribution>& one) {
+    return one ? std::optional(one->interval(level)) : std::nullopt;
+  };
+  return {.normal = known.normal.interval(level),
+          .tangential = interval(known.tangential),
+          .centre = interval(known.centre)};
+}
+
 }  // namespace
 
 TimeCourse time_course(const SceneProblem& problem, Method method, Observer& observer) {
@@ -33,27 +47,40 @@ TimeCourse time_course(const SceneProblem& problem, Method method, Observer& obs
   const std::unique_ptr<FrameSolver> solver = make_solver(problem, method);
   const std::size_t count = problem.surface().count;
   std::vector<double> f(solver->tractions());
-  const std::span<const double> normal = std::span(f).first(count);
-  const std::span<const double> tangential = std::span(f).subspan(count);
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-  TimeCourse course{.method = method, .tangential = !tangential.empty()};
+  const bool by_mixture = method == Method::tikhonov && problem.answers_by_mixture();
+  TimeCourse course{.method = method, .tangential = f.size() > count};
   SensorRecording recording(whole);
   for (std::size_t k = 0; recording.next(k % stride == 0); ++k) {
     if (k % stride != 0) continue;
     course.time.push_back(recording.time());
     course.truth.push_back(pressed(scene, problem.surface(), recording.time(), recording.truth()));
     Resultant found{none, none, none};
+    ResultantIntervals intervals;
     try {
-      if (solver->solve(recording.readings(), f).status == FrameStatus::ok)
-        found = resultant_of(normal, tangential, problem.surface());
-      else
+      const bool bound = !by_mixture || problem.constraints();
+      if (bound && solver->solve(recording.readings(), f).status != FrameStatus::ok) {
         std::fill(f.begin(), f.end(), none);
+      } else if (by_mixture) {
+        const SceneFrame frame(problem, recording.readings());
+        const std::vector<double> mean = frame.mixture()->mean();
+        const OwnTractions own(problem);
+        if (!bound) f = own.of(mean);
+        const std::span<const double> all = mean;
+        found =
+            resultant_of(all.first(own.grid().count), all.subspan(own.grid().count), own.grid());
+        intervals = intervals_of(frame);
+      } else {
+        found =
+            resultant_of(std::span(f).first(count), std::span(f).subspan(count), problem.surface());
+      }
     } catch (const std::domain_error&) {  // its answer would be noise: a gap
       std::fill(f.begin(), f.end(), none);
     }
     course.tractions.insert(course.tractions.end(), f.begin(), f.end());
     course.found.push_back(found);
+    if (by_mixture) course.intervals.push_back(intervals);
     observer.step({Step::Kind::frame, k});
   }
   return course;

@@ -97,7 +97,8 @@ Figure gains_figure(const lab::SceneCalibration& found) {
   const std::vector<FittedValue>& gains = found.fit.gain;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> nothing(gains.size(), none);
-  Curve told{.label = "found", .y = nothing, .colour = 1, .dots = true, .half_width = nothing};
+  Curve told{
+      .label = "found", .y = nothing, .colour = 1, .dots = true, .low = nothing, .high = nothing};
   Curve untold = told;
   untold.label = "the presses say no more than the scene";
   untold.colour = 2;
@@ -109,9 +110,8 @@ Figure gains_figure(const lab::SceneCalibration& found) {
     const double sd = std::isfinite(gains[j].sd) ? gains[j].sd : 0.0;
     plot.x.push_back(static_cast<double>(j));
     curve.y[j] = gains[j].value;
-    curve.half_width[j] = sd;
-    low = std::min(low, gains[j].value - sd);
-    high = std::max(high, gains[j].value + sd);
+    low = std::min(low, curve.low[j] = gains[j].value - sd);
+    high = std::max(high, curve.high[j] = gains[j].value + sd);
   }
   const double prior = gains.empty() ? none : gains.front().prior_sd;
   Curve stated{.label = "as the scene states", .y = std::vector<double>(gains.size(), 1.0)};
@@ -119,7 +119,10 @@ Figure gains_figure(const lab::SceneCalibration& found) {
   if (std::isfinite(prior)) {
     stated.label += ": 1 +- " + brief(prior);
     // A band far wider than the gains' range would leave them a line.
-    if (prior < 2.0 * (high - low)) stated.half_width.assign(gains.size(), prior);
+    if (prior < 2.0 * (high - low)) {
+      stated.low.assign(gains.size(), 1.0 - prior);
+      stated.high.assign(gains.size(), 1.0 + prior);
+    }
   }
   plot.curves = {std::move(stated), std::move(told), std::move(untold)};
   plot.band_label = "one standard deviation";

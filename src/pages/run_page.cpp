@@ -59,8 +59,19 @@ std::string label_of(const lab::Experiment& experiment, const lab::Agreement& gr
   return join(names, " = ");
 }
 
-/// One component of every answer under the truth, equal ones once, with the first's band of two
-/// standard deviations.
+/// A band of two standard deviations about values.
+void add_deviations(Curve& curve, const std::vector<double>& deviations) {
+  for (std::size_t i = 0; i < curve.y.size(); ++i) {
+    curve.low.push_back(curve.y[i] - 2.0 * deviations[i]);
+    curve.high.push_back(curve.y[i] + 2.0 * deviations[i]);
+  }
+}
+
+std::string intervals_label(const Scene& scene) {
+  return percent(scene.interval_level) + " intervals";
+}
+
+/// One component of every answer under the truth, equal ones once, with the first's band.
 void add_component(std::vector<Figure>& figures, const lab::Experiment& experiment,
                    std::size_t which, const std::string& file, const std::string& title) {
   const Scene& scene = experiment.line();
@@ -86,7 +97,7 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
   Plot found{title + " traction", along.label, traction.label, along(places), {}};
   Plot error{title + " traction: error", along.label, off.label, along(places), {}};
   std::size_t colour = 0;
-  bool band = false;
+  bool band = false, interval = false;
   for (const lab::Agreement& group : lab::agreements(experiment.results)) {
     const lab::FrameAnswer& answer = experiment.results[group.results.front()].answer;
     std::vector<double> difference = component(answer.tractions);
@@ -95,13 +106,18 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
     for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= truth[i];
     error.curves.push_back({curve.label, off(std::move(difference)), colour});
     if (!band && answer.has_bands()) {
-      curve.half_width = traction(component(answer.deviations));
-      for (double& width : curve.half_width) width *= 2.0;
       band = true;
+      interval = !answer.low.empty();
+      if (interval) {
+        curve.low = traction(component(answer.low));
+        curve.high = traction(component(answer.high));
+      } else {
+        add_deviations(curve, traction(component(answer.deviations)));
+      }
     }
     found.curves.push_back(std::move(curve));
   }
-  if (band) found.band_label = "two deviations";
+  if (band) found.band_label = interval ? intervals_label(scene) : "two deviations";
   found.curves.push_back({"truth", traction(truth), 0, true});  // last: on top
   figures.push_back(
       {file,
@@ -110,10 +126,14 @@ void add_component(std::vector<Figure>& figures, const lab::Experiment& experime
            std::string(scene.reconstruct.surface.basis == SurfaceBasis::taxels ? " at the taxels"
                                                                                : "") +
            " (dots) and the answers; methods that found the same are one line." +
-           std::string(band ? " The band is two standard deviations, of noise and of what alpha "
-                              "smooths away together: look for dots outside it, at a contact's "
-                              "steep edges first."
-                            : ""),
+           std::string(interval
+                           ? " The band holds the truth as often as its label says, where pad and "
+                             "noise are as the scene says: look for dots outside it, at a "
+                             "contact's steep edges first."
+                       : band ? " The band is two standard deviations, of noise and of what alpha "
+                                "smooths away together: look for dots outside it, at a contact's "
+                                "steep edges first."
+                              : ""),
        std::move(found),
        {},
        {},
@@ -181,8 +201,25 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
   const std::vector<double> drag = of(course.truth, &Resultant::tangential);
   const PlotAxis force = axis(scene.units, "force", Dimension::force, {&found, &pressed});
   Plot forces{"Force over time", "time [s]", force.label, course.time, {}};
+  const auto add_ends = [&](Plot& plot, const PlotAxis& axis,
+                            std::optional<CentralInterval> lab::ResultantIntervals::*which) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (course.intervals.empty()) return;
+    Curve& curve = plot.curves.back();
+    for (std::size_t k = 0; k < course.intervals.size(); ++k) {
+      const auto& ends = course.intervals[k].*which;
+      const bool drawn = ends && std::isfinite(curve.y[k]);
+      curve.low.push_back(drawn ? ends->low * axis.factor : none);
+      curve.high.push_back(drawn ? ends->high * axis.factor : none);
+    }
+    plot.band_label = intervals_label(scene);
+  };
   forces.curves.push_back({method + ", normal", force(found), 1});
-  if (course.tangential) forces.curves.push_back({method + ", tangential", force(found_drag), 2});
+  add_ends(forces, force, &lab::ResultantIntervals::normal);
+  if (course.tangential) {
+    forces.curves.push_back({method + ", tangential", force(found_drag), 2});
+    add_ends(forces, force, &lab::ResultantIntervals::tangential);
+  }
   forces.curves.push_back({"truth, normal", force(pressed), 0});
   forces.curves.back().dashed = true;
   if (course.tangential) {
@@ -212,6 +249,7 @@ void add_course(std::vector<Figure>& figures, const Scene& scene, const lab::Tim
   Plot centre{"Centre of pressure over time", "time [s]", along.label, course.time, {}};
   centre.y_at_least = scene.sensor.pitch * along.factor;
   centre.curves.push_back({method, along(centres(course.found)), 1});
+  add_ends(centre, along, &lab::ResultantIntervals::centre);
   centre.curves.push_back({"truth", along(centres(course.truth)), 0});
   centre.curves.back().dashed = true;
   figures.push_back(
@@ -293,7 +331,9 @@ std::string methods_section(const lab::Experiment& experiment) {
     const std::string method = std::string(name(result.method)) + ": ";
     if (const auto& found = result.answer.bands) {
       html += element("p", method + resultant_in_words(scene, found->resultant) +
-                               " (one standard deviation; bands in the plots are two).");
+                               (found->resultant.normal.interval
+                                    ? "."
+                                    : " (one standard deviation; bands in the plots are two)."));
       if (const auto rows = report::patch_cells(scene.units, found->patches, {},
                                                 report::true_contacts(experiment.scene));
           !rows.empty())

@@ -272,7 +272,7 @@ class Pages(unittest.TestCase):
             head, *rows = csv.reader(file)
         nearest = min(rows, key=lambda row: abs(float(row[0]) - place))
         self.assertAlmostEqual(float(nearest[head.index("truth")]), truth, delta=1e-3 * abs(truth))
-        self.assertRegex(said, r"\[.*\].*: \S.* ± .*truth")
+        self.assertRegex(said, r"\[.*\].*: \S.*( ± | \(\S+ to ).*truth")
 
     def test_the_contacts_of_a_frame_are_rows_that_agree_with_its_sentence(self):
         page = self.pages["frames of 16 x 16 x 3"]

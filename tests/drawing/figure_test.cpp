@@ -62,7 +62,8 @@ TEST_CASE("a chart's data are JSON whatever its labels hold, and hold every valu
   Plot plot{"</script><b>", "x \"quoted\" \\ back", "y\n", {1.0, 2.0}, {}, true};
   const double none = std::numeric_limits<double>::quiet_NaN();
   plot.curves = {{"first <curve>", {1.25e-7, none}, 1}};
-  plot.curves.front().half_width = {0.5, 0.25};
+  plot.curves.front().low = {0.5, 0.25};
+  plot.curves.front().high = {1.5, 0.75};
   const std::string html = chart_html(plot, "what \"it\" shows");
   CHECK(count(html, "<script") == 1);
   CHECK(count(html, "</script>") == 1);
@@ -73,7 +74,7 @@ TEST_CASE("a chart's data are JSON whatever its labels hold, and hold every valu
   CHECK_THAT(json, ContainsSubstring("\"label\":\"x \\\"quoted\\\" \\\\ back\",\"log\":true") &&
                        ContainsSubstring("\"label\":\"y\\u000a\"") &&
                        ContainsSubstring("\"y\":[1.25e-07,null]") &&
-                       ContainsSubstring("\"band\":[0.5,0.25]") &&
+                       ContainsSubstring("\"low\":[0.5,0.25],\"high\":[1.5,0.75]") &&
                        ContainsSubstring("\"xs\":[1,2]") &&
                        ContainsSubstring("first \\u003ccurve>"));
 }

@@ -13,6 +13,7 @@
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/lab/skin_distributions.hpp"
 #include "tactile_net/lab/skin_simulation.hpp"
+#include "tactile_net/lab/time_course.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -100,6 +101,36 @@ TEST_CASE("under constraints the tractions are the minimiser's and the forces th
   CHECK(*std::min_element(low.begin(), low.end()) == 0.0);
   const auto free_low = component(free.low, places, 0);
   CHECK(*std::min_element(free_low.begin(), free_low.end()) < 0.0);
+}
+
+TEST_CASE("a course over time has the intervals of every frame", "[lab][mixture]") {
+  const auto course = [](const std::string& reconstruct) {
+    return coarse_pad(reconstruct + "[time]\nrate = 100.0\nframes = 4\n");
+  };
+  for (const std::string& bound : {std::string(), std::string("nonnegative = true\n")}) {
+    CAPTURE(bound);
+    const Scene scene = course(mixture + bound);
+    const SceneProblem problem(scene);
+    const TimeCourse found = time_course(problem, Method::tikhonov);
+    REQUIRE(found.intervals.size() == 4);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const FrameAnswer alone = solve(problem, simulate(at_frame(scene, k)).readings);
+      const UncertainResultant& resultant = alone.bands->resultant;
+      const ResultantIntervals& ends = found.intervals[k];
+      CHECK_THAT(found.found[k].normal, WithinRel(resultant.normal.value, 1e-9));
+      const auto tractions =
+          found.tractions.begin() + static_cast<std::ptrdiff_t>(k * alone.tractions.size());
+      CHECK(std::equal(alone.tractions.begin(), alone.tractions.end(), tractions));
+      CHECK_THAT(*found.found[k].centre(), WithinRel(resultant.centre->value, 1e-9));
+      CHECK(ends.normal->low == resultant.normal.interval->low);
+      CHECK(ends.tangential->high == resultant.tangential->interval->high);
+      CHECK(ends.centre->low == resultant.centre->interval->low);
+      CHECK(ends.normal->low < found.truth[k].normal);
+      CHECK(found.truth[k].normal < ends.normal->high);
+    }
+  }
+  CHECK(time_course(SceneProblem(course("answer = \"alpha\"\n")), Method::tikhonov)
+            .intervals.empty());
 }
 
 TEST_CASE("a noise that is known less well leaves wider intervals", "[lab][mixture]") {

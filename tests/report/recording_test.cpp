@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "pages/pad_drawing.hpp"
+#include "tactile_net/lab/recording_solver.hpp"
 #include "tactile_net/pages/recording_page.hpp"
 #include "tactile_net/report/csv/recording_csv.hpp"
 #include "tactile_net/report/json/frames_json.hpp"
@@ -168,7 +169,7 @@ TEST_CASE("a picture along the array has the array's own ends below it, wherever
   /// The centre of pressure of each frame, from the array's first end [m].
   const auto centres = [](const nlohmann::json& json, double first) {
     std::vector<double> from_first;
-    for (const auto& y : json["centre"]) from_first.push_back(y.get<double>() - first);
+    for (const auto& y : json["centre"]["y"]) from_first.push_back(y.get<double>() - first);
     return from_first;
   };
   std::vector<double> before;
@@ -193,6 +194,58 @@ TEST_CASE("a picture along the array has the array's own ends below it, wherever
       CHECK_THAT(centre[i], WithinAbs(before[i], 1e-3));  // rounded to five digits
     before = centre;
   }
+}
+
+TEST_CASE("courses over time are between the ends of intervals where frames have them",
+          "[report][recording]") {
+  const auto recorded = [](const std::string& reconstruct) {
+    const lab::AnyProblem problem = lab::any_problem(
+        parse_scene("[sensor]\ncount = 13\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\", "
+                    "\"shear_xy\"]\n[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+                    "[noise]\nrms = 2e-3\n[report]\nlevel = 0.8\n[reconstruct]\n" +
+                        reconstruct,
+                    "pad.toml"));
+    lab::RecordingSolver solver(problem, Method::tikhonov);
+    lab::Recording recording(problem, Method::tikhonov);
+    for (int k = 1; k <= 3; ++k) {
+      std::vector<double> readings(26);
+      for (std::size_t i = 0; i < 13; ++i)
+        readings[i] = 0.1 * k * std::exp(-0.3 * std::pow(static_cast<double>(i) - 6.0, 2));
+      const std::vector<double> read = readings;
+      recording.add(0.01 * k, problem, read, *solver.solve(readings, {}));
+    }
+    return recording.overview();
+  };
+  const auto close = [](const nlohmann::json& shown, double value) {
+    CHECK_THAT(shown.get<double>(), WithinRel(value, 1e-4));  // rounded
+  };
+  for (const std::string& bound : {std::string(), std::string("nonnegative = true\n")}) {
+    CAPTURE(bound);
+    const lab::RecordingOverview overview = recorded(bound);
+    const auto json = nlohmann::json::parse(frames_json(overview));
+    const auto& force = json["courses"][0];
+    CHECK(force["bands"] == "80 % intervals");
+    CHECK(json["centre"]["bands"] == "80 % intervals");
+    for (std::size_t k = 0; k < 3; ++k) {
+      const UncertainResultant& found = overview.groups[k].answer.bands->resultant;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const Uncertain& one = i == 0 ? found.normal : *found.tangential;
+        close(force["lines"][i]["y"][k], one.value);
+        close(force["lines"][i]["low"][k], one.interval->low);
+        close(force["lines"][i]["high"][k], one.interval->high);
+      }
+      close(json["centre"]["low"][k], found.centre->interval->low);
+      close(json["centre"]["high"][k], found.centre->interval->high);
+    }
+  }
+  const lab::RecordingOverview by_alpha = recorded("answer = \"alpha\"\n");
+  const auto json = nlohmann::json::parse(frames_json(by_alpha));
+  const auto& line = json["courses"][0]["lines"][0];
+  CHECK(json["courses"][0]["bands"] == "two standard deviations");
+  CHECK(json["centre"]["bands"] == "");
+  const Uncertain& normal = by_alpha.groups[1].answer.bands->resultant.normal;
+  close(line["low"][1], normal.value - 2.0 * normal.deviation);
+  close(line["high"][1], normal.value + 2.0 * normal.deviation);
 }
 
 TEST_CASE("a thousand frames of a skin are a page below 2.7 MB, whatever its cells and components",

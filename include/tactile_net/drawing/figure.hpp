@@ -54,8 +54,8 @@ class Figures {
                                       std::string_view caption, std::string_view data,
                                       std::string_view type = {});
 
-/// A plot's numbers: a column per curve, and one for the half width of its band; where curves have
-/// an x of their own a row per point instead, the curve's name first. Empty: not finite.
+/// A plot's numbers: a column per curve, and two for the ends of its band; where curves have an x
+/// of their own a row per point instead, the curve's name first. Empty: not finite.
 [[nodiscard]] std::string csv_of(const Plot& plot);
 
 }  // namespace tactile_net::drawing

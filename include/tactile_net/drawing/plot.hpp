@@ -11,12 +11,12 @@ namespace tactile_net::drawing {
 
 struct Curve {
   std::string label;
-  std::vector<double> y;             ///< one value per x; not finite: a gap
-  std::size_t colour = 0;            ///< 0: black; the same number is the same colour in every plot
-  bool dots = false;                 ///< points instead of a line
-  std::vector<double> half_width{};  ///< of a band around the line; empty: none
-  std::vector<double> x{};           ///< the curve's own; empty: the plot's
-  bool marks = false;                ///< points on the line, of a shape of their own
+  std::vector<double> y;   ///< one value per x; not finite: a gap
+  std::size_t colour = 0;  ///< 0: black; the same number is the same colour in every plot
+  bool dots = false;       ///< points instead of a line
+  std::vector<double> low{}, high{};  ///< ends of a band around the line, one per x; empty: none
+  std::vector<double> x{};            ///< the curve's own; empty: the plot's
+  bool marks = false;                 ///< points on the line, of a shape of their own
   bool dashed = false;
   double width = 0.0;  ///< of the line; 0: as the others'
   bool quiet = false;  ///< grey, for comparison; see `Plot::quiet_label`

@@ -2,13 +2,20 @@
 /// The contact's resultant over a scene's time: as it presses, and as a method finds it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/scene_problem.hpp"
+#include "tactile_net/numeric/distribution.hpp"
 #include "tactile_net/sensing/resultant.hpp"
 
 namespace tactile_net::lab {
+
+/// Absent: it was not solved for, or not known.
+struct ResultantIntervals {
+  std::optional<CentralInterval> normal{}, tangential{}, centre{};
+};
 
 struct TimeCourse {
   Method method = Method::tikhonov;
@@ -17,6 +24,9 @@ struct TimeCourse {
   std::vector<Resultant>
       truth{};  ///< the contacts' exact forces; the place as sampled at the taxels
   std::vector<Resultant> found{};  ///< NaN where a frame has no answer
+  /// Of every frame at the scene's level, which `found` is then the mean of: where the scene is
+  /// answered by its mixture; else none.
+  std::vector<ResultantIntervals> intervals{};
   /// Normal, then tangential, of every frame, one frame after another [Pa]; NaN as above.
   std::vector<double> tractions{};
 };

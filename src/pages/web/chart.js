@@ -280,8 +280,12 @@ function makeChart(place, spec, {behind = null, linked = null} = {}) {
   }
 
   const valueOf = (curve, i) => {
-    const band = curve.edges ? (curve.edges[1][i] - curve.edges[0][i]) / 2 : 0;
-    return brief(curve.y[i], 4) + (band > 0 ? ` ± ${brief(band, 2)}` : '');
+    const text = brief(curve.y[i], 4), [low, high] = curve.edges?.map((ends) => ends[i]) ?? [0, 0];
+    const up = high - curve.y[i], down = curve.y[i] - low;
+    if (!(high > low)) return text;
+    return Math.abs(up - down) < 1e-3 * (up + down) ?
+        `${text} ± ${brief(up, 2)}` :
+        `${text} (${brief(low, 4)} to ${brief(high, 4)})`;
   };
   /**
    * Every curve at the x nearest to the pointer; nothing where they are many, or have an x each.

@@ -5,18 +5,15 @@ function showFrames(root, d) {
   const skin = !d.line;
   const {place: when, answer, trust} = d.frames;
   const find = (view) => root.querySelector(`[data-view=${view}]`);
-  const all = d.tractions.map((one) => ({
-                                ...one,
-                                values: unpack(one.values),
-                                deviations: unpack(one.deviations),
-                                ends: one.ends &&
-                                    {
-                                      low: unpack(one.ends.low),
-                                      high: unpack(one.ends.high),
-                                      label: one.ends.label
-                                    },
-                                truth: unpack(one.truth)
-                              }));
+  const all = d.tractions.map(
+      (one) => ({
+        ...one,
+        values: unpack(one.values),
+        deviations: unpack(one.deviations),
+        ends: one.ends &&
+            {low: unpack(one.ends.low), high: unpack(one.ends.high), label: one.ends.label},
+        truth: unpack(one.truth)
+      }));
   const normal = all[0];
   const readings = d.readings.map((one) => ({...one, values: unpack(one.values)}));
   const count = when.length, {rows, columns} = d.grid;
@@ -310,6 +307,7 @@ function showFrames(root, d) {
           titled(one.title),
           {name: one.title, y: {label: one.label}, band_label: one.bands, curves: one.lines},
           inShort);
+    const inLength = (values) => values.map((y) => y === null ? null : y * d.length.factor);
     for (const one of skin ? all.slice(0, 1) : all) {
       const largestAlong = (k, row) => {
         const values = one.values.of(k);
@@ -328,11 +326,13 @@ function showFrames(root, d) {
           {
             name: `Heat map of ${one.title} over time`,
             y: {label: lengthLabel('y'), range: [low, high]},
+            band_label: one.colour === 'normal' && d.centre ? d.centre.bands : '',
             curves: one.colour === 'normal' && d.centre ? [{
               label: 'centre of pressure',
               colour: 'ink',
               width: 1.5,
-              y: d.centre.map((y) => y === null ? null : y * d.length.factor)
+              y: inLength(d.centre.y),
+              ...(d.centre.bands && {low: inLength(d.centre.low), high: inLength(d.centre.high)})
             }] :
                                                           []
           },

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "report/json/course.hpp"
 #include "report/json/packed_values.hpp"
 #include "report/json/rounded.hpp"
 #include "report/json/values.hpp"
@@ -65,10 +66,6 @@ Json packed_json(const PackedValues& packed) {
 }
 
 Json unit_json(const ScaledUnit& unit) { return {{"label", unit.label}, {"factor", unit.factor}}; }
-
-Json rounded_or_null(double number, int digits = 5) {
-  return std::isfinite(number) ? Json(rounded(number, digits)) : Json(nullptr);
-}
 
 Json lattice_json(const SurfaceGrid& grid) {
   return {{"rows", grid.rows}, {"columns", grid.columns}, {"y", grid.y(0)},
@@ -168,7 +165,7 @@ Json tractions_json(const ShownFrames& all) {
     if (known(&ShownFrame::low) && known(&ShownFrame::high) && !large)
       one["ends"] = {{"low", packed_json(packed(of_all(&ShownFrame::low, k)))},
                      {"high", packed_json(packed(of_all(&ShownFrame::high, k)))},
-                     {"label", percent(all.level) + " intervals"}};
+                     {"label", bands_in_words(all.level, true, false)}};
     if (known(&ShownFrame::truth))
       one["truth"] = packed_json(packed(of_all(&ShownFrame::truth, k)));
     json.push_back(std::move(one));
@@ -312,66 +309,6 @@ Json contacts_json(const ShownFrames& all) {
   return {{"columns", std::move(heads)}, {"rows", std::move(frames)}};
 }
 
-/// A value of every frame with its band, in a unit of its own.
-struct Course {
-  const char* label;
-  const char* colour;
-  std::vector<double> values{}, low{}, high{};
-  bool dashed = false;
-
-  [[nodiscard]] bool has_band() const {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (low[i] < high[i]) return true;
-    return false;
-  }
-  void add(double value, double below, double above) {
-    values.push_back(value);
-    low.push_back(below);
-    high.push_back(above);
-  }
-  void add(const std::optional<Uncertain>& number) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    if (number)
-      add(number->value, number->value - 2.0 * number->deviation,
-          number->value + 2.0 * number->deviation);
-    else
-      add(none, none, none);
-  }
-};
-
-/// Null where nothing is known of any frame.
-Json course_json(const std::optional<Units>& units, const std::string& title,
-                 const std::string& axis, Dimension dimension, const std::vector<Course>& courses) {
-  double most = 0.0;
-  for (const Course& course : courses)
-    for (const double value : course.values)
-      if (std::isfinite(value)) most = std::max(most, std::abs(value));
-  if (!(most > 0.0)) return nullptr;
-  const ScaledUnit unit = axis_unit(units, dimension, most);
-  const auto list = [&](const std::vector<double>& values) {
-    Json json = Json::array();
-    for (const double value : values) json.push_back(rounded_or_null(value * unit.factor));
-    return json;
-  };
-  Json lines = Json::array();
-  bool banded = false;
-  for (const Course& course : courses) {
-    lines.push_back({{"label", course.label},
-                     {"colour", course.colour},
-                     {"dashed", course.dashed},
-                     {"y", list(course.values)}});
-    if (course.has_band() && !course.dashed) {
-      banded = true;
-      lines.back()["low"] = list(course.low);
-      lines.back()["high"] = list(course.high);
-    }
-  }
-  return {{"title", title},
-          {"label", axis + (unit.label.empty() ? "" : " [" + unit.label + "]")},
-          {"bands", banded ? "two standard deviations" : ""},
-          {"lines", std::move(lines)}};
-}
-
 Json field_json(const lab::RecordingOverview& overview) {
   constexpr std::size_t rows = 18;
   constexpr std::size_t most_values = 256;  // 4 million products a frame in the browser
@@ -472,25 +409,25 @@ ShownFrames shown_of(const lab::RecordingOverview& overview) {
 }
 
 /// Forces of a line over time, with what the tractions leave.
-void add_line_courses(Json& json, const lab::RecordingOverview& overview) {
+void add_line_courses(Json& json, const lab::RecordingOverview& overview, const ShownFrames& all) {
   Course normal{"normal force", "normal"};
   Course tangential{"drag", "tangential"};
   Course residual{"residual", "ink"};
   Course stated{"noise that the scene states", "normal"};
   stated.dashed = true;
-  Json centres = Json::array();
+  Course centre{"centre of pressure", "ink"};
   for (const lab::FrameGroup& group : overview.groups) {
-    const auto add = [](Course& course, double value, const Uncertain& band, double lowest,
-                        double highest) {
-      course.add(value, std::min(value - 2.0 * band.deviation, lowest),
-                 std::max(value + 2.0 * band.deviation, highest));
-    };
     const auto& found = group.answer.bands;
-    const UncertainResultant* const bands = found ? &found->resultant : nullptr;
-    add(normal, group.resultant.normal, bands != nullptr ? bands->normal : Uncertain{},
-        group.lowest_normal, group.highest_normal);
-    add(tangential, group.resultant.tangential,
-        bands != nullptr && bands->tangential ? *bands->tangential : Uncertain{},
+    const UncertainResultant bands = found ? found->resultant : UncertainResultant{};
+    // Of what is answered by its mixture, under constraints too, the mixture's value.
+    const auto add = [&](Course& course, double value, const Uncertain& known, double lowest,
+                         double highest) {
+      if (known.interval) value = known.value;
+      if (group.count == 1) lowest = highest = value;
+      course.add(value, known, lowest, highest);
+    };
+    add(normal, group.resultant.normal, bands.normal, group.lowest_normal, group.highest_normal);
+    add(tangential, group.resultant.tangential, bands.tangential.value_or(Uncertain{}),
         group.lowest_tangential, group.highest_tangential);
     if (found) {
       residual.add(Uncertain{found->noise.residual_rms, 0.0});
@@ -498,25 +435,35 @@ void add_line_courses(Json& json, const lab::RecordingOverview& overview) {
     } else {
       residual.add(std::nullopt);
     }
-    const auto centre = group.resultant.centre();
-    centres.push_back(centre && overview.loaded(group) ? rounded_or_null(*centre) : Json(nullptr));
+    const auto at = group.resultant.centre();
+    if (!at || !overview.loaded(group))
+      centre.add(std::nullopt);
+    else
+      centre.add(bands.centre && bands.centre->interval ? *bands.centre : Uncertain{*at, 0.0});
   }
-  const auto& units = overview.line().units;
   std::vector<Course> forces = {normal};
   if (overview.tangential()) forces.push_back(tangential);
-  add_course(json, course_json(units, "Force", "force", Dimension::force, forces));
+  add_course(json, course_json(all.units, all.level, "Force", "force", Dimension::force, forces));
   std::vector<Course> residuals = {residual};
   if (stated.values.size() == residual.values.size()) residuals.push_back(stated);
   add_course(
       json,
-      course_json(units,
+      course_json(all.units, all.level,
                   "What the tractions leave unexplained: where it is above the noise, the pad, "
                   "the depth or the calibration is not as stated",
                   "residual, rms", residual_dimension(overview.line()), residuals));
-  json["centre"] = std::move(centres);
+  const auto list = [](const std::vector<double>& values) {
+    Json places = Json::array();
+    for (const double value : values) places.push_back(rounded_or_null(value));
+    return places;
+  };
+  json["centre"] = {{"y", list(centre.values)},
+                    {"low", list(centre.low)},
+                    {"high", list(centre.high)},
+                    {"bands", bands_in_words(all.level, centre.any_interval, false)}};
 }
 
-void add_skin_courses(Json& json, const lab::RecordingOverview& overview) {
+void add_skin_courses(Json& json, const lab::RecordingOverview& overview, const ShownFrames& all) {
   Course force{"force", "normal"};
   Course along_y{"along y", "tangential"};
   Course along_z{"along z", "ink"};
@@ -529,23 +476,24 @@ void add_skin_courses(Json& json, const lab::RecordingOverview& overview) {
     along_z.add(wrench.tangential_z);
     torsion.add(wrench.torsion);
   }
-  const auto& units = overview.skin().units;
-  add_course(json,
-             course_json(units, "Force into the skin", "force", Dimension::point_force, {force}));
-  add_course(json, course_json(units, "Drag", "drag", Dimension::point_force, {along_y, along_z}));
-  add_course(json, course_json(units, "Torsion about the centre", "torsion", Dimension::moment,
-                               {torsion}));
+  add_course(json, course_json(all.units, all.level, "Force into the skin", "force",
+                               Dimension::point_force, {force}));
+  add_course(json, course_json(all.units, all.level, "Drag", "drag", Dimension::point_force,
+                               {along_y, along_z}));
+  add_course(json, course_json(all.units, all.level, "Torsion about the centre", "torsion",
+                               Dimension::moment, {torsion}));
 }
 
 }  // namespace
 
 std::string frames_json(const lab::RecordingOverview& overview) {
-  Json json = frames_document(shown_of(overview));
+  const ShownFrames all = shown_of(overview);
+  Json json = frames_document(all);
   if (overview.is_line()) {
-    add_line_courses(json, overview);
+    add_line_courses(json, overview, all);
     json["field"] = field_json(overview);
   } else {
-    add_skin_courses(json, overview);
+    add_skin_courses(json, overview, all);
   }
   return text_of(json, -1);
 }

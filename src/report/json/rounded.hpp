@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "report/json/values.hpp"
+
 namespace tactile_net::report {
 
 /// The number with so many significant digits; what is not finite stays as it is.
@@ -14,6 +16,10 @@ namespace tactile_net::report {
   const double result =
       shift >= 0 ? std::round(number * power) / power : std::round(number / power) * power;
   return std::isfinite(result) ? result : number;
+}
+
+[[nodiscard]] inline Json rounded_or_null(double number, int digits = 5) {
+  return std::isfinite(number) ? Json(rounded(number, digits)) : Json(nullptr);
 }
 
 }  // namespace tactile_net::report
