@@ -66,10 +66,12 @@ long page_faults() {
 long faults_of_first_frame(ContactEstimator& estimator, const std::vector<double>& frame,
                            bool prepared) {
   std::vector<double> room(estimator.tractions());
-  ContactEstimate estimate{.tractions = room};
+  ContactEstimate estimate;
   const int status = in_child([&]() -> bool {
     if (prepared) (void)estimator.prepare();
+    // What the caller owns is the caller's to touch.
     for (double& traction : room) traction = 1.0;
+    estimate = {.tractions = room};
     (void)page_faults();
     const long before = page_faults();
     const FrameStatus answered = estimator.update(frame, estimate);
