@@ -136,11 +136,12 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
   const TouchedWindows windows{cells.window_rows, cells.window_columns,
                                cells.window_deviations.data(), marks.sums.data(),
                                marks.along.data()};
-  estimate.touching = mark_touching({cells.rows, cells.columns, cells.rim_rows, cells.rim_columns},
-                                    estimate.tractions.data(), cells.deviations.data(),
-                                    cells.window_deviations.empty() ? nullptr : &windows,
-                                    marks.marks.data(), marks.queue.data(), [](std::size_t) {})
-                          .cells;
+  estimate.touching =
+      mark_touching(marks.loops, {cells.rows, cells.columns, cells.rim_rows, cells.rim_columns},
+                    estimate.tractions.data(), cells.deviations.data(),
+                    cells.window_deviations.empty() ? nullptr : &windows, marks.marks.data(),
+                    marks.queue.data(), [](std::size_t) {})
+          .cells;
   const double centre = 0.5 * static_cast<double>(ready.values - 1);
   for (std::size_t u = 0; u < ready.unknowns; ++u) {
     sums[u] = {};
@@ -300,13 +301,8 @@ FrameStatus ContactEstimator::refused(std::span<const double> readings) const no
     input.limit = unlimited;
   }
 
-  input.saturated = false;
-  for (std::size_t c = 0; c < ready.ranges.size(); ++c)
-    for (std::size_t i = c * ready.line; i < (c + 1) * ready.line; ++i)
-      // The operators would raise an exception for NaN, which the product refuses, in silence.
-      input.saturated |=
-          scratch.weights[i] > 0.0 && !(std::isgreater(readings[i], ready.ranges[c].lowest) &&
-                                        std::isless(readings[i], ready.ranges[c].highest));
+  input.saturated =
+      ready.ranges && loops.outside(readings.data(), scratch.weights.data(), *ready.ranges, n);
 
   if (!scratch.dead.empty()) {
     fill_dead(x);  // with what may itself be too large

@@ -151,7 +151,7 @@ void add_skin_rows(const PlanCells& cells, std::size_t unknowns, const double* f
       largest[row] = std::max(largest[row], variances[cell]);
     }
   }
-  const double window =
+  const auto window =
       static_cast<double>((2 * cells.window_rows + 1) * (2 * cells.window_columns + 1));
   for (std::size_t row = 0; row < found && !variances.empty(); ++row)
     estimate.rows[row].force_deviation = std::sqrt(std::max(variance[row], window * largest[row]));
@@ -165,7 +165,7 @@ void add_line_rows(std::span<const double> tractions, std::size_t values, double
   const double* const p = tractions.data();
   const double* const q = tractions.size() > values ? p + values : nullptr;
   const std::size_t rows = std::min(estimate.rows.size(), most_contact_rows);
-  std::fill_n(labels.data(), values, ContactFollower::none);
+  std::fill(labels.data(), labels.data() + values, ContactFollower::none);
   estimate.rows_found = 0;
   if (!estimate.contact) return follower.follow({}, labels.data());
   std::size_t found = 0;

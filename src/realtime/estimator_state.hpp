@@ -67,8 +67,6 @@ struct ContactEstimator::Ready {
         spacing(plan.spacing),
         centre(plan.centre),
         friction(plan.friction_coefficient),
-        ranges(plan.ranges),
-        line(plan.taxels.empty() && plan.ranges.size() == plan.channels ? plan.count : 1),
         taxels(plan.readings()),
         weights(plan.weights),
         leverages(plan.leverages),
@@ -93,6 +91,7 @@ struct ContactEstimator::Ready {
     for (std::size_t i = 0; i < taxels.size(); ++i)
       taxels[i] = static_cast<std::uint32_t>(plan.taxel_of(i));
     most_dead = most_dead_of(taxels);
+    if (!plan.ranges.empty()) ranges = ranges_of(plan);
     if (plan.prediction && plan.known_offsets) channel_ends = ends_of_channels(plan);
     if (plan.cells) window_variances = variances_of(*plan.cells);
     if (plan.reconstruction.precision == Precision::float64)
@@ -168,6 +167,19 @@ struct ContactEstimator::Ready {
     return variances;
   }
 
+  /// An end that is 0 is the one of the two zeros that neither lies beyond.
+  [[nodiscard]] static OrderedRanges ranges_of(const EstimatorPlan& plan) {
+    const std::size_t n = plan.readings();
+    OrderedRanges ranges{Aligned<std::int64_t>(n), Aligned<std::int64_t>(n)};
+    const bool of_channels = plan.taxels.empty() && plan.ranges.size() == plan.channels;
+    for (std::size_t i = 0; i < n; ++i) {
+      const ReadingRange& range = plan.ranges[of_channels ? i / plan.count : i];
+      ranges.lowest[i] = ordered(range.lowest == 0.0 ? 0.0 : range.lowest);
+      ranges.highest[i] = ordered(range.highest == 0.0 ? -0.0 : range.highest);
+    }
+    return ranges;
+  }
+
   /// Readings of the taxels that have most.
   [[nodiscard]] static std::size_t most_dead_of(std::vector<std::uint32_t> taxels) {
     std::sort(taxels.begin(), taxels.end());
@@ -186,8 +198,7 @@ struct ContactEstimator::Ready {
   std::size_t count, channels, unknowns, values;
   double spacing, centre;
   std::optional<double> friction;
-  std::vector<ReadingRange> ranges;
-  std::size_t line;                   // readings that each range is of
+  std::optional<OrderedRanges> ranges{};
   std::vector<std::uint32_t> taxels;  // of every reading
   std::size_t most_dead = 0;          // readings that `set_dead` leaves out at most
   std::vector<double> weights, leverages;
@@ -232,7 +243,7 @@ struct ContactEstimator::Scratch {
         fill(ready.fill_rows),
         marks(ready.surface() ? ready.surface()->rows : 0,
               ready.surface() ? ready.surface()->columns : 0,
-              ready.surface() && !ready.surface()->window_deviations.empty()),
+              ready.surface() && !ready.surface()->window_deviations.empty(), ready.set),
         follower(ready.values),
         labels(ready.cells ? 0 : ready.values),
         block(FrameBlock::of(ready)),

@@ -201,6 +201,19 @@ template <int Bytes>
   return misfit;
 }
 
+/// Ones and zeros in place of branches: these are taken as vectors.
+[[gnu::always_inline]] inline bool outside_of(const double* g, const double* weights,
+                                              const std::int64_t* lowest,
+                                              const std::int64_t* highest, std::size_t n) noexcept {
+  std::int64_t any = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::int64_t reading = ordered(g[i]);
+    const std::int64_t out = (reading <= lowest[i] ? 1 : 0) | (reading >= highest[i] ? 1 : 0);
+    any |= out & (std::bit_cast<std::int64_t>(weights[i]) > 0 ? 1 : 0);
+  }
+  return any != 0;
+}
+
 }  // namespace
 
 // One set of entries for each instruction set; the attribute is all that differs.
@@ -286,6 +299,10 @@ template <int Bytes>
                        const double* shares, double* spread, std::size_t n) noexcept {             \
     return misfit_of<BYTES>(x, p, weights, shares, spread, n);                                     \
   }                                                                                                \
+  TARGET bool outside(const double* g, const double* weights, const OrderedRanges& ranges,         \
+                      std::size_t n) noexcept {                                                    \
+    return outside_of(g, weights, ranges.lowest.data(), ranges.highest.data(), n);                 \
+  }                                                                                                \
   constexpr Kernels all{most_lines(BYTES),                                                         \
                         most_shared(BYTES),                                                        \
                         subtract,                                                                  \
@@ -298,7 +315,8 @@ template <int Bytes>
                         join32,                                                                    \
                         dot,                                                                       \
                         stretches,                                                                 \
-                        misfit};                                                                   \
+                        misfit,                                                                    \
+                        outside};                                                                  \
   }                                                                                                \
   }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "realtime/aligned.hpp"
 #include "realtime/folding.hpp"
 #include "realtime/ready_product.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
@@ -17,6 +18,17 @@ namespace tactile_net {
 
 /// A limit that refuses nothing, for input that has been compared with one before.
 inline constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
+
+/// A number of which integers order as doubles do; of NaN beyond those of the infinities.
+[[nodiscard]] constexpr std::int64_t ordered(double value) noexcept {
+  const auto bits = std::bit_cast<std::int64_t>(value);
+  return bits ^ ((bits >> 63) & std::numeric_limits<std::int64_t>::max());
+}
+
+/// The ends of the range of each reading, as `ordered` numbers.
+struct OrderedRanges {
+  Aligned<std::int64_t> lowest, highest;
+};
 
 struct Moments {
   double sum = 0.0;    // sum f_j
@@ -63,6 +75,9 @@ struct Kernels {
   /// spread_i = (w_i (x_i - p_i))^2 share_i
   Misfit (*misfit)(const double* x, const double* p, const double* weights, const double* shares,
                    double* spread, std::size_t n) noexcept;
+  /// Whether a reading with a weight is not between its ends, or NaN; no exception is raised.
+  bool (*outside)(const double* g, const double* weights, const OrderedRanges& ranges,
+                  std::size_t n) noexcept;
 };
 
 /// The power of two below the largest |x|: of its bits, the exponent.

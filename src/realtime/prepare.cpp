@@ -70,7 +70,10 @@ void add_product(const ReadyProduct<T>& product, MemoryLock& lock) noexcept {
 void ContactEstimator::add_memory(auto& lock) const noexcept {
   const Ready& ready = *ready_;
   lock.add(&ready, sizeof ready);
-  lock(ready.ranges);
+  if (ready.ranges) {
+    lock(ready.ranges->lowest);
+    lock(ready.ranges->highest);
+  }
   lock(ready.taxels);
   lock(ready.weights);
   lock(ready.leverages);

@@ -1,6 +1,7 @@
 #include "realtime/skin_resultant.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,18 @@ void add_levers(const PlanCells& cells, const double* f, const std::uint8_t* mar
     const double from_z = z - sums.z_p / sums.p;
     sums.lever += std::max(f[cell], 0.0) * std::sqrt(from_y * from_y + from_z * from_z);
   });
+}
+
+/// A sum is taken in eight parts, in the same order on every machine: additions wait for each
+/// other.
+double sum_of(const double* f, std::size_t count) noexcept {
+  constexpr std::size_t parts = 8;
+  std::array<double, parts> sums{};
+  std::size_t i = 0;
+  for (; i + parts <= count; i += parts)
+    for (std::size_t k = 0; k < parts; ++k) sums[k] += f[i + k];
+  for (; i < count; ++i) sums[0] += f[i];
+  return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
 /// The friction that a contact needs, for drag and torsion together.
@@ -130,19 +143,17 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
                         double lowest, CellMarks& scratch, ContactEstimate& estimate) noexcept {
   const double area = cells.area();
   const std::size_t count = cells.rows * cells.columns;
-  double all = 0.0;
-  for (std::size_t i = 0; i < count; ++i) all += linear != nullptr ? linear[i] : f[i];
-  all *= area;
+  const double all = area * sum_of(linear != nullptr ? linear : f, count);
   const TouchedWindows windows{cells.window_rows, cells.window_columns,
                                cells.window_deviations.data(), scratch.sums.data(),
                                scratch.along.data()};
   const Touching touching =
       cells.deviations.empty()
           ? Touching{}
-          : mark_touching({cells.rows, cells.columns, cells.rim_rows, cells.rim_columns}, f,
-                          cells.deviations.data(),
-                          cells.window_deviations.empty() ? nullptr : &windows,
-                          scratch.marks.data(), scratch.queue.data(), [](std::size_t) {});
+          : mark_touching(
+                scratch.loops, {cells.rows, cells.columns, cells.rim_rows, cells.rim_columns}, f,
+                cells.deviations.data(), cells.window_deviations.empty() ? nullptr : &windows,
+                scratch.marks.data(), scratch.queue.data(), [](std::size_t) {});
   estimate.touching = touching.cells;
   const std::uint8_t* const marks = touching.cells > 0 ? scratch.marks.data() : nullptr;
   CellSums sums;

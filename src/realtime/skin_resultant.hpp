@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "realtime/aligned.hpp"
+#include "realtime/touching_loops.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net {
@@ -22,13 +23,15 @@ struct CellSums {
 
 /// Scratch of one thread.
 struct CellMarks {
-  CellMarks(std::size_t rows, std::size_t columns, bool windows)
-      : marks(rows * columns),
+  CellMarks(std::size_t rows, std::size_t columns, bool windows, InstructionSet set)
+      : loops(touching_loops(set)),
+        marks(rows * columns),
         queue(rows * columns),
         sums(windows ? rows * columns : 0),
         along(windows ? rows * columns : 0),
         patches(((rows + 1) / 2) * ((columns + 1) / 2)) {}
 
+  const TouchingLoops& loops;
   Aligned<std::uint8_t> marks;
   Aligned<std::uint32_t> queue;   // and then the number of each touching cell's patch
   Aligned<double> sums, along;    // over windows, where the plan has any

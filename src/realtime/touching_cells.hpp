@@ -5,45 +5,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+
+#include "realtime/touching_loops.hpp"
 
 namespace tactile_net {
-
-/// Deviations above which a cell may touch, and of a patch's peak, by which it does.
-inline constexpr double touched = 2.0;
-inline constexpr double certain = 4.0;
 
 /// Share of the strongest contact's force from which another one counts where contacts are judged
 /// one by one, as for friction: less is what smoothing leaves beside a strong one.
 inline constexpr double least_share = 0.1;
-
-/// Widens marks along a line of cells.
-inline void widen(std::uint8_t* marks, std::size_t count, std::size_t stride,
-                  std::size_t reach) noexcept {
-  constexpr std::uint8_t widened = 2;
-  const auto pass = [&](bool backwards) {
-    std::size_t left = 0;  // cells that the last mark still reaches
-    for (std::size_t k = 0; k < count; ++k) {
-      std::uint8_t& mark = marks[(backwards ? count - 1 - k : k) * stride];
-      if (mark == 1) {
-        left = reach;
-      } else if (left > 0) {
-        mark = widened;
-        --left;
-      }
-    }
-  };
-  pass(false);
-  pass(true);
-  for (std::size_t k = 0; k < count; ++k) marks[k * stride] = marks[k * stride] != 0 ? 1 : 0;
-}
-
-/// A grid of cells, row after row, and how far what touches is widened.
-struct TouchedGrid {
-  std::size_t rows, columns;
-  std::size_t rim_rows, rim_columns;
-
-  [[nodiscard]] std::size_t count() const noexcept { return rows * columns; }
-};
 
 /// Sums over the windows around cells.
 struct TouchedWindows {
@@ -53,32 +23,26 @@ struct TouchedWindows {
   double* along;
 };
 
-/// Adds a value's neighbours along a line, at most `reach` away.
-inline void sum_along(const double* values, double* sums, std::size_t count, std::size_t stride,
-                      std::size_t reach) noexcept {
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t last = std::min(i + reach, count - 1);
-    double sum = 0.0;
-    for (std::size_t k = i - std::min(i, reach); k <= last; ++k) sum += values[k * stride];
-    sums[i * stride] = sum;
-  }
-}
-
 /// Marks with 1, among cells that are not marked, the patches of neighbours, by edges or corners,
 /// that are `touched` with a peak that is `certain`. Those without such a peak go to `doubt`.
 ///
 /// @return how many patches are marked anew
-inline std::size_t mark_patches(const TouchedGrid& grid, const double* values,
-                                const double* deviations, std::uint8_t* marks, std::uint32_t* queue,
-                                const auto& doubt) {
+inline std::size_t mark_patches(const TouchingLoops& loops, const TouchedGrid& grid,
+                                const double* values, const double* deviations, std::uint8_t* marks,
+                                std::uint32_t* queue, const auto& doubt) {
   constexpr std::uint8_t above = 2;
   constexpr std::uint8_t doubted = 3;
   const std::size_t count = grid.count();
-  for (std::size_t i = 0; i < count; ++i)
-    if (marks[i] == 0 && values[i] > 0.0 && values[i] > touched * deviations[i]) marks[i] = above;
+  if (!loops.mark_above(values, deviations, count, above, marks)) return 0;
+  const auto columns = static_cast<std::uint32_t>(grid.columns);
   std::size_t found = 0;
-  for (std::size_t start = 0; start < count; ++start) {
-    if (marks[start] != above) continue;
+  bool any_doubted = false;
+  // What is above lies where the search is, or beyond it.
+  const void* next = marks;
+  while ((next = std::memchr(
+              next, above,
+              static_cast<std::size_t>(marks + count - static_cast<const std::uint8_t*>(next)))) !=
+         nullptr) {
     bool is_certain = false;
     std::size_t size = 0;
     const auto take = [&](std::size_t cell) {
@@ -86,10 +50,10 @@ inline std::size_t mark_patches(const TouchedGrid& grid, const double* values,
       is_certain |= values[cell] > certain * deviations[cell];
       queue[size++] = static_cast<std::uint32_t>(cell);
     };
-    take(start);
+    take(static_cast<std::size_t>(static_cast<const std::uint8_t*>(next) - marks));
     for (std::size_t at = 0; at < size; ++at) {
-      const std::size_t row = queue[at] / grid.columns;
-      const std::size_t column = queue[at] % grid.columns;
+      const std::size_t row = queue[at] / columns;
+      const std::size_t column = queue[at] % columns;
       for (std::size_t m = row > 0 ? row - 1 : 0; m <= row + 1 && m < grid.rows; ++m)
         for (std::size_t n = column > 0 ? column - 1 : 0; n <= column + 1 && n < grid.columns; ++n)
           if (marks[m * grid.columns + n] == above) take(m * grid.columns + n);
@@ -98,21 +62,14 @@ inline std::size_t mark_patches(const TouchedGrid& grid, const double* values,
       ++found;
       continue;
     }
+    any_doubted = true;
     for (std::size_t at = 0; at < size; ++at) {
       marks[queue[at]] = doubted;
       doubt(queue[at]);
     }
   }
-  for (std::size_t i = 0; i < count; ++i)
-    if (marks[i] == doubted) marks[i] = 0;
+  if (any_doubted) std::replace(marks, marks + count, doubted, std::uint8_t{0});
   return found;
-}
-
-inline void widen(const TouchedGrid& grid, std::uint8_t* marks) noexcept {
-  for (std::size_t row = 0; row < grid.rows; ++row)
-    widen(marks + row * grid.columns, grid.columns, 1, grid.rim_columns);
-  for (std::size_t column = 0; column < grid.columns; ++column)
-    widen(marks + column, grid.rows, grid.columns, grid.rim_rows);
 }
 
 /// What is marked.
@@ -131,25 +88,28 @@ struct Touching {
 /// @param windows     absent: cells alone
 /// @param marks       one for each cell, as the queue
 /// @param doubt       takes the cells of windows that are above noise, and not certain
-inline Touching mark_touching(const TouchedGrid& grid, const double* p, const double* deviations,
-                              const TouchedWindows* windows, std::uint8_t* marks,
-                              std::uint32_t* queue, const auto& doubt) {
+inline Touching mark_touching(const TouchingLoops& loops, const TouchedGrid& grid, const double* p,
+                              const double* deviations, const TouchedWindows* windows,
+                              std::uint8_t* marks, std::uint32_t* queue, const auto& doubt) {
   const std::size_t count = grid.count();
   std::fill_n(marks, count, std::uint8_t{0});
   Touching found;
-  found.patches = mark_patches(grid, p, deviations, marks, queue, [](std::size_t) {});
-  if (found.patches > 0) widen(grid, marks);
-  if (windows != nullptr) {
-    for (std::size_t i = 0; i < count; ++i) windows->sums[i] = marks[i] != 0 ? 0.0 : p[i];
-    for (std::size_t row = 0; row < grid.rows; ++row)
-      sum_along(windows->sums + row * grid.columns, windows->along + row * grid.columns,
-                grid.columns, 1, windows->columns);
-    for (std::size_t column = 0; column < grid.columns; ++column)
-      sum_along(windows->along + column, windows->sums + column, grid.rows, grid.columns,
-                windows->rows);
-    found.patches += mark_patches(grid, windows->sums, windows->deviations, marks, queue, doubt);
+  found.patches = mark_patches(loops, grid, p, deviations, marks, queue, [](std::size_t) {});
+  if (found.patches > 0) {
+    auto* const widened = reinterpret_cast<std::uint8_t*>(queue);  // which is free again
+    loops.widen_along(grid, false, grid.rim_columns, marks, widened);
+    loops.widen_along(grid, true, grid.rim_rows, widened, marks);
   }
-  for (std::size_t i = 0; i < count; ++i) found.cells += marks[i];
+  if (windows != nullptr) {
+    loops.leave_out(p, marks, count, windows->sums);
+    loops.sum_along(grid, false, windows->columns, windows->sums, windows->along);
+    loops.sum_along(grid, true, windows->rows, windows->along, windows->sums);
+    found.patches +=
+        mark_patches(loops, grid, windows->sums, windows->deviations, marks, queue, doubt);
+  }
+  std::uint32_t cells = 0;
+  for (std::size_t i = 0; i < count; ++i) cells += marks[i];
+  found.cells = cells;
   return found;
 }
 

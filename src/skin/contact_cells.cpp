@@ -59,7 +59,8 @@ FoundContacts contacts_of(const SurfaceGrid& grid, std::span<const double> tract
     sums = {windows->window.rows, windows->window.columns, windows->deviations.data(),
             scratch.data(), scratch.data() + count};
   FoundContacts found;
-  mark_touching({grid.rows, grid.columns, cells_within(rim, grid.spacing_y),
+  mark_touching(touching_loops(widest_instruction_set()),
+                {grid.rows, grid.columns, cells_within(rim, grid.spacing_y),
                  cells_within(rim, grid.spacing_z)},
                 tractions.data(), deviations.data(), windows != nullptr ? &sums : nullptr,
                 taken.data(), queue.data(),

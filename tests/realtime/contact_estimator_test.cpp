@@ -441,6 +441,33 @@ TEST_CASE("copies are independent, and what was moved away can be assigned to ag
   CHECK(original.label() == "made by hand");
 }
 
+TEST_CASE("what lies between the ends of a range is not saturated, zeros of either sign included",
+          "[contact_estimator]") {
+  const std::vector<double> numbers{-1e300, -1.0, -1e-310, -0.0, 0.0, 1e-310, 1.0, 1e300};
+  for (const InstructionSet set :
+       {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
+    for (const double lowest : numbers)
+      for (const double highest : numbers) {
+        if (!(lowest < highest)) continue;
+        EstimatorPlan plan = made_plan({.count = 19, .channels = 1});
+        plan.ranges.assign(1, {-2e300, 2e300});
+        plan.ranges.resize(plan.readings(), plan.ranges[0]);
+        for (const std::size_t place : {0U, 7U, 18U}) {
+          EstimatorPlan one = plan;
+          one.ranges[place] = {lowest, highest};
+          ContactEstimator estimator(one, set);
+          for (const double value : numbers) {
+            CAPTURE(name(set), lowest, highest, value, place);
+            std::vector<double> g(plan.readings(), 0.5);
+            g[place] = value;
+            Answer out(estimator);
+            if (estimator.update(g, out.estimate) != FrameStatus::ok) continue;
+            CHECK(out.estimate.saturated == !(value > lowest && value < highest));
+          }
+        }
+      }
+}
+
 TEST_CASE("a saturated reading is told, by its channel's range, unless it is dead",
           "[contact_estimator]") {
   EstimatorPlan plan = made_plan({.count = 5, .channels = 2});
