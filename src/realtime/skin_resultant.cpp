@@ -170,7 +170,7 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
       largest = std::max(largest, variances[cell]);
       return sums;
     });
-    const double window =
+    const auto window =
         static_cast<double>((2 * cells.window_rows + 1) * (2 * cells.window_columns + 1));
     estimate.force_deviation = std::sqrt(std::max(variance, window * largest));
   } else {
