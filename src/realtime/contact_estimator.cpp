@@ -95,16 +95,11 @@ std::span<const double> ContactEstimator::free_tractions() const noexcept {
   return scratch_->cone ? scratch_->cone->free() : std::span<const double>{};
 }
 
-/// Where the plan has constraints, brings the tractions inside them.
+/// Brings the tractions inside the plan's constraints.
 /// @param moments  of each traction of a line, anew; none of a skin
 void ContactEstimator::constrain(ContactEstimate& estimate, std::span<Moments> moments) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
-  estimate.unfinished = ContactEstimate::unknown;
-  estimate.unfinished_share = ContactEstimate::unknown;
-  estimate.steps = 0;
-  if (!ready.cone) return;
-  const bool knows_noise = ready.noise_rms > 0.0;
   struct Asked {
     const std::atomic<bool>* stop;
     double enough;  // of the distance
@@ -119,18 +114,17 @@ void ContactEstimator::constrain(ContactEstimate& estimate, std::span<Moments> m
   const ConeScratch::Done done =
       scratch.cone->bind(*ready.cone, estimate.tractions, scratch.work.steps, each,
                          each || asked.stop != nullptr ? +look : nullptr, &asked);
-  scratch.distance = done.distance;
-  estimate.steps = done.steps;
-  if (knows_noise) estimate.unfinished = done.distance / ready.noise_rms;
+  scratch.done = done;
   for (std::size_t u = 0; u < moments.size(); ++u)
     moments[u] = moments_of(estimate.tractions.subspan(u * ready.values, ready.values));
 }
 
 /// Of a line's tractions inside constraints, moments of the values that touch. Where none does they
 /// are 0, or if the whole presses those of the linear frame.
-std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimate, bool presses,
-                                                        std::span<Moments> sums) noexcept {
+std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimate,
+                                                        bool presses) noexcept {
   const Ready& ready = *ready_;
+  std::array<Moments, 2>& sums = scratch_->touching;
   const PlanCells& cells = *ready.line_cells;
   CellMarks& marks = scratch_->marks;
   const TouchedWindows windows{cells.window_rows, cells.window_columns,
@@ -181,7 +175,14 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
   estimate.beyond_edge = false;
   estimate.baseline_moved = false;
   estimate.outlier = -1;
+  estimate.unfinished = ContactEstimate::unknown;
+  estimate.unfinished_share = ContactEstimate::unknown;
+  estimate.steps = 0;
   estimate.age = 0;
+  if (ready.cone) {
+    estimate.steps = scratch_->done.steps;
+    if (ready.noise_rms > 0.0) estimate.unfinished = scratch_->done.distance / ready.noise_rms;
+  }
   if (ready.cells)
     return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
                               ready.cone ? scratch_->cone->free().data() : nullptr, ready.friction,
@@ -189,11 +190,10 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
                               ready.lowest_force, scratch_->marks, estimate);
   // Of the linear frame: noise can only push inside constraints.
   double all = ready.spacing * moments[0].sum;
-  std::array<Moments, 2> touching;
   if (ready.cone) {
     all = ready.spacing * moments_of(scratch_->cone->free().first(ready.values)).sum;
     if (ready.line_cells && !ready.line_cells->deviations.empty())
-      moments = sum_touching(estimate, all > ready.certain_force, touching);
+      moments = sum_touching(estimate, all > ready.certain_force);
   }
   const Moments& normal = moments[0];
   estimate.normal_force = ready.spacing * normal.sum;
@@ -365,7 +365,7 @@ FrameStatus ContactEstimator::update_frame(std::span<const double> readings,
 
   estimate.time = time;
   estimate.saturated = input.saturated;
-  constrain(estimate, moments);
+  if (ready.cone) constrain(estimate, moments);
   add_resultant(estimate, moments);
   if (!estimate.rows.empty()) add_rows(estimate);
   if (ready.prediction) {
@@ -377,7 +377,7 @@ FrameStatus ContactEstimator::update_frame(std::span<const double> readings,
 
 void ContactEstimator::finish(ContactEstimate& estimate, std::span<Moments> moments,
                               const double* x, const double* explained) noexcept {
-  constrain(estimate, moments);
+  if (ready_->cone) constrain(estimate, moments);
   add_resultant(estimate, moments);
   if (!estimate.rows.empty()) add_rows(estimate);
   if (explained != nullptr) judge(estimate, x, explained);
@@ -410,7 +410,7 @@ void ContactEstimator::judge(ContactEstimate& estimate, const double* x,
   if (ready.cone && !ready.cone->unknown_offsets) {
     // (W g)' W K f0 = f0'P f0.
     const double energy = misfit.size - misfit.objective;
-    if (energy > 0.0) estimate.unfinished_share = scratch.distance / std::sqrt(energy);
+    if (energy > 0.0) estimate.unfinished_share = scratch.done.distance / std::sqrt(energy);
   }
   if (ready.residual_limit > 0.0) {
     // (W g)'(I - H)(W g) = |W r|^2 + alpha |L f|^2.

@@ -312,7 +312,8 @@ struct ContactEstimator::Scratch {
   std::optional<ConeScratch> cone{};
   ConeWork work{};  // its steps are never 0
   const std::atomic<bool>* stop = nullptr;
-  double distance = 0.0;              // of the frame from its minimum, at most
+  ConeScratch::Done done{};           // of the frame's steps towards constraints
+  std::array<Moments, 2> touching{};  // of a line's values that touch
   std::unique_ptr<FrameBlock> block;  // of batches
   LoopState loop;
   std::unique_ptr<Convolution> convolution, prediction_convolution;  // of fft plans

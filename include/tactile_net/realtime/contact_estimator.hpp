@@ -259,8 +259,7 @@ class ContactEstimator {
   void fill_dead(double* x) noexcept;
   void fill_planned(double* x) noexcept;
   void constrain(ContactEstimate& estimate, std::span<Moments> moments) noexcept;
-  std::span<const Moments> sum_touching(ContactEstimate& estimate, bool presses,
-                                        std::span<Moments> sums) noexcept;
+  std::span<const Moments> sum_touching(ContactEstimate& estimate, bool presses) noexcept;
   void add_resultant(ContactEstimate& estimate, std::span<const Moments> moments) noexcept;
   void add_rows(ContactEstimate& estimate) noexcept;
   void add_worst_margin(ContactEstimate& estimate) const noexcept;
