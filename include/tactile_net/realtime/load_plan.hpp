@@ -1,7 +1,7 @@
 /// @file
 /// A plan from disk, at a controller's start-up. Inline, so that the file is touched in the
-/// caller's own object code: in the loop tactile_net::rt makes no system call. With the bytes in memory,
-/// call `decode_plan` (plan_file.hpp) instead.
+/// caller's own object code: in the loop tactile_net::rt makes no system call. With the bytes in
+/// memory, call `decode_plan` (plan_file.hpp) instead.
 ///
 ///     ContactEstimator estimator(load_plan("pad.plan"));
 #pragma once
