@@ -28,11 +28,17 @@ namespace {
 
 class Estimator {
  public:
-  explicit Estimator(PlanPointer plan)
+  /// @param contacts  one by one, at most so many; 0: none
+  Estimator(PlanPointer plan, std::size_t contacts)
       : plan_(std::move(plan)),
         estimator_(plan_->plan, fft_convolutions()),
         readings_(estimator_.readings()),
-        tractions_(estimator_.tractions()) {}
+        tractions_(estimator_.tractions()),
+        rows_(contacts) {
+    if (contacts > most_contact_rows)
+      throw std::invalid_argument("a frame tells at most " + std::to_string(most_contact_rows) +
+                                  " contacts one by one");
+  }
 
   /// @param out  None: a new array
   nb::object update(const nb::object& frame, const nb::object& out) {
@@ -67,6 +73,7 @@ class Estimator {
           tactile_net::update_batch(estimator_, {frames.data(), frames.size()}, estimates);
       if (status != FrameStatus::ok) throw bad_frame_among(frames);
       if (count > 0) contact_ = estimates.back();
+      found_ = 0;
     }
     contact_.tractions = {};
     return owned(std::move(tractions), {count, width});
@@ -117,6 +124,10 @@ class Estimator {
   [[nodiscard]] const std::vector<double>& baseline() const noexcept { return baseline_; }
   [[nodiscard]] const std::vector<std::size_t>& dead() const noexcept { return dead_; }
   [[nodiscard]] std::pair<std::size_t, double> work() const noexcept { return work_; }
+  [[nodiscard]] std::vector<ContactRow> contacts() const {
+    return {rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(found_)};
+  }
+  [[nodiscard]] std::size_t most_contacts() const noexcept { return rows_.size(); }
   [[nodiscard]] std::string_view instruction_set() const noexcept {
     return name(estimator_.instruction_set());
   }
@@ -140,9 +151,12 @@ class Estimator {
 
   void solve(std::span<const double> readings, std::span<double> tractions) {
     contact_.tractions = tractions;
+    contact_.rows = rows_;
     const FrameStatus status = estimator_.update(readings, contact_);
     contact_.tractions = {};
+    contact_.rows = {};
     if (status != FrameStatus::ok) throw bad_frame(status, readings, 0);
+    found_ = contact_.rows_found;
   }
 
   [[nodiscard]] nb::object fresh() const {
@@ -213,6 +227,8 @@ class Estimator {
   std::vector<double> baseline_{};  // empty: the plan's
   std::vector<std::size_t> dead_{};
   std::pair<std::size_t, double> work_{};
+  std::vector<ContactRow> rows_;
+  std::size_t found_ = 0;
   std::atomic_flag busy_{};
 };
 
@@ -304,14 +320,35 @@ void bind_contact(nb::module_& module) {
                    "index of the reading that the others explain least, or None");
 }
 
+void bind_row(nb::module_& module) {
+  nb::class_<ContactRow>(module, "ContactRow", "One contact of a frame where several lie apart.")
+      .def_ro("id", &ContactRow::id, "stays with the contact over the frames of one estimator")
+      .def_ro("cells", &ContactRow::cells, "that touch")
+      .def_ro("normal_force", &ContactRow::normal_force, "[N/m], of skins [N]")
+      .def_ro("force_deviation", &ContactRow::force_deviation,
+              "of it, by noise and smoothing; nan where it is not known")
+      .def_ro("tangential_y", &ContactRow::tangential_y,
+              "of a line its tangential force [N/m], of a skin along y [N]; nan: not solved for")
+      .def_ro("tangential_z", &ContactRow::tangential_z, "of a skin, along z [N]; else nan")
+      .def_ro("centre", &ContactRow::centre, "y of the force [m]")
+      .def_ro("centre_z", &ContactRow::centre_z, "of a skin, its z [m]; else nan")
+      .def_ro("torsion", &ContactRow::torsion,
+              "of a skin, about the centre of pressure [N m]; else nan")
+      .def_ro("friction_margin", &ContactRow::friction_margin,
+              "mu F - |drag| [N/m], of skins [N]; nan without a friction coefficient")
+      .def_ro("slip_margin", &ContactRow::slip_margin,
+              "of a skin, what drag and torsion together leave of friction; else nan");
+}
+
 }  // namespace
 
 void bind_estimator(nb::module_& module) {
   bind_contact(module);
+  bind_row(module);
   nb::class_<Estimator>(module, "Estimator",
                         "The per-frame call of a controller: readings in, tractions out.\n\n"
                         "One thread at a time: another one is refused with a RuntimeError.")
-      .def(nb::init<PlanPointer>(), nb::arg("plan"))
+      .def(nb::init<PlanPointer, std::size_t>(), nb::arg("plan"), nb::arg("contacts") = 0)
       .def("update", &Estimator::update, nb::arg("frame").none(), nb::arg("out") = nb::none(),
            nb::sig("def update(self, frame: numpy.typing.NDArray[numpy.float64], "
                    "out: numpy.typing.NDArray[numpy.float64] | None = None) "
@@ -337,6 +374,10 @@ void bind_estimator(nb::module_& module) {
       .def_prop_ro(
           "contact", [](const Estimator& self) { return self.contact(); },
           "Force, place and doubts of the last frame.")
+      .def_prop_ro("contacts", &Estimator::contacts,
+                   "The contacts of the last frame of `update` or `step` one by one, the strongest "
+                   "first, on lines from left to right; empty where none were asked for.")
+      .def_prop_ro("most_contacts", &Estimator::most_contacts, "As it was made.")
       .def_prop_ro("readings", &own_readings,
                    nb::sig("def readings(self) -> numpy.typing.NDArray[numpy.float64]"),
                    "The estimator's own memory, for `step`.")

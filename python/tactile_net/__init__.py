@@ -14,7 +14,7 @@ from . import datasets, errors, plot
 from ._calibration import Calibration, FittedValue, NextPress, calibrate
 from ._check import Finding, ReadingsCheck
 from ._circuit import Certification, Relaxation, Survey
-from ._controller import ContactEstimate, Estimator, Plan
+from ._controller import ContactEstimate, ContactRow, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
 from ._optional import part
@@ -59,6 +59,7 @@ __all__ = [
     "Contact",
     "ContactEstimate",
     "ContactPatch",
+    "ContactRow",
     "CutOffWarning",
     "Cylinder",
     "Diagnostic",

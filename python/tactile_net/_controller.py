@@ -11,9 +11,10 @@ from ._arrays import Floats, frames_of, lattice_frames_of
 if TYPE_CHECKING:
     from ._scene import Scene
 
-__all__ = ["ContactEstimate", "Estimator", "Plan"]
+__all__ = ["ContactEstimate", "ContactRow", "Estimator", "Plan"]
 
 ContactEstimate = _core.ContactEstimate
+ContactRow = _core.ContactRow
 
 
 class Plan:
@@ -205,8 +206,9 @@ class Estimator(_core.Estimator):
     channel; `step` works on the estimator's own `readings` and `tractions`, at the least price. One thread at a time: another one is refused with a RuntimeError.
     """
 
-    def __init__(self, plan: Plan) -> None:
-        super().__init__(plan._core)
+    def __init__(self, plan: Plan, *, contacts: int = 0) -> None:
+        """contacts: how many of a frame's contacts `contacts` tells one by one, at most 16."""
+        super().__init__(plan._core, contacts)
         self._made_of = plan
 
     @property
@@ -224,20 +226,20 @@ class Estimator(_core.Estimator):
         return super().update_batch(rows).reshape(*lead, *self._made_of.traction_shape)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _estimator, (self._made_of, self.baseline, self.dead, self.work)
+        return _estimator, (self._made_of, self.baseline, self.dead, self.work, self.most_contacts)
 
     def __copy__(self) -> Estimator:
         """For another thread: the same plan, baseline, dead taxels and work."""
-        return _estimator(self._made_of, self.baseline, self.dead, self.work)
+        return _estimator(self._made_of, self.baseline, self.dead, self.work, self.most_contacts)
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Estimator:
         return self.__copy__()
 
 
 def _estimator(
-    plan: Plan, baseline: Floats | None, dead: tuple[int, ...], work: tuple[int, float] = (0, 0.0)
+    plan: Plan, baseline: Floats | None, dead: tuple[int, ...], work: tuple[int, float] = (0, 0.0), contacts: int = 0
 ) -> Estimator:
-    estimator = Estimator(plan)
+    estimator = Estimator(plan, contacts=contacts)
     if plan.steps > 0:
         estimator.set_work(*work)
     for taxel in dead:  # first: what they read does not matter then
