@@ -92,6 +92,25 @@ typedef struct tactile_net_estimate {
   bool saturated;           ///< a live reading stands at the end of its range
 } tactile_net_estimate;
 
+/// One contact of a frame where several lie apart, as ContactRow. Forces of a line are in N/m,
+/// those of a skin in N; NaN where it is not known.
+typedef struct tactile_net_contact {
+  double normal_force;     ///< [N/m], of a skin [N]
+  double force_deviation;  ///< of it [N/m], of a skin [N]
+  double tangential_y;     ///< of a line its tangential force [N/m]; of a skin [N]
+  double tangential_z;     ///< of a skin [N]
+  double centre_y_m;       ///< of pressure [m]
+  double centre_z_m;       ///< of a skin [m]
+  double torsion_n_m;      ///< of a skin [N m]
+  double friction_margin;  ///< mu F - |drag| [N/m], of a skin [N]
+  double slip_margin;      ///< of a skin
+  size_t cells;            ///< that touch
+  uint32_t id;             ///< from 1 on; stays with the contact over the frames of one handle
+} tactile_net_contact;
+
+/// Contacts that a frame tells one by one, at most.
+#define TACTILE_NET_MOST_CONTACTS 16
+
 /// Numbers that readings may be, in the byte order of the machine.
 typedef enum tactile_net_type {
   TACTILE_NET_FLOAT64 = 0,
@@ -114,6 +133,7 @@ typedef struct tactile_net_readings {
 typedef struct tactile_net_options {
   bool flush_denormals;  ///< take numbers below 2.2e-308 as 0 while a frame is computed
   bool hold;             ///< a refused frame gets the last good answer, with its `age`
+  size_t contacts;       ///< told one by one, at most so many (tactile_net_contacts); 0: none
 } tactile_net_options;
 
 /// Frames since the estimator was made, a copy too.
@@ -186,6 +206,13 @@ tactile_net_status tactile_net_update(tactile_net_estimator* estimator, const do
 tactile_net_status tactile_net_update_from(tactile_net_estimator* estimator,
                                            const tactile_net_readings* readings, double time_s,
                                            double* tractions, tactile_net_estimate* estimate);
+
+/// The contacts of the last frame that was answered, one by one: of a skin the strongest first, of
+/// a line from left to right. None unless tactile_net_options asks for them.
+/// @param contacts  room for `room` of them
+/// @return how many were written
+size_t tactile_net_contacts(const tactile_net_estimator* estimator, tactile_net_contact* contacts,
+                            size_t room);
 
 /// What the sensors read without contact, from the next frame on. Not TACTILE_NET_OK: the old
 /// baseline stays.

@@ -18,9 +18,11 @@
 
 using tactile_net::ContactEstimate;
 using tactile_net::ContactEstimator;
+using tactile_net::ContactRow;
 using tactile_net::EstimatorPlan;
 using tactile_net::FrameCounters;
 using tactile_net::FrameStatus;
+using tactile_net::most_contact_rows;
 using tactile_net::Preparation;
 using tactile_net::ReadingType;
 using tactile_net::ReadingView;
@@ -51,7 +53,8 @@ struct tactile_net_estimator {
       : estimator(other.estimator),
         label(other.label),
         tractions(other.tractions),
-        plan(other.plan) {
+        plan(other.plan),
+        wanted_rows(other.wanted_rows) {
     plan.label = label.c_str();
     estimator.stop_at(&stop);
   }
@@ -62,8 +65,12 @@ struct tactile_net_estimator {
   std::string label;
   std::vector<double> tractions;  // of callers who want none
   tactile_net_plan plan;
+  std::array<ContactRow, most_contact_rows> rows{};
+  std::size_t wanted_rows = 0;
+  std::size_t found_rows = 0;
   std::atomic<bool> stop{false};
 };
+static_assert(TACTILE_NET_MOST_CONTACTS == most_contact_rows);
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 namespace {
@@ -171,9 +178,11 @@ tactile_net_estimate in_c(const ContactEstimate& estimate) noexcept {
 tactile_net_status update_by(tactile_net_estimator& of, const auto& readings, double time_s,
                              double* tractions, tactile_net_estimate* estimate) noexcept {
   ContactEstimate contact{
-      .tractions = {tractions == nullptr ? of.tractions.data() : tractions, of.tractions.size()}};
+      .tractions = {tractions == nullptr ? of.tractions.data() : tractions, of.tractions.size()},
+      .rows = {of.rows.data(), of.wanted_rows}};
   const FrameStatus status = of.estimator.update(readings, contact, time_s);
   const bool answered = status == FrameStatus::ok || contact.age > 0;
+  if (answered) of.found_rows = contact.rows_found;
   if (answered && estimate != nullptr) *estimate = in_c(contact);
   return in_c(status);
 }
@@ -227,6 +236,26 @@ tactile_net_status tactile_net_update_from(tactile_net_estimator* estimator,
   return update_by(*estimator, view_of(*readings), time_s, tractions, estimate);
 }
 
+size_t tactile_net_contacts(const tactile_net_estimator* estimator, tactile_net_contact* contacts,
+                            size_t room) {
+  const std::size_t count = std::min(room, estimator->found_rows);
+  for (std::size_t i = 0; i < count; ++i) {
+    const ContactRow& row = estimator->rows[i];
+    contacts[i] = {.normal_force = row.normal_force,
+                   .force_deviation = row.force_deviation,
+                   .tangential_y = row.tangential_y,
+                   .tangential_z = row.tangential_z,
+                   .centre_y_m = row.centre,
+                   .centre_z_m = row.centre_z,
+                   .torsion_n_m = row.torsion,
+                   .friction_margin = row.friction_margin,
+                   .slip_margin = row.slip_margin,
+                   .cells = row.cells,
+                   .id = row.id};
+  }
+  return count;
+}
+
 tactile_net_status tactile_net_set_baseline(tactile_net_estimator* estimator,
                                             const double* readings, size_t count) {
   return in_c(estimator->estimator.set_baseline(frame_of(readings, count)));
@@ -246,6 +275,8 @@ void tactile_net_revive(tactile_net_estimator* estimator) { estimator->estimator
 void tactile_net_set_options(tactile_net_estimator* estimator, const tactile_net_options* options) {
   estimator->estimator.set_options(
       {.flush_denormals = options->flush_denormals, .hold = options->hold});
+  estimator->wanted_rows = std::min(options->contacts, most_contact_rows);
+  estimator->found_rows = std::min(estimator->found_rows, estimator->wanted_rows);
 }
 
 void tactile_net_prepare(tactile_net_estimator* estimator, tactile_net_preparation* result) {

@@ -1,6 +1,7 @@
 // The interface for C says what the C++ class says, to the last bit, and lets no exception out.
 #include <unistd.h>
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <filesystem>
@@ -208,7 +209,7 @@ TEST_CASE("C's readings in other numbers, its counters and its held answers are 
   CHECK(tactile_net_set_baseline_from(estimator, &baseline) == TACTILE_NET_OK);
   CHECK(same.set_baseline(ReadingView(counts.data(), ReadingType::uint16, plan.readings(),
                                       {.stride = 4, .scale = 0.5})) == FrameStatus::ok);
-  const tactile_net_options hold{false, true};
+  const tactile_net_options hold{false, true, 0};
   tactile_net_set_options(estimator, &hold);
   same.set_options({.hold = true});
   update_both(in_c(TACTILE_NET_INT16, 0.3), good);
@@ -265,4 +266,65 @@ TEST_CASE("what is refused leaves C's memory untouched, and has a name", "[c_int
   CHECK(tactile_net_status_name(TACTILE_NET_NOT_FINITE) == string_view("not_finite"));
   CHECK(tactile_net_status_name(TACTILE_NET_TOO_LARGE) == string_view("too_large"));
   CHECK(tactile_net_status_name(99) == string_view("unknown"));
+}
+
+TEST_CASE("C gets contacts one by one, and rules over steps towards constraints", "[c_interface]") {
+  EstimatorPlan plan = telling_plans()[1];
+  add_cone(plan, 0.5);
+  const PlanFile file(plan);
+  tactile_net_estimator* const in_c = tactile_net_load(TACTILE_NET_INTERFACE, file.path());
+  REQUIRE(in_c != nullptr);
+  CHECK(tactile_net_plan_of(in_c)->steps == plan.cone->steps);
+  CHECK(tactile_net_plan_of(in_c)->friction_limit == 0.5);
+  ContactEstimator in_cpp(plan);
+  std::vector<double> f(plan.tractions());
+  std::array<ContactRow, 4> rows;
+  ContactEstimate expected{.tractions = f, .rows = rows};
+  std::array<tactile_net_contact, 4> contacts{};
+  tactile_net_estimate found{};
+  const auto update = [&](unsigned seed) {
+    const std::vector<double> readings = random_values(plan.readings(), seed);
+    REQUIRE(in_cpp.update(readings, expected) == FrameStatus::ok);
+    REQUIRE(tactile_net_update(in_c, readings.data(), readings.size(), 0.0, nullptr, &found) ==
+            TACTILE_NET_OK);
+    check_same_number(found.unfinished, expected.unfinished);
+    check_same_number(found.unfinished_share, expected.unfinished_share);
+    CHECK(found.steps == expected.steps);
+  };
+  update(1);
+  CHECK(tactile_net_contacts(in_c, contacts.data(), contacts.size()) == 0);  // not asked for
+  const tactile_net_options options{false, false, contacts.size()};
+  tactile_net_set_options(in_c, &options);
+  std::size_t told = 0;
+  for (unsigned seed = 1; seed < 8; ++seed) {
+    update(seed);
+    REQUIRE(tactile_net_contacts(in_c, contacts.data(), contacts.size()) == expected.rows_found);
+    for (std::size_t i = 0; i < expected.rows_found; ++i, ++told) {
+      check_same_number(contacts[i].normal_force, rows[i].normal_force);
+      check_same_number(contacts[i].tangential_z, rows[i].tangential_z);
+      check_same_number(contacts[i].slip_margin, rows[i].slip_margin);
+      check_same_number(contacts[i].force_deviation, rows[i].force_deviation);
+      CHECK(contacts[i].cells == rows[i].cells);
+      CHECK(contacts[i].id > 0);
+    }
+  }
+  CHECK(told > 0);
+  CHECK(tactile_net_contacts(in_c, contacts.data(), 0) == 0);
+
+  in_cpp.set_work({.steps = 3});
+  tactile_net_set_work(in_c, 3, 0.0);
+  update(2);
+  CHECK(found.steps == 3);
+  tactile_net_stop(in_c, true);
+  tactile_net_estimator* const copy = tactile_net_copy(in_c);
+  const std::vector<double> readings = random_values(plan.readings(), 2);
+  tactile_net_update(in_c, readings.data(), readings.size(), 0.0, nullptr, &found);
+  CHECK(found.steps == 0);
+  tactile_net_update(copy, readings.data(), readings.size(), 0.0, nullptr, &found);
+  CHECK(found.steps == 3);  // it has a flag of its own
+  tactile_net_stop(in_c, false);
+  tactile_net_update(in_c, readings.data(), readings.size(), 0.0, nullptr, &found);
+  CHECK(found.steps == 3);
+  tactile_net_destroy(copy);
+  tactile_net_destroy(in_c);
 }

@@ -146,7 +146,7 @@ class Loop {
     const auto status = [&](const std::vector<double>& frame) {
       return tactile_net_update(estimator, frame.data(), n, 0.0, tractions_.data(), &estimate);
     };
-    const tactile_net_options options{options_.flush_denormals, options_.hold};
+    const tactile_net_options options{options_.flush_denormals, options_.hold, 3};
     tactile_net_set_options(estimator, &options);
     bool fine = status(readings_) == TACTILE_NET_OK;
     const tactile_net_readings view{floats_.data(), n, TACTILE_NET_FLOAT32, 8, 2.0};
