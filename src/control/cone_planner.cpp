@@ -21,8 +21,6 @@ namespace {
 
 using Eigen::Index;
 
-/// Share of the linear frame that counts as enough where noise does not say it.
-constexpr double share_without_noise = 1e-2;
 /// Accuracy of the step's product. It goes into the bound of every frame; floats have less.
 constexpr double step_accuracy = 1e-3;
 
@@ -237,7 +235,7 @@ PlannedCone better_of(const ConeTask& task, const ConeOptions& options,
 PlannedCone plan_cone(const ConeTask& task, const ConeOptions& options) {
   check_options(task.problem, options);
   const bool knows_noise = task.noise_rms > 0.0;
-  const double unit = knows_noise ? 1.0 : share_without_noise;
+  const double unit = knows_noise ? 1.0 : deviation_without_noise;
   const auto problem = std::make_shared<const ConeProblem>(task.problem, Constraints{});
   PlannedCone cone = better_of(task, options, problem, unit * options.enough);
   if (cone.plan.expected.median <= unit) return cone;

@@ -224,7 +224,7 @@ void fit_steps(PlannedEstimator& planned, const FrameTimes& times, double second
   constexpr std::size_t least = 6;
   ConePlan& cone = *planned.plan.cone;
   const bool knows_noise = planned.plan.noise_rms > 0.0;
-  const double unit = knows_noise ? 1.0 : 1e-2;
+  const double unit = knows_noise ? 1.0 : deviation_without_noise;
   const double without = times.frame - static_cast<double>(cone.steps) * times.step;
   const double fitting = times.step > 0.0 ? (seconds - without) / times.step : 0.0;
   const std::size_t steps = fitting >= static_cast<double>(cone.steps)

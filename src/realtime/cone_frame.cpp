@@ -49,13 +49,13 @@ ConeScratch::Done ConeScratch::bind(const ReadyCone& ready, std::span<double> tr
     of.residuals[k] = pairs_.data() + 2 * k * padded_;
     of.combined[k] = of.residuals[k] + padded_;
   }
-  // One unit for all: the power of two of the largest, so that frames times one have the same bits.
   std::copy(tractions.begin(), tractions.end(), kept_.data());
   double* const f0 = free_.data();
-  for (std::size_t i = normal; i < size_; ++i) kept_[i] *= ready.drag_scale;
-  const double unit = magnitude_of(ready.loops, kept_.data(), size_);
-  for (std::size_t i = 0; i < size_; ++i) v_[i] = f0[i] = kept_[i] / unit;
-  std::copy(tractions.begin(), tractions.end(), kept_.data());
+  std::copy(tractions.begin(), tractions.end(), f0);
+  for (std::size_t i = normal; i < size_; ++i) f0[i] *= ready.drag_scale;
+  // One unit for all: the power of two of the largest, so that frames times one have the same bits.
+  const double unit = magnitude_of(ready.loops, f0, size_);
+  for (std::size_t i = 0; i < size_; ++i) v_[i] = f0[i] /= unit;
 
   const auto norm = [&](const double* x) noexcept {
     return std::sqrt(ready.loops.dot(x, x, size_));

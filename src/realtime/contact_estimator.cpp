@@ -127,15 +127,7 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
   std::array<Moments, 2>& sums = scratch_->touching;
   const PlanCells& cells = *ready.line_cells;
   CellMarks& marks = scratch_->marks;
-  const TouchedWindows windows{cells.window_rows, cells.window_columns,
-                               cells.window_deviations.data(), marks.sums.data(),
-                               marks.along.data()};
-  estimate.touching =
-      mark_touching(marks.loops, {cells.rows, cells.columns, cells.rim_rows, cells.rim_columns},
-                    estimate.tractions.data(), cells.deviations.data(),
-                    cells.window_deviations.empty() ? nullptr : &windows, marks.marks.data(),
-                    marks.queue.data(), [](std::size_t) {})
-          .cells;
+  estimate.touching = mark_cells(cells, estimate.tractions.data(), marks).cells;
   const double centre = 0.5 * static_cast<double>(ready.values - 1);
   for (std::size_t u = 0; u < ready.unknowns; ++u) {
     sums[u] = {};
@@ -178,6 +170,7 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
   estimate.unfinished = ContactEstimate::unknown;
   estimate.unfinished_share = ContactEstimate::unknown;
   estimate.steps = 0;
+  estimate.rows_found = 0;
   estimate.age = 0;
   if (ready.cone) {
     estimate.steps = scratch_->done.steps;
@@ -220,7 +213,6 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
 void ContactEstimator::add_rows(ContactEstimate& estimate) noexcept {
   const Ready& ready = *ready_;
   Scratch& scratch = *scratch_;
-  estimate.rows_found = 0;
   if (!ready.cells)
     return add_line_rows(estimate.tractions, ready.values, ready.spacing, ready.centre,
                          ready.friction, ready.certain_force / ready.spacing, scratch.labels,

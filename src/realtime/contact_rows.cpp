@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "realtime/line_contacts.hpp"
 #include "realtime/touching_cells.hpp"
@@ -72,27 +72,35 @@ void ContactFollower::follow(std::span<ContactRow> rows, const std::uint32_t* la
 
 namespace {
 
-/// Rows of the strongest of some contacts, in their order. Calls `use(contact, row)`.
-///
-/// @param force  (contact) its normal force
-void for_strongest(std::size_t count, std::size_t rows, const auto& force,
-                   const auto& use) noexcept {
-  rows = std::min(rows, count);
-  double before = std::numeric_limits<double>::infinity();
-  std::size_t last = count;
-  for (std::size_t row = 0; row < rows; ++row) {
-    std::size_t best = count;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double one = force(i);
-      const bool is_left = one < before || (one == before && last != count && i > last);
-      if (is_left && (best == count || one > force(best))) best = i;
-    }
-    if (best == count) return;
-    before = force(best);
-    last = best;
-    use(best, row);
+/// A contact that may become a row: of a skin a patch, of a line its values from `first` to before
+/// `last`.
+struct Found {
+  double force = 0.0;
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// The strongest of those that are offered, the strongest first, as many as there are rows for.
+class Strongest {
+ public:
+  explicit Strongest(std::size_t rows) noexcept : rows_(std::min(rows, most_contact_rows)) {}
+
+  void offer(const Found& one) noexcept {
+    if (!(one.force > 0.0)) return;
+    std::size_t at = count_;
+    while (at > 0 && found_[at - 1].force < one.force) --at;
+    if (at == rows_) return;
+    count_ = std::min(count_ + 1, rows_);
+    for (std::size_t k = count_ - 1; k > at; --k) found_[k] = found_[k - 1];
+    found_[at] = one;
   }
-}
+  [[nodiscard]] std::span<Found> all() noexcept { return std::span(found_).first(count_); }
+
+ private:
+  std::array<Found, most_contact_rows> found_{};
+  std::size_t rows_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -106,44 +114,34 @@ void add_skin_rows(const PlanCells& cells, std::size_t unknowns, const double* f
       label_patches({cells.rows, cells.columns, 0, 0}, marks.marks.data(), labels);
   add_patches(cells, unknowns, f, patches, marks);
   const double area = cells.area();
-  // Of each patch its row, of each cell in place of its patch.
-  std::array<std::uint32_t, most_contact_rows> patch_of{};
-  std::size_t found = 0;
-  for_strongest(
-      patches, std::min(estimate.rows.size(), most_contact_rows),
-      [&](std::size_t patch) {
-        const CellSums& sums = marks.patches[patch];
-        return sums.lever >= 0.0 ? sums.p : 0.0;
-      },
-      [&](std::size_t patch, std::size_t row) {
-        const CellSums& sums = marks.patches[patch];
-        if (!(sums.lever >= 0.0)) return;
-        patch_of[row] = static_cast<std::uint32_t>(patch);
-        found = row + 1;
-        ContactRow& to = estimate.rows[row];
-        to = {.normal_force = area * sums.p,
-              .centre = cells.centre_y + sums.y_p / sums.p,
-              .centre_z = cells.centre_z + sums.z_p / sums.p};
-        if (unknowns == 1) return;
-        to.tangential_y = area * sums.q_y;
-        to.tangential_z = area * sums.q_z;
-        to.torsion = area * torsion_of(sums);
-        if (!friction) return;
-        const double hold = *friction * to.normal_force;
-        const double drag = std::hypot(to.tangential_y, to.tangential_z);
-        to.friction_margin = hold - drag;
-        if (!(hold > 0.0)) return;
-        const double turn = *friction * area * sums.lever;
-        to.slip_margin = 1.0 - std::hypot(drag / hold, turn > 0.0 ? to.torsion / turn : 0.0);
-      });
-  estimate.rows_found = found;
+  Strongest strongest(estimate.rows.size());
+  for (std::size_t patch = 0; patch < patches; ++patch)
+    if (const CellSums& sums = marks.patches[patch]; sums.lever >= 0.0)
+      strongest.offer({.force = area * sums.p, .first = patch});
+  const std::span<const Found> rows = strongest.all();
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const CellSums& sums = marks.patches[rows[row].first];
+    ContactRow& to = estimate.rows[row];
+    to = {.normal_force = rows[row].force,
+          .centre = cells.centre_y + sums.y_p / sums.p,
+          .centre_z = cells.centre_z + sums.z_p / sums.p};
+    if (unknowns == 1) continue;
+    to.tangential_y = area * sums.q_y;
+    to.tangential_z = area * sums.q_z;
+    to.torsion = area * torsion_of(sums);
+    if (!friction) continue;
+    const Margins margins = margins_of(sums, area, *friction);
+    to.friction_margin = margins.friction;
+    to.slip_margin = margins.slip;
+  }
+  estimate.rows_found = rows.size();
   std::array<double, most_contact_rows> variance{};
   std::array<double, most_contact_rows> largest{};
   for (std::size_t cell = 0; cell < count; ++cell) {
     const std::uint32_t patch = marks.marks[cell] != 0 ? labels[cell] : ContactFollower::none;
     labels[cell] = ContactFollower::none;
-    for (std::uint32_t row = 0; row < found && patch != ContactFollower::none; ++row) {
-      if (patch_of[row] != patch) continue;
+    for (std::uint32_t row = 0; row < rows.size() && patch != ContactFollower::none; ++row) {
+      if (rows[row].first != patch) continue;
       labels[cell] = row;
       ++estimate.rows[row].cells;
       if (variances.empty()) continue;
@@ -151,11 +149,9 @@ void add_skin_rows(const PlanCells& cells, std::size_t unknowns, const double* f
       largest[row] = std::max(largest[row], variances[cell]);
     }
   }
-  const auto window =
-      static_cast<double>((2 * cells.window_rows + 1) * (2 * cells.window_columns + 1));
-  for (std::size_t row = 0; row < found && !variances.empty(); ++row)
-    estimate.rows[row].force_deviation = std::sqrt(std::max(variance[row], window * largest[row]));
-  follower.follow(estimate.rows.first(found), labels);
+  for (std::size_t row = 0; row < rows.size() && !variances.empty(); ++row)
+    estimate.rows[row].force_deviation = deviation_of(cells, variance[row], largest[row]);
+  follower.follow(estimate.rows.first(rows.size()), labels);
 }
 
 void add_line_rows(std::span<const double> tractions, std::size_t values, double spacing,
@@ -164,69 +160,44 @@ void add_line_rows(std::span<const double> tractions, std::size_t values, double
                    ContactEstimate& estimate) noexcept {
   const double* const p = tractions.data();
   const double* const q = tractions.size() > values ? p + values : nullptr;
-  const std::size_t rows = std::min(estimate.rows.size(), most_contact_rows);
   std::fill(labels.data(), labels.data() + values, ContactFollower::none);
-  estimate.rows_found = 0;
   if (!estimate.contact) return follower.follow({}, labels.data());
-  std::size_t found = 0;
-  std::array<std::size_t, most_contact_rows> first{};
-  std::array<std::size_t, most_contact_rows> last{};
-  const auto take = [&](std::size_t from, std::size_t to) {
-    ContactRow row;
-    double sum = 0.0;
+  Strongest strongest(estimate.rows.size());
+  const auto offer = [&](std::size_t first, std::size_t last) {
+    strongest.offer({spacing * std::accumulate(p + first, p + last, 0.0), first, last});
+  };
+  const bool is_alone = for_each_contact(p, values, least, offer) < 2;
+  if (is_alone) strongest.offer({estimate.normal_force, 0, values});
+  const std::span<Found> rows = strongest.all();
+  std::sort(rows.begin(), rows.end(),
+            [](const Found& a, const Found& b) { return a.first < b.first; });
+  const double peak = *std::max_element(p, p + values);
+  for (std::uint32_t row = 0; row < rows.size(); ++row) {
+    ContactRow& to = estimate.rows[row];
+    to = {.normal_force = rows[row].force};
     double moment = 0.0;
     double drag = 0.0;
-    for (std::size_t i = from; i < to; ++i) {
-      sum += p[i];
+    for (std::size_t i = rows[row].first; i < rows[row].last; ++i) {
       moment += (static_cast<double>(i) - 0.5 * static_cast<double>(values - 1)) * p[i];
       if (q != nullptr) drag += q[i];
+      if (!(p[i] > least_share * peak)) continue;
+      labels[i] = row;
+      ++to.cells;
     }
-    if (!(sum > 0.0)) return;
-    row.normal_force = spacing * sum;
-    row.centre = centre + spacing * (moment / sum);
-    if (q != nullptr) row.tangential_y = spacing * drag;
-    if (q != nullptr && friction)
-      row.friction_margin = *friction * row.normal_force - std::abs(row.tangential_y);
-    std::size_t place = found;
-    if (found == rows) {  // the weakest goes
-      place = 0;
-      for (std::size_t k = 1; k < rows; ++k)
-        if (estimate.rows[k].normal_force < estimate.rows[place].normal_force) place = k;
-      if (!(row.normal_force > estimate.rows[place].normal_force)) return;
-      for (std::size_t k = place; k + 1 < rows; ++k) {
-        estimate.rows[k] = estimate.rows[k + 1];
-        first[k] = first[k + 1];
-        last[k] = last[k + 1];
-      }
-      place = rows - 1;
-    } else {
-      ++found;
+    if (is_alone) {  // the frame's own
+      to.force_deviation = estimate.force_deviation;
+      to.centre = estimate.centre;
+      to.tangential_y = estimate.tangential_force;
+      to.friction_margin = estimate.friction_margin;
+      continue;
     }
-    estimate.rows[place] = row;
-    first[place] = from;
-    last[place] = to;
-  };
-  if (for_each_contact(p, values, least, take) < 2) {
-    found = 0;
-    take(0, values);
-    if (found == 1) {
-      ContactRow& only = estimate.rows[0];
-      only.normal_force = estimate.normal_force;
-      only.force_deviation = estimate.force_deviation;
-      only.centre = estimate.centre;
-      if (q != nullptr) only.tangential_y = estimate.tangential_force;
-      if (q != nullptr && friction) only.friction_margin = estimate.friction_margin;
-    }
+    to.centre = centre + spacing * (spacing * moment / to.normal_force);
+    if (q == nullptr) continue;
+    to.tangential_y = spacing * drag;
+    if (friction) to.friction_margin = *friction * to.normal_force - std::abs(to.tangential_y);
   }
-  const double peak = *std::max_element(p, p + values);
-  for (std::uint32_t row = 0; row < found; ++row)
-    for (std::size_t i = first[row]; i < last[row]; ++i)
-      if (p[i] > least_share * peak) {
-        labels[i] = row;
-        ++estimate.rows[row].cells;
-      }
-  estimate.rows_found = found;
-  follower.follow(estimate.rows.first(found), labels.data());
+  estimate.rows_found = rows.size();
+  follower.follow(estimate.rows.first(rows.size()), labels.data());
 }
 
 }  // namespace tactile_net

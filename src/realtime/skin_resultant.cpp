@@ -107,22 +107,44 @@ void add_margins(const PlanCells& cells, const double* f, const std::uint8_t* ma
     sums = *worst;
   else
     add_levers(cells, f, marks, [&](std::size_t) -> CellSums& { return sums; });
-  const double area = cells.area();
-  const double hold = friction * (area * sums.p);
-  const double drag = std::hypot(area * sums.q_y, area * sums.q_z);
-  estimate.friction_margin = hold - drag;
+  const Margins margins = margins_of(sums, cells.area(), friction);
+  estimate.friction_margin = margins.friction;
+  estimate.slip_margin = margins.slip;
   estimate.margin_centre = cells.centre_y + sums.y_p / sums.p;
   estimate.margin_centre_z = cells.centre_z + sums.z_p / sums.p;
-  if (!(hold > 0.0)) return;
-  const double turn = friction * area * sums.lever;
-  const double twist = turn > 0.0 ? area * torsion_of(sums) / turn : 0.0;
-  estimate.slip_margin = 1.0 - std::hypot(drag / hold, twist);
 }
 
 }  // namespace
 
 double torsion_of(const CellSums& sums) noexcept {
   return sums.torque - sums.y_p / sums.p * sums.q_z + sums.z_p / sums.p * sums.q_y;
+}
+
+Touching mark_cells(const PlanCells& cells, const double* p, CellMarks& scratch) noexcept {
+  const TouchedWindows windows{cells.window_rows, cells.window_columns,
+                               cells.window_deviations.data(), scratch.sums.data(),
+                               scratch.along.data()};
+  return mark_touching(
+      scratch.loops, {cells.rows, cells.columns, cells.rim_rows, cells.rim_columns}, p,
+      cells.deviations.data(), cells.window_deviations.empty() ? nullptr : &windows,
+      scratch.marks.data(), scratch.queue.data(), [](std::size_t) {});
+}
+
+double deviation_of(const PlanCells& cells, double variance, double largest) noexcept {
+  const auto window =
+      static_cast<double>((2 * cells.window_rows + 1) * (2 * cells.window_columns + 1));
+  return std::sqrt(std::max(variance, window * largest));
+}
+
+Margins margins_of(const CellSums& sums, double area, double mu) noexcept {
+  const double hold = mu * (area * sums.p);
+  const double drag = std::hypot(area * sums.q_y, area * sums.q_z);
+  Margins margins{.friction = hold - drag};
+  if (!(hold > 0.0)) return margins;
+  const double turn = mu * area * sums.lever;
+  const double twist = turn > 0.0 ? area * torsion_of(sums) / turn : 0.0;
+  margins.slip = 1.0 - std::hypot(drag / hold, twist);
+  return margins;
 }
 
 void add_patches(const PlanCells& cells, std::size_t unknowns, const double* f, std::size_t count,
@@ -144,16 +166,7 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
   const double area = cells.area();
   const std::size_t count = cells.rows * cells.columns;
   const double all = area * sum_of(linear != nullptr ? linear : f, count);
-  const TouchedWindows windows{cells.window_rows, cells.window_columns,
-                               cells.window_deviations.data(), scratch.sums.data(),
-                               scratch.along.data()};
-  const Touching touching =
-      cells.deviations.empty()
-          ? Touching{}
-          : mark_touching(
-                scratch.loops, {cells.rows, cells.columns, cells.rim_rows, cells.rim_columns}, f,
-                cells.deviations.data(), cells.window_deviations.empty() ? nullptr : &windows,
-                scratch.marks.data(), scratch.queue.data(), [](std::size_t) {});
+  const Touching touching = cells.deviations.empty() ? Touching{} : mark_cells(cells, f, scratch);
   estimate.touching = touching.cells;
   const std::uint8_t* const marks = touching.cells > 0 ? scratch.marks.data() : nullptr;
   CellSums sums;
@@ -162,7 +175,6 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
   if (none_touches && !(all > certain_force)) {
     // Nothing that noise would not push.
   } else if (marks != nullptr && !variances.empty()) {
-    // Less than a window errs as much as that: its cells share what is told of them.
     double variance = 0.0;
     double largest = 0.0;
     add_cells(cells, unknowns, f, marks, [&](std::size_t cell) -> CellSums& {
@@ -170,9 +182,7 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
       largest = std::max(largest, variances[cell]);
       return sums;
     });
-    const auto window =
-        static_cast<double>((2 * cells.window_rows + 1) * (2 * cells.window_columns + 1));
-    estimate.force_deviation = std::sqrt(std::max(variance, window * largest));
+    estimate.force_deviation = deviation_of(cells, variance, largest);
   } else {
     add_cells(cells, unknowns, f, marks, [&](std::size_t) -> CellSums& { return sums; });
     if (marks != nullptr) estimate.force_deviation = ContactEstimate::unknown;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "realtime/aligned.hpp"
+#include "realtime/touching_cells.hpp"
 #include "realtime/touching_loops.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
@@ -38,8 +39,28 @@ struct CellMarks {
   std::vector<CellSums> patches;  // as many as can lie apart
 };
 
+/// Marks the cells that touch. @pre  the cells have deviations
+///
+/// @param p  normal tractions
+/// @return how many patches and cells there are
+Touching mark_cells(const PlanCells& cells, const double* p, CellMarks& scratch) noexcept;
+
 /// About the centre of pressure, over an area. @pre  p > 0
 [[nodiscard]] double torsion_of(const CellSums& sums) noexcept;
+
+/// Of a force over some cells. Less than a window errs as much as that: its cells share what is
+/// told of them.
+/// @param variance, largest  sum and largest of the cells' shares
+[[nodiscard]] double deviation_of(const PlanCells& cells, double variance, double largest) noexcept;
+
+/// What friction leaves, as `ContactEstimate` has it.
+struct Margins {
+  double friction = ContactEstimate::unknown;
+  double slip = ContactEstimate::unknown;
+};
+/// @param sums  with their lever; p > 0
+/// @param mu    of friction
+[[nodiscard]] Margins margins_of(const CellSums& sums, double area, double mu) noexcept;
 
 /// Sums of each patch of marked cells, and its lever; a patch that does not press has a lever below
 /// 0. @pre  `label_patches` numbered so many patches into the queue

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "elasticity/space/reading_size.hpp"
 #include "skin/load_part.hpp"
 #include "skin/part_quadrature.hpp"
 #include "skin/patch.hpp"
@@ -28,16 +29,7 @@ double scale(const SkinContact& contact, const Material& material, double depth,
   const double r = std::hypot(std::sqrt(contact.radius) * std::sqrt(b), depth);
   const double force = std::abs(contact.force) * (1.0 + std::abs(contact.friction));
   const double stress = 1.5 / std::numbers::pi * (force + std::abs(contact.torsion) / r) / r / r;
-  const double compliance = (1.0 + material.poisson_ratio) / material.youngs_modulus;
-  switch (traits(quantity).kind) {
-    case QuantityKind::stress:
-      return stress;
-    case QuantityKind::strain:
-      return stress * compliance;
-    case QuantityKind::displacement:
-      return stress * compliance * r;
-  }
-  return stress;
+  return reading_size(quantity, stress, r, material);
 }
 
 bool is_disc(const LoadPart& part) noexcept { return part.a == part.b && part.torsion == 0.0; }

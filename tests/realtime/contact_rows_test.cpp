@@ -213,3 +213,33 @@ TEST_CASE("a batch numbers contacts as frame after frame does", "[contact_rows]"
     }
   }
 }
+
+TEST_CASE("rows that are not asked for are none, and a held answer brings its own back",
+          "[contact_rows]") {
+  ContactEstimator estimator(plain_plan(true));
+  estimator.set_options({.hold = true});
+  std::vector<double> frame = empty_frame();
+  press(frame, 1, 1, 2.0);
+  press(frame, 5, 6, 3.0);
+  std::vector<double> bad = frame;
+  bad[0] = std::nan("");
+  std::vector<double> f(estimator.tractions());
+  std::array<ContactRow, 4> rows{};
+  ContactEstimate estimate{.tractions = f, .rows = rows};
+  REQUIRE(estimator.update(frame, estimate) == FrameStatus::ok);
+  CHECK(estimate.rows_found == 2);
+  rows = {};
+  REQUIRE(estimator.update(bad, estimate) == FrameStatus::not_finite);
+  REQUIRE(estimate.rows_found == 2);
+  CHECK_THAT(rows[0].normal_force, WithinRel(27.0, 1e-12));
+  CHECK(rows[0].id == 1);
+  estimate.rows = std::span(rows).first(1);
+  REQUIRE(estimator.update(bad, estimate) == FrameStatus::not_finite);
+  CHECK(estimate.rows_found == 1);
+  estimate.rows = {};
+  estimate.rows_found = 4;
+  REQUIRE(estimator.update(frame, estimate) == FrameStatus::ok);
+  CHECK(estimate.rows_found == 0);
+  REQUIRE(estimator.update(bad, estimate) == FrameStatus::not_finite);
+  CHECK(estimate.rows_found == 0);
+}

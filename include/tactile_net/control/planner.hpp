@@ -38,14 +38,16 @@ namespace tactile_net {
 
 class TikhonovFamily;
 
+/// Share of the linear frame that counts as a standard deviation where no noise is known.
+inline constexpr double deviation_without_noise = 1e-2;
+
 /// Frames that obey what contact allows (realtime/cone_plan.hpp), after a fixed number of steps.
 struct ConeOptions {
   Constraints constraints{};  ///< one at least
   /// Of a frame, at most `ConePlan::most_steps`; 0: as few as leave 99.9 % of drawn frames `enough`
   /// or less unfinished.
   std::size_t steps = 0;
-  /// In standard deviations where the noise is known, else a share of the linear frame, a hundredth
-  /// of it.
+  /// In standard deviations; where the noise is not known in hundredths of the linear frame.
   double enough = 0.1;
   /// The largest weighted reading of drawn frames, over the noise.
   double signal = 100.0;

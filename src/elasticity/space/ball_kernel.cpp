@@ -9,6 +9,7 @@
 
 #include "elasticity/space/ball_tables.hpp"
 #include "elasticity/space/layer_field.hpp"
+#include "elasticity/space/reading_size.hpp"
 #include "numeric/require.hpp"
 
 namespace tactile_net {
@@ -109,19 +110,9 @@ std::array<double, 3> BallKernel::operator()(Quantity quantity,
 }
 
 double BallKernel::error_bound(Quantity quantity) const noexcept {
-  const double compliance = (1.0 + material_.poisson_ratio) / material_.youngs_modulus;
   const double core = radius_ / (radius_ - material_.layer->thickness);
-  const double stress =
-      1e-12 * 1.5 / std::numbers::pi / depth_ / depth_ * std::max(1.0, core * core);
-  switch (traits(quantity).kind) {
-    case QuantityKind::stress:
-      return stress;
-    case QuantityKind::strain:
-      return stress * compliance;
-    case QuantityKind::displacement:
-      return stress * depth_ * compliance;
-  }
-  return 0.0;
+  const double stress = 1.5 / std::numbers::pi / depth_ / depth_ * std::max(1.0, core * core);
+  return 1e-12 * reading_size(quantity, stress, depth_, material_);
 }
 
 }  // namespace tactile_net

@@ -9,6 +9,7 @@
 
 #include "elasticity/space/layer_field.hpp"
 #include "elasticity/space/layer_tables.hpp"
+#include "elasticity/space/reading_size.hpp"
 #include "numeric/gauss_rule.hpp"
 
 namespace tactile_net {
@@ -157,17 +158,8 @@ void SkinKernel::base_part(Quantity quantity, Traction component, std::span<cons
 
 double SkinKernel::error_bound(Quantity quantity) const noexcept {
   constexpr double relative = 1e-13;
-  const double compliance = (1.0 + material_.poisson_ratio) / material_.youngs_modulus;
   const double stress = 1.5 / std::numbers::pi / depth_ / depth_;
-  switch (traits(quantity).kind) {
-    case QuantityKind::stress:
-      return relative * stress;
-    case QuantityKind::strain:
-      return relative * stress * compliance;
-    case QuantityKind::displacement:
-      return relative * stress * depth_ * compliance;
-  }
-  return 0.0;
+  return relative * reading_size(quantity, stress, depth_, material_);
 }
 
 }  // namespace tactile_net

@@ -32,6 +32,9 @@ PlannerOptions planner_options(const PlanOptions& options) {
   planner.diagnostics = !options.no_diagnostics;
   planner.allow_fft = options.allow_fft;
   planner.friction_coefficient = options.friction;
+  if (!(options.share > 0.0) || options.share > 1.0)
+    throw WrongUsage("--share", "a frame may take a share above 0 of the deadline, at most 1");
+  if (options.steps == 0U) throw WrongUsage("--steps", "a frame takes 1 to 64 steps");
   if (options.friction_limit || options.nonnegative) {
     ConeOptions& cone = planner.cone.emplace();
     cone.constraints.friction_limit = options.friction_limit;
@@ -109,7 +112,7 @@ void make_plan(const Problem& problem, const PlanOptions& options, const Streams
     try {
       lab::fit_steps(planned.estimator, times, options.share * *deadline);
     } catch (const std::invalid_argument& error) {
-      throw CheckFailed(error.what());
+      throw CheckFailed(std::string(error.what()) + "; --share is the deadline's part of it");
     }
     frame -= static_cast<double>(before - plan.cone->steps) * times.step;
   }
