@@ -307,7 +307,8 @@ FrameStatus ContactEstimator::refused(std::span<const double> readings) const no
 
 FrameStatus ContactEstimator::admit(std::span<const double> readings, double* x,
                                     bool& saturated) noexcept {
-  Input input{.x = x};
+  Input input;
+  input.x = x;
   const FrameStatus status = make_input(readings, true, input);
   saturated = input.saturated;
   return status;
@@ -416,7 +417,7 @@ void ContactEstimator::judge(ContactEstimate& estimate, const double* x,
   // The prediction errs by at most e in the 2-norm: sum and shares are taken at their worst.
   const double size = std::sqrt(misfit.size);
   const double error = ready.accuracy * size;
-  const double largest = std::bit_cast<double>(misfit.largest);
+  const auto largest = std::bit_cast<double>(misfit.largest);
   const double others = std::max((misfit.objective + error * size - largest) / degrees,
                                  ready.noise_rms * ready.noise_rms) +
                         error * error / least_pivot;
