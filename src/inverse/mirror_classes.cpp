@@ -14,6 +14,7 @@ namespace tactile_net {
 using Eigen::Index;
 
 MirroredReadings mirrored_readings(const LinearProblem& problem, Axis along) {
+  if (problem.cells) return std::nullopt;  // a surface's chart need not be its mirror
   const SurfaceGrid& grid = problem.grid;
   const double spacing = along == Axis::y ? grid.spacing_y : grid.spacing_z;
   const double centre = along == Axis::y ? grid.centre_y : grid.centre_z;
@@ -47,7 +48,7 @@ MirroredReadings mirrored_readings(const LinearProblem& problem, Axis along) {
 
 MirroredReadings exchanged_readings(const LinearProblem& problem) {
   const SurfaceGrid& grid = problem.grid;
-  if (problem.is_line || grid.rows != grid.columns || grid.spacing_y != grid.spacing_z ||
+  if (problem.is_line || problem.cells || grid.rows != grid.columns || grid.spacing_y != grid.spacing_z ||
       grid.margin_rows != grid.margin_columns || grid.boundary_y != grid.boundary_z)
     return std::nullopt;
   const double rounding =

@@ -9,6 +9,7 @@
 
 #include "numeric/require.hpp"
 #include "sensing/array_parts.hpp"
+#include "skin/curved_kernel.hpp"
 #include "skin/near_places.hpp"
 
 namespace tactile_net {
@@ -72,6 +73,7 @@ void check(const SkinArray& skin) {
 void check(const SkinArray& skin, const Material& material) {
   check(skin);
   check(material);
+  if (skin.curved) check_curved(skin, material);
   if (!material.layer) return;
   const double base = material.layer->thickness;
   const std::string rule = "be at most the layer's thickness, " + shortest(base) +

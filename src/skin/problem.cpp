@@ -10,7 +10,9 @@
 #include "inverse/assembly.hpp"
 #include "numeric/require.hpp"
 #include "skin/cell_kernel.hpp"
+#include "skin/curved_kernel.hpp"
 #include "skin/problem_parts.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 
 namespace tactile_net {
 namespace {
@@ -64,6 +66,15 @@ double kernel_error(CellKernels& kernels, const LinearProblem& problem) {
   return square * std::sqrt(static_cast<double>(problem.kernel.columns));
 }
 
+void add_flat_kernel(const SkinArray& skin, const Material& material, LinearProblem& problem) {
+  CellKernels kernels(material, problem.grid);
+  if (is_lattice(skin, problem.grid))
+    add_lattice(skin, kernels, problem);
+  else
+    add_places(kernels, problem);
+  problem.kernel_error = kernel_error(kernels, problem);
+}
+
 /// A cell's area over that of a taxel, length by length: an area may be too large, or too small,
 /// for a number. A direction in which there is one taxel has the other's pitch, or the depth.
 double area_ratio(const SkinArray& skin, const SurfaceGrid& grid) {
@@ -107,6 +118,9 @@ LinearProblem problem_without_kernel(const SkinArray& skin, const Material& mate
                         .grid = grid_of(skin, options.grid),
                         .tangential_weight = options.tangential_weight,
                         .unknown_offsets = options.unknown_offsets};
+  if (skin.curved)
+    problem.cells =
+        std::make_shared<const std::vector<SurfaceCell>>(skin.curved->surface.cells(problem.grid));
   problem.measure = area_ratio(skin, problem.grid);
   problem.smoothing_length = options.smoothing_length.value_or(mean_depth(problem.sites));
   problem.weights = row_weights(problem.sites, options.dead_taxels, options.channel_rms);
@@ -120,17 +134,15 @@ LinearProblem make_problem(const SkinArray& skin, const Material& material,
   const std::size_t rows = problem.sites.size();
   const std::size_t columns = problem.components * problem.grid.count();
   problem.kernel = make_kernel(rows, columns);
-  CellKernels kernels(material, problem.grid);
-  if (is_lattice(skin, problem.grid))
-    add_lattice(skin, kernels, problem);
+  if (skin.curved)
+    add_curved_kernel(skin, material, problem);
   else
-    add_places(kernels, problem);
+    add_flat_kernel(skin, material, problem);
   require(
       std::all_of(problem.kernel.values.begin(), problem.kernel.values.end(),
                   [](double entry) { return std::isfinite(entry); }),
       "lengths, moduli or noise are of a size at which readings overflow a double: choose other "
       "units");
-  problem.kernel_error = kernel_error(kernels, problem);
   finish_kernel(problem);
   return problem;
 }

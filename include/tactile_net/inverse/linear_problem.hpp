@@ -30,11 +30,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/sensing/site.hpp"
+#include "tactile_net/sensing/surface_cells.hpp"
 #include "tactile_net/sensing/surface_grid.hpp"
 
 namespace tactile_net {
@@ -47,6 +49,10 @@ struct LinearProblem {
   std::size_t components = 1;     ///< of the tractions, the first of `skin_tractions`: 1 or 2 of a
                                   ///< line, 1 or 3 of a skin
   SurfaceGrid grid{};             ///< the values of each component
+  /// Of a curved skin what each value of a component stands for; null: the grid says it all. Then
+  /// the grid is that of the chart, and tractions are per area of the chart: times grid.area() over
+  /// a cell's own they are those on its surface.
+  std::shared_ptr<const std::vector<SurfaceCell>> cells{};
   /// Of a line: one column in plane strain, whose forces are per metre of width. A skin of one
   /// column is a skin.
   bool is_line = false;

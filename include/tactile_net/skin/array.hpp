@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "tactile_net/sensing/array.hpp"
 
 namespace tactile_net {
+
+struct CurvedSkin;
 
 /// A regular skin: a lattice of equally spaced taxels centred on y = z = 0, at one or several
 /// depths; or an irregular one, made by `uneven_skin`: taxels anywhere. One row, one column and one
@@ -32,6 +35,9 @@ struct SkinArray {
   std::vector<Quantity> reads{};  ///< at least one, none twice
   /// The taxels of an irregular skin, from which all other members follow. Empty: a regular skin.
   std::vector<Taxel> taxels{};
+  /// Of an irregular skin whose surface is curved, made by `curved_skin` (curved_skin.hpp); y and z
+  /// of its taxels are places on the surface's chart. Null: the surface is flat.
+  std::shared_ptr<const CurvedSkin> curved{};
 };
 
 /// An irregular skin: taxels anywhere, in any order.

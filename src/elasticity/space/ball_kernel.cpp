@@ -44,6 +44,21 @@ void check_ball(const Material& material, double radius, double depth) {
 
 }  // namespace
 
+namespace {
+
+/// The place at the end of an arc, and how the frames are turned: the load's is brought along by
+/// the least rotation.
+BallPlace turned(const SurfaceFrame& load, const SurfaceFrame& taxel, double y, double z) noexcept {
+  const Direction& along = load[1];
+  const double tilt = dot(along, taxel[0]) / (1.0 + dot(load[0], taxel[0]));
+  return {.y = y,
+          .z = z,
+          .cosine = dot(along, taxel[1]) - tilt * dot(taxel[1], load[0]),
+          .sine = dot(along, taxel[2]) - tilt * dot(taxel[2], load[0])};
+}
+
+}  // namespace
+
 BallPlace ball_place(const SurfaceFrame& load, const SurfaceFrame& taxel, double radius) noexcept {
   const Direction& from = load[0];
   const Direction& to = taxel[0];
@@ -51,15 +66,20 @@ BallPlace ball_place(const SurfaceFrame& load, const SurfaceFrame& taxel, double
   const double sine =
       std::hypot(from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
                  from[0] * to[1] - from[1] * to[0]);
-  const double stretch = sine > 0.0 ? std::atan2(sine, cosine) / sine : 1.0;
-  const double y = dot(taxel[1], from);
-  const double z = dot(taxel[2], from);
-  const Direction& along = load[1];
-  const double tilt = dot(along, to) / (1.0 + cosine);
-  return {.y = radius * stretch * y,
-          .z = radius * stretch * z,
-          .cosine = dot(along, taxel[1]) - tilt * y,
-          .sine = dot(along, taxel[2]) - tilt * z};
+  const double stretch = radius * (sine > 0.0 ? std::atan2(sine, cosine) / sine : 1.0);
+  return turned(load, taxel, stretch * dot(taxel[1], from), stretch * dot(taxel[2], from));
+}
+
+BallPlace surface_place(const SurfaceFrame& load, const SurfaceFrame& taxel,
+                        const std::array<double, 3>& chord, double curvature) noexcept {
+  const double y = dot(taxel[1], chord);
+  const double z = dot(taxel[2], chord);
+  const double along = std::hypot(y, z);
+  if (!(along > 0.0)) return turned(load, taxel, 0.0, 0.0);
+  const double length = std::hypot(chord[0], chord[1], chord[2]);
+  const double half = std::min(0.5 * std::abs(curvature) * length, 1.0);
+  const double arc = half > 0.0 ? length * std::asin(half) / half : length;
+  return turned(load, taxel, arc * y / along, arc * z / along);
 }
 
 BallKernel::BallKernel(const Material& material, double radius, double depth)

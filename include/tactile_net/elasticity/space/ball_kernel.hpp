@@ -41,6 +41,16 @@ struct BallPlace {
 [[nodiscard]] BallPlace ball_place(const SurfaceFrame& load, const SurfaceFrame& taxel,
                                    double radius) noexcept;
 
+/// The same of any two places whose surface is about as curved as a ball between them: the arc has
+/// the direction of the chord, and the length that the chord has on the ball.
+///
+/// @param chord      from the load's place to the taxel's, both on the surface, in the sensor's
+///                   axes [m]
+/// @param curvature  of the ball [1/m]; 0 of a plane
+[[nodiscard]] BallPlace surface_place(const SurfaceFrame& load, const SurfaceFrame& taxel,
+                                      const std::array<double, 3>& chord,
+                                      double curvature) noexcept;
+
 /// Readings at one depth of a bonded layer whose surface is a sphere, from unit point forces.
 ///
 /// The series of spherical harmonics (Love 1927, article 172; docs/internals/space.md), exact at

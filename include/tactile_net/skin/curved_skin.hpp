@@ -1,0 +1,98 @@
+/// @file
+/// A skin whose surface is curved: taxels below a ball, in a hole, or below any smooth surface.
+///
+/// It is an irregular skin (array.hpp) whose y and z are places on its surface's chart
+/// (curved_surface.hpp), and which knows that surface. So all that is done with irregular skins is
+/// done with it, and forces are also told in the sensor's own axes (space_wrench.hpp).
+///
+///     std::vector<CurvedTaxel> taxels = {{"tip", {0, 0, 28.8e-3}, SpaceVector{0, 0, 1}, 1.2e-3,
+///                                         {Quantity::displacement_x, ...}}, ...};
+///     const SkinArray skin = curved_skin(taxels, {.axes = ReadingAxes::sensor});
+///     const LinearProblem problem = make_problem(skin, silicone);   // skin/problem.hpp
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tactile_net/numeric/fields.hpp"
+#include "tactile_net/skin/array.hpp"
+#include "tactile_net/skin/curved_surface.hpp"
+
+namespace tactile_net {
+
+/// A place in a curved pad where something is read.
+struct CurvedTaxel {
+  std::string name{};                   ///< empty: its index
+  SpaceVector place{};                  ///< where it reads, in the sensor's axes [m]
+  std::optional<SpaceVector> normal{};  ///< outward, of the surface above it, a unit vector
+  double depth = 0.0;                   ///< below the surface along the normal [m], > 0
+  std::vector<Quantity> reads{};        ///< at least one, none twice
+};
+
+/// What a curved skin's surface is.
+enum class SurfaceShape { sphere, points };
+
+template <>
+struct Enumerators<SurfaceShape> {
+  static constexpr Enumerator<SurfaceShape> all[] = {
+      {SurfaceShape::sphere, "sphere", "A ball, or a round hole."},
+      {SurfaceShape::points, "points",
+       "A smooth surface through the places above the taxels, of any curvature."}};
+};
+
+/// Along which axes displacements are read; other quantities are always the surface's own.
+enum class ReadingAxes { local, sensor };
+
+template <>
+struct Enumerators<ReadingAxes> {
+  static constexpr Enumerator<ReadingAxes> all[] = {
+      {ReadingAxes::local, "local", "Of each taxel: x into the skin, y and z along it."},
+      {ReadingAxes::sensor, "sensor", "The sensor's own."}};
+};
+
+/// What a traction on a curved skin is taken to cause.
+enum class CurvedKernel { ball, flat };
+
+template <>
+struct Enumerators<CurvedKernel> {
+  static constexpr Enumerator<CurvedKernel> all[] = {
+      {CurvedKernel::ball, "ball",
+       "A layer on a ball that is as curved as the surface above each taxel."},
+      {CurvedKernel::flat, "flat", "A flat layer, laid along the surface."}};
+};
+
+struct CurvedSkinOptions {
+  /// Absent: the sphere where the taxels lie below one, else the surface through their places.
+  std::optional<SurfaceShape> shape{};
+  std::optional<SpaceVector> centre{};  ///< of the sphere [m]; absent: it is fitted
+  /// Of the sphere's outer surface [m], < 0: of a hole; absent: it is fitted.
+  std::optional<double> radius{};
+  SpaceVector reference = {0.0, 1.0, 0.0};  ///< that every frame's y is as near as possible to
+  ReadingAxes axes = ReadingAxes::local;
+  CurvedKernel kernel = CurvedKernel::ball;
+};
+
+/// What is known of a curved skin beside its taxels on the chart.
+struct CurvedSkin {
+  CurvedSurface surface;
+  SurfaceShape shape = SurfaceShape::sphere;
+  ReadingAxes axes = ReadingAxes::local;
+  CurvedKernel kernel = CurvedKernel::ball;
+  std::vector<SurfacePlace> above{};  ///< the place of the surface above each taxel
+  double residual = 0.0;  ///< of these places about the surface that was fitted, rms [m]
+};
+
+/// A curved skin.
+///
+/// @param taxels  one at least; with normals, or else below a sphere
+/// @throw std::invalid_argument  as `check`; a normal is missing, no unit vector within 1e-3 or
+///                               points into the pad; a centre or a radius without a sphere; a
+///                               sphere that the taxels do not lie below, or whose radius they do
+///                               not tell; the reference is within 10 degrees of a normal; an
+///                               extent above 1 m or below 1 mm, as of other units
+[[nodiscard]] SkinArray curved_skin(std::vector<CurvedTaxel> taxels,
+                                    const CurvedSkinOptions& options = {});
+
+}  // namespace tactile_net

@@ -1,0 +1,102 @@
+/// @file
+/// The outer surface of a curved skin, laid on a flat chart.
+///
+/// Axes are the sensor's own, any right-handed ones [m]. A place has a frame of its own, as in
+/// elasticity/quantity.hpp: x into the skin, against the outward normal; y as near as possible to a
+/// reference direction of the sensor; z across both.
+///
+/// The chart is Lambert's: areas of a sphere are those of its picture. So tractions on a curved
+/// skin are solved for on the same lattice of cells as those on a flat one.
+///
+///     const CurvedSurface ball({0, 0, 30e-3}, {0, 0, 1}, 1.0 / 30e-3, {0, 1, 0});
+///     ball.at(2e-3, 0.0).point;               // two millimetres along y from the apex
+///     ball.cells(grid)[0].force[0];           // what 1 Pa of pressure on it amounts to [N]
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tactile_net/sensing/surface_cells.hpp"
+#include "tactile_net/sensing/surface_grid.hpp"
+
+namespace tactile_net {
+
+/// A polynomial of two variables: the terms of degree 0, then those of degree 1, and so on, in each
+/// degree by rising powers of z.
+struct HeightField {
+  std::size_t degree = 0;
+  double length = 1.0;  ///< what y and z are divided by [m], > 0
+  /// (degree + 1) (degree + 2) / 2 coefficients [m]; empty: 0 everywhere.
+  std::vector<double> coefficients{};
+
+  struct Value {
+    double height = 0.0;   ///< [m]
+    double slope_y = 0.0;  ///< d height / d y
+    double slope_z = 0.0;  ///< d height / d z
+  };
+  [[nodiscard]] Value at(double y, double z) const;
+  /// What each coefficient is multiplied by. @param degree  of the polynomial
+  [[nodiscard]] static std::vector<Value> terms(std::size_t degree, double length, double y,
+                                                double z);
+};
+
+/// A sphere or a plane, and a polynomial height above it.
+class CurvedSurface {
+ public:
+  /// @param apex       of the chart, which is y = z = 0 there [m]
+  /// @param outward    the outward normal there, a unit vector
+  /// @param curvature  of the sphere [1/m]: > 0 of a ball, < 0 of a hole, 0 of a plane
+  /// @param reference  what the frames' y is as near as possible to; not 0
+  /// @param height     above the sphere, along its outward normal
+  ///
+  /// @throw std::invalid_argument  a number is not finite, outward is no unit vector, or the
+  ///                               reference is within 10 degrees of the normal
+  CurvedSurface(const SpaceVector& apex, const SpaceVector& outward, double curvature,
+                const SpaceVector& reference, HeightField height = {});
+
+  /// The place at (y, z) of the chart [m].
+  /// @throw std::invalid_argument  it lies beyond the chart's end, `most_angle` from the apex, or
+  ///                               the reference is within 10 degrees of its normal
+  [[nodiscard]] SurfacePlace at(double y, double z) const;
+
+  /// A place, and how it moves with y and z of the chart.
+  struct Tangents {
+    SpaceVector point{};
+    SpaceVector along_y{};
+    SpaceVector along_z{};
+  };
+  /// @throw std::invalid_argument  it lies beyond the chart's end
+  [[nodiscard]] Tangents tangents(double y, double z) const;
+
+  /// Where a point is on the chart, that normal of the sphere on which it lies, and how far it is
+  /// outside of the surface along it [m].
+  struct Charted {
+    double y = 0.0;
+    double z = 0.0;
+    double outside = 0.0;
+  };
+  [[nodiscard]] Charted chart(const SpaceVector& point) const;
+
+  /// The frame of a place with this outward normal.
+  /// @throw std::invalid_argument  the reference is within 10 degrees of it
+  [[nodiscard]] SurfaceFrame frame(const SpaceVector& outward) const;
+
+  /// The cells of a grid of the chart, row after row. Integrals by nine points each.
+  /// @throw std::invalid_argument  as `at`
+  [[nodiscard]] std::vector<SurfaceCell> cells(const SurfaceGrid& grid) const;
+
+  [[nodiscard]] double curvature() const noexcept { return curvature_; }
+  [[nodiscard]] const HeightField& height() const noexcept { return height_; }
+
+  /// The chart ends so far from its apex [rad].
+  static constexpr double most_angle = 2.6;
+
+ private:
+  SpaceVector apex_;
+  double curvature_;
+  SpaceVector reference_;
+  HeightField height_;
+  SurfaceFrame axes_{};  // of the apex
+};
+
+}  // namespace tactile_net

@@ -1,0 +1,330 @@
+#include "tactile_net/skin/curved_skin.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "numeric/decompositions.hpp"
+#include "numeric/require.hpp"
+#include "sensing/array_parts.hpp"
+
+namespace tactile_net {
+namespace {
+
+SpaceVector unit(const SpaceVector& one) noexcept {
+  const double all = length(one);
+  return {one[0] / all, one[1] / all, one[2] / all};
+}
+
+SpaceVector mean(std::span<const SpaceVector> all) noexcept {
+  SpaceVector total{};
+  for (const SpaceVector& one : all) total = sum(1.0, total, 1.0, one);
+  const double count = static_cast<double>(all.size());
+  return {total[0] / count, total[1] / count, total[2] / count};
+}
+
+/// Places and normals of the surface above the taxels.
+struct Above {
+  std::vector<SpaceVector> points{};
+  std::vector<SpaceVector> normals{};
+};
+
+/// A sphere by its curvature: of a plane 0. Its normal at p is curvature p + offset.
+struct Sphere {
+  double curvature = 0.0;
+  SpaceVector offset{};
+};
+
+std::string taxel_of(const CurvedTaxel& taxel, std::size_t index) {
+  return "taxel " + (taxel.name.empty() ? std::to_string(index) : taxel.name);
+}
+
+void check_places(std::span<const CurvedTaxel> taxels) {
+  require(!taxels.empty(), "taxels must hold at least one taxel");
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const CurvedTaxel& taxel = taxels[i];
+    for (const double x : taxel.place) require_finite("place of " + taxel_of(taxel, i), x);
+    require_positive("depth of " + taxel_of(taxel, i), taxel.depth);
+    if (taxel.normal)
+      require(std::abs(length(*taxel.normal) - 1.0) <= 1e-3, "normal of " + taxel_of(taxel, i),
+              "be of length 1, within a thousandth", length(*taxel.normal));
+  }
+}
+
+/// A sphere that lies `depth` outside of every place: the centre's distances, least squares.
+/// @throw std::invalid_argument  the places do not tell it
+Sphere sphere_around(std::span<const CurvedTaxel> taxels, bool is_hole) {
+  const auto rows = static_cast<Eigen::Index>(taxels.size());
+  const std::string advice = ": give normals nx, ny, nz, or the sphere's centre and radius";
+  require(taxels.size() >= 4, "four taxels at least tell a sphere" + advice);
+  std::vector<SpaceVector> places;
+  for (const CurvedTaxel& taxel : taxels) places.push_back(taxel.place);
+  const SpaceVector middle = mean(places);
+  double size = 0.0;
+  for (SpaceVector& place : places) {
+    place = sum(1.0, place, -1.0, middle);
+    size = std::max(size, length(place));
+  }
+  require(size > 0.0, "all taxels lie at one place" + advice);
+  // |p|^2 = 2 c.p + R^2 - |c|^2, lengths over the size.
+  Eigen::MatrixXd system(rows, 4);
+  Eigen::VectorXd right(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const SpaceVector& place = places[static_cast<std::size_t>(i)];
+    for (int k = 0; k < 3; ++k) system(i, k) = 2.0 * place[static_cast<std::size_t>(k)] / size;
+    system(i, 3) = 1.0;
+    right(i) = dot(place, place) / size / size;
+  }
+  const Eigen::VectorXd start = pivoted_least_squares(system, right);
+  SpaceVector centre = {start(0) * size, start(1) * size, start(2) * size};
+  const double sign = is_hole ? -1.0 : 1.0;
+  double radius = 0.0;
+  Eigen::VectorXd residual(rows);
+  const auto evaluate = [&] {
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const SpaceVector from = sum(1.0, places[at], -1.0, centre);
+      residual(i) = length(from) + sign * taxels[at].depth;
+    }
+    radius = residual.mean();
+    residual.array() -= radius;
+  };
+  evaluate();
+  for (int step = 0; step < 50; ++step) {
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const SpaceVector along = unit(sum(1.0, places[static_cast<std::size_t>(i)], -1.0, centre));
+      for (int k = 0; k < 3; ++k) system(i, k) = along[static_cast<std::size_t>(k)];
+      system(i, 3) = 1.0;
+    }
+    const Eigen::VectorXd moved = pivoted_least_squares(system, residual);
+    centre = sum(1.0, centre, 1.0, {moved(0), moved(1), moved(2)});
+    evaluate();
+    if (!(moved.norm() > 1e-12 * size)) break;
+  }
+  const double degrees = static_cast<double>(std::max<Eigen::Index>(rows - 4, 1));
+  const double told = std::abs(HouseholderQr(system).triangle()(3, 3));
+  const double deviation = residual.norm() / std::sqrt(degrees) / told;
+  require(std::isfinite(radius) && deviation <= 0.2 * radius,
+          "the taxels do not tell the sphere's radius, which is " + shortest(radius) + " +- " +
+              shortest(deviation) + advice);
+  const double curvature = sign / radius;
+  return {curvature, sum(-curvature, sum(1.0, centre, 1.0, middle), 0.0, {})};
+}
+
+/// The sphere whose normals are nearest to those above the taxels.
+Sphere sphere_of_normals(const Above& above) {
+  const SpaceVector point = mean(above.points);
+  const SpaceVector normal = mean(above.normals);
+  double turned = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < above.points.size(); ++i) {
+    const SpaceVector from = sum(1.0, above.points[i], -1.0, point);
+    turned += dot(from, sum(1.0, above.normals[i], -1.0, normal));
+    square += dot(from, from);
+  }
+  const double curvature = square > 0.0 ? turned / square : 0.0;
+  return {curvature, sum(1.0, normal, -curvature, point)};
+}
+
+Sphere stated_sphere(const CurvedSkinOptions& options, const Above& above) {
+  const SpaceVector point = mean(above.points);
+  if (options.radius && !options.centre) {
+    const double curvature = 1.0 / *options.radius;
+    return {curvature, sum(1.0, mean(above.normals), -curvature, point)};
+  }
+  double radius = options.radius.value_or(0.0);
+  if (!options.radius) {
+    for (std::size_t i = 0; i < above.points.size(); ++i) {
+      const SpaceVector from = sum(1.0, above.points[i], -1.0, *options.centre);
+      radius += std::copysign(length(from), dot(from, above.normals[i]));
+    }
+    radius /= static_cast<double>(above.points.size());
+  }
+  return {1.0 / radius, sum(-1.0 / radius, *options.centre, 0.0, {})};
+}
+
+/// The surface of a sphere, its chart around the middle of the taxels.
+CurvedSurface surface_of(const Sphere& sphere, const Above& above, const SpaceVector& reference,
+                         HeightField height = {}) {
+  const SpaceVector point = mean(above.points);
+  const double k = sphere.curvature;
+  const SpaceVector normal = sum(k, point, 1.0, sphere.offset);
+  require(length(mean(above.normals)) > 0.2 && length(normal) > 0.1,
+          "the taxels' normals point to all sides: give the skin in parts");
+  // |normal| = 1 - k times how far the middle lies inside of the surface.
+  double inside = 0.0;
+  for (const SpaceVector& one : above.points) {
+    const SpaceVector from = sum(1.0, one, -1.0, point);
+    inside += dot(from, from);
+  }
+  inside *= k / (1.0 + length(normal)) / static_cast<double>(above.points.size());
+  const SpaceVector outward = unit(normal);
+  return CurvedSurface(sum(1.0, point, inside, outward), outward, k, reference, std::move(height));
+}
+
+/// The same with a sphere whose centre and radius are stated.
+CurvedSurface surface_about(const SpaceVector& centre, double radius, const Above& above,
+                            const SpaceVector& reference) {
+  const SpaceVector outward = unit(mean(above.normals));
+  return CurvedSurface(sum(1.0, centre, radius, outward), outward, 1.0 / radius, reference);
+}
+
+/// The height of the surface above a sphere: least squares of places and slopes, of as many terms
+/// as the taxels tell with room to spare.
+HeightField height_above(const CurvedSurface& sphere, const Above& above) {
+  constexpr std::size_t most_degree = 6;
+  const std::size_t count = above.points.size();
+  std::size_t degree = 0;
+  while (degree < most_degree && 3 * (degree + 2) * (degree + 3) <= 4 * count) ++degree;
+  HeightField field{.degree = degree};
+  std::vector<CurvedSurface::Charted> places;
+  double size = 0.0;
+  for (const SpaceVector& point : above.points) {
+    places.push_back(sphere.chart(point));
+    size = std::max(size, std::hypot(places.back().y, places.back().z));
+  }
+  if (!(size > 0.0)) return field;
+  field.length = size;
+  const auto terms = static_cast<Eigen::Index>((degree + 1) * (degree + 2) / 2);
+  Eigen::MatrixXd system(3 * static_cast<Eigen::Index>(count), terms);
+  Eigen::VectorXd right(system.rows());
+  const double k = sphere.curvature();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = 3 * static_cast<Eigen::Index>(i);
+    const auto values = HeightField::terms(degree, size, places[i].y, places[i].z);
+    const CurvedSurface::Tangents here = sphere.tangents(places[i].y, places[i].z);
+    const SpaceVector outward = unit(cross(here.along_z, here.along_y));
+    const double along = dot(above.normals[i], outward);
+    const double y = dot(above.normals[i], here.along_y);
+    const double z = dot(above.normals[i], here.along_z);
+    // The surface's tangents are at right angles to the normal.
+    for (Eigen::Index t = 0; t < terms; ++t) {
+      const HeightField::Value& one = values[static_cast<std::size_t>(t)];
+      system(row, t) = one.height;
+      system(row + 1, t) = size * (along * one.slope_y + k * y * one.height);
+      system(row + 2, t) = size * (along * one.slope_z + k * z * one.height);
+    }
+    right(row) = places[i].outside;
+    right(row + 1) = -size * y;
+    right(row + 2) = -size * z;
+  }
+  const Eigen::VectorXd found = pivoted_least_squares(system, right);
+  field.coefficients.assign(found.data(), found.data() + found.size());
+  return field;
+}
+
+double rms_outside(const CurvedSurface& surface, const Above& above) {
+  double square = 0.0;
+  for (const SpaceVector& point : above.points)
+    square = std::hypot(square, surface.chart(point).outside);
+  return square / std::sqrt(static_cast<double>(above.points.size()));
+}
+
+}  // namespace
+
+SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& options) {
+  check_places(taxels);
+  if (options.radius) {
+    require_finite("radius", *options.radius);
+    require(*options.radius != 0.0, "radius", "not be 0", *options.radius);
+  }
+  const bool has_normals =
+      std::all_of(taxels.begin(), taxels.end(), [](const CurvedTaxel& one) { return one.normal; });
+  const bool is_stated = options.centre || options.radius;
+  const bool is_sphere = options.shape == SurfaceShape::sphere;
+  require(!is_stated || options.shape != SurfaceShape::points,
+          "centre and radius are a sphere's: leave them out, or choose the shape sphere");
+  require(has_normals || is_sphere || is_stated,
+          "every taxel of a curved skin needs its outward normal, unless it lies below a sphere: "
+          "give nx, ny, nz, or the shape sphere");
+  const bool is_hole = options.radius && *options.radius < 0.0;
+
+  // The sphere, and with it the normals where none are given.
+  std::optional<Sphere> fitted;
+  Above above;
+  if (!has_normals) {
+    if (!(options.centre && options.radius)) fitted = sphere_around(taxels, is_hole);
+    for (CurvedTaxel& taxel : taxels) {
+      const SpaceVector outward =
+          options.centre && options.radius
+              ? sum(is_hole ? -1.0 : 1.0, sum(1.0, taxel.place, -1.0, *options.centre), 0.0, {})
+              : sum(fitted->curvature, taxel.place, 1.0, fitted->offset);
+      require(length(outward) > 0.0, "a taxel lies in the sphere's centre");
+      taxel.normal = unit(outward);
+    }
+  }
+  for (const CurvedTaxel& taxel : taxels) {
+    above.normals.push_back(unit(*taxel.normal));
+    above.points.push_back(sum(1.0, taxel.place, taxel.depth, above.normals.back()));
+  }
+  if (!fitted) fitted = is_stated ? stated_sphere(options, above) : sphere_of_normals(above);
+
+  const double extent = [&] {
+    double most = 0.0;
+    const SpaceVector middle = mean(above.points);
+    for (const SpaceVector& point : above.points)
+      most = std::max(most, length(sum(1.0, point, -1.0, middle)));
+    return most;
+  }();
+  require(fitted->curvature * extent > -0.05 || is_hole || options.shape == SurfaceShape::points,
+          "the normals point to the middle of a sphere of radius " +
+              shortest(std::abs(1.0 / fitted->curvature)) +
+              ", as in a hole: turn them outward, or state the radius of a hole, which is < 0");
+  require(!is_stated || (fitted->curvature < 0.0) == is_hole,
+          "the normals point to the sphere's middle: turn them outward, or state the radius of a "
+          "hole, which is < 0");
+
+  CurvedSurface surface = options.centre ? surface_about(*options.centre, 1.0 / fitted->curvature,
+                                                         above, options.reference)
+                                         : surface_of(*fitted, above, options.reference);
+  const double depth =
+      std::min_element(taxels.begin(), taxels.end(), [](const auto& a, const auto& b) {
+        return a.depth < b.depth;
+      })->depth;
+  double residual = rms_outside(surface, above);
+  SurfaceShape shape = options.shape.value_or(SurfaceShape::sphere);
+  if (!options.shape && !is_stated && residual > 0.05 * depth) shape = SurfaceShape::points;
+  if (shape == SurfaceShape::points) {
+    surface = surface_of(*fitted, above, options.reference, height_above(surface, above));
+    residual = rms_outside(surface, above);
+  }
+  require(residual <= depth,
+          std::string("the places above the taxels lie ") + shortest(residual) +
+              " (rms) off the surface, more than a taxel's depth: check places, normals and "
+              "depths" +
+              (shape == SurfaceShape::sphere ? ", or choose the shape points" : ""));
+
+  CurvedSkin skin{.surface = surface,
+                  .shape = shape,
+                  .axes = options.axes,
+                  .kernel = options.kernel,
+                  .residual = residual};
+  std::vector<Taxel> charted;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const auto at = surface.chart(above.points[i]);
+    SurfacePlace place = surface.at(at.y, at.z);
+    require(dot(above.normals[i], place.frame[0]) < 0.0,
+            "the normal of " + taxel_of(taxels[i], i) +
+                " points into the pad, against those around it: turn it outward");
+    require(dot(above.normals[i], place.frame[0]) < -0.8,
+            "the normal of " + taxel_of(taxels[i], i) +
+                " is turned by more than 36 degrees from the surface through the taxels: check "
+                "it, or choose the shape points");
+    place.point = above.points[i];
+    place.frame = surface.frame(above.normals[i]);
+    skin.above.push_back(place);
+    charted.push_back({.name = std::move(taxels[i].name),
+                       .y = at.y,
+                       .z = at.z,
+                       .depth = taxels[i].depth,
+                       .reads = std::move(taxels[i].reads)});
+  }
+  SkinArray array = uneven_skin(std::move(charted));
+  array.curved = std::make_shared<const CurvedSkin>(std::move(skin));
+  return array;
+}
+
+}  // namespace tactile_net
