@@ -18,7 +18,9 @@
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/scene/clipped_taxels.hpp"
 #include "tactile_net/scene/sensor_effects.hpp"
+#include "tactile_net/scene/skin_scene.hpp"
 #include "tactile_net/sensing/effects/signal_layout.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 
 namespace tactile_net::lab {
 
@@ -61,11 +63,23 @@ namespace tactile_net::lab {
   return effects.noise ? effects.noise->model_share : 0.0;
 }
 
+/// Beside that what a ball as curved as the mean leaves out of a surface whose two curvatures
+/// differ: about .3 of their difference times the thickness.
+[[nodiscard]] inline double model_share(const SkinScene& scene) {
+  const double stated = model_share(static_cast<const SensorEffects&>(scene));
+  if (!scene.sensor.curved || !scene.material.layer) return stated;
+  double difference = 0.0;
+  for (const SurfacePlace& place : scene.sensor.curved->above)
+    difference += place.curvature_difference;
+  difference /= static_cast<double>(scene.sensor.curved->above.size());
+  return std::hypot(stated, 0.3 * difference * scene.material.layer->thickness);
+}
+
 /// What a mixture takes of the noise. @pre  the scene states it
 [[nodiscard]] LoadNoise load_noise(const auto& scene) {
   return {.rms = noise_of_readings(scene),
           .degrees = scene.noise->degrees,
-          .model_share = scene.noise->model_share};
+          .model_share = model_share(scene)};
 }
 
 /// @param options  of [reconstruct]

@@ -19,6 +19,7 @@
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
+#include "tactile_net/skin/space_wrench.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -293,7 +294,12 @@ FrameAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const doubl
                           const SkinAlphaChooser& choose = {},
                           std::optional<std::size_t> repeats = {}) {
   SkinFrameMethod frame(problem, readings, choose, repeats);
-  return answer(frame);
+  FrameAnswer found = answer(frame);
+  if (problem.scene().sensor.curved)  // which is never large
+    for (std::vector<double>* const of_cells :
+         {&found.tractions, &found.deviations, &found.low, &found.high})
+      put_on_surface(problem.problem(), *of_cells);
+  return found;
 }
 
 class SkinRecordingMethod final : public RecordingMethod {

@@ -19,6 +19,8 @@
 #include "tactile_net/inverse/data_verdict.hpp"
 #include "tactile_net/inverse/stabiliser.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
+#include "tactile_net/skin/space_wrench.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -287,6 +289,15 @@ double sum_over(std::span<const double> values, std::span<const std::size_t> cel
   return sum;
 }
 
+void add_space(UncertainWrench& wrench, const SkinSceneProblem& problem,
+               std::span<const double> tractions, std::span<const std::size_t> cells,
+               const Covariance& covariance, double noise_rms) {
+  const SkinScene& scene = problem.scene();
+  if (!scene.sensor.curved) return;
+  wrench.space = space_wrench(problem.problem(), scene.sensor.curved->surface, tractions, cells,
+                              covariance, noise_rms, wrench, scene.reconstruct.moment_about);
+}
+
 double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_freedom) {
   const SkinArray& skin = problem.scene().sensor;
   const double depth = least_depth(skin);
@@ -368,6 +379,7 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
     widen_centre(answer.wrench, grid, f, summed, own, rms);
     if (is_felt(answer.wrench.normal)) answer.unseen = unseen_share(f, summed, problem.unseen());
     answer.assumed = assumed_share(problem, own, prior, summed);
+    add_space(answer.wrench, problem, f, summed, covariance, rms);
     return;
   }
   answer.unseen = unseen_share(f, answer.cells, problem.unseen());
@@ -454,6 +466,9 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
       widen_centre(patch.wrench, grid, f, patch.cells, of_contact, rms);
   doubt_patches(answer, doubt, limit);
   answer.ellipse = answer.patches.front().ellipse;
+  add_space(answer.wrench, problem, contact, answer.cells, known, rms);
+  for (ContactPatch& patch : answer.patches)
+    add_space(patch.wrench, problem, contact, patch.cells, known, rms);
 }
 
 }  // namespace tactile_net::lab

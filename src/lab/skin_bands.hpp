@@ -26,6 +26,14 @@ inline constexpr double far_apart = 1.75;
 
 [[nodiscard]] double sum_over(std::span<const double> values, std::span<const std::size_t> cells);
 
+/// Adds what the tractions of some cells of a curved skin amount to in the sensor's own axes.
+/// Nothing of a flat one's.
+///
+/// @param wrench  of them on the chart, with all its doubts
+void add_space(UncertainWrench& wrench, const SkinSceneProblem& problem,
+               std::span<const double> tractions, std::span<const std::size_t> cells,
+               const Covariance& covariance, double noise_rms);
+
 /// The variance of place that smoothing may have added to pressure: of a rectangle that stands for
 /// one degree of freedom of it [m^2].
 [[nodiscard]] double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_freedom);

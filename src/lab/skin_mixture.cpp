@@ -174,6 +174,7 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
   const Cells all = all_of(grid);
   answer.wrench = resultant_of(grid, mean, all, covariance, rms);
   intervals.add(answer.wrench, all);
+  add_space(answer.wrench, problem, mean, all, covariance, rms);
   const std::vector<Cells> contacts = contacts_in(grid, f, mean, answer.wrench.normal);
   answer.cells.clear();
   for (const Cells& contact : contacts)
@@ -195,7 +196,10 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
             .front();
     patch.wrench = contacts.size() == 1 ? answer.wrench
                                         : resultant_of(grid, mean, regions[k], covariance, rms);
-    if (contacts.size() > 1) intervals.add(patch.wrench, regions[k]);
+    if (contacts.size() > 1) {
+      intervals.add(patch.wrench, regions[k]);
+      add_space(patch.wrench, problem, mean, regions[k], covariance, rms);
+    }
     judge_slip(patch, limit);
     if (const auto friction = intervals.friction(patch.wrench, regions[k]))
       add_friction_interval(patch, *friction, limit);

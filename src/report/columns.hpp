@@ -22,12 +22,16 @@ namespace tactile_net::report {
 
 /// A place on a skin, y and z.
 using UncertainPlace = std::optional<std::array<Uncertain, 2>>;
+/// What curved skins alone have, along the sensor's x, y and z.
+using UncertainVector = IfAny<std::array<Uncertain, 3>>;
+using ExactVector = IfAny<std::array<double, 3>>;
 
 /// @param intervals  of values that have a deviation
+/// @param curved     with what curved skins alone have
 /// @param name       of a column: (key, measure) -> text
 template <Described T>
 [[nodiscard]] std::vector<std::string> columns_of(
-    bool skin, bool intervals = false,
+    bool skin, bool intervals = false, bool curved = false,
     const std::function<std::string(std::string_view, Measure)>& name =
         [](std::string_view key, Measure) { return std::string(key); }) {
   std::vector<std::string> names;
@@ -44,6 +48,12 @@ template <Described T>
     } else if constexpr (std::is_same_v<Value, UncertainPlace>) {
       add(column + "_y");
       add(column + "_z");
+    } else if constexpr (std::is_same_v<Value, UncertainVector>) {
+      if (!curved) return;
+      for (const char* const axis : {"_x", "_y", "_z"}) add(column + axis);
+    } else if constexpr (std::is_same_v<Value, ExactVector>) {
+      if (!curved) return;
+      for (const char* const axis : {"_x", "_y", "_z"}) names.push_back(column + axis);
     } else {
       names.push_back(column);
     }
@@ -53,7 +63,8 @@ template <Described T>
 
 /// Yes and no are 1 and 0; NaN where there is none.
 template <Described T>
-[[nodiscard]] std::vector<double> values_of(const T& row, bool skin, bool intervals = false) {
+[[nodiscard]] std::vector<double> values_of(const T& row, bool skin, bool intervals = false,
+                                            bool curved = false) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> values;
   const auto add = [&](const std::optional<Uncertain>& known) {
@@ -72,6 +83,12 @@ template <Described T>
     } else if constexpr (std::is_same_v<Value, UncertainPlace>) {
       for (const std::size_t axis : {0U, 1U})
         add(value ? std::optional((*value)[axis]) : std::nullopt);
+    } else if constexpr (std::is_same_v<Value, UncertainVector>) {
+      for (std::size_t axis = 0; curved && axis < 3; ++axis)
+        add(value.value ? std::optional((*value.value)[axis]) : std::nullopt);
+    } else if constexpr (std::is_same_v<Value, ExactVector>) {
+      for (std::size_t axis = 0; curved && axis < 3; ++axis)
+        values.push_back(value.value ? (*value.value)[axis] : none);
     } else {
       values.push_back(static_cast<double>(value));
     }

@@ -31,7 +31,7 @@ struct ToldNumber {
 [[nodiscard]] inline std::string label_of(std::string_view key, Measure measure) {
   std::string label(key);
   std::replace(label.begin(), label.end(), '_', ' ');
-  return measure == Measure::load ? label + " force" : label;
+  return measure == Measure::load && label != "force" ? label + " force" : label;
 }
 
 /// The numbers among the fields that the sensor has; of a place on a skin two.
@@ -60,6 +60,11 @@ template <class T, class... Access>
       for (std::size_t axis = 0; axis < 2; ++axis)
         told.push_back({label_of(one.key, one.measure) + (axis == 0 ? ", y" : ", z"), one.measure,
                         value ? uncertain((*value)[axis]) : std::nullopt});
+    } else if constexpr (std::is_same_v<Value, IfAny<std::array<Uncertain, 3>>>) {
+      constexpr std::array axes = {", x", ", y", ", z"};
+      for (std::size_t axis = 0; value.value && axis < axes.size(); ++axis)
+        told.push_back({label_of(one.key, one.measure) + axes[axis], one.measure,
+                        std::optional((*value.value)[axis])});
     }
   };
   std::apply([&](const auto&... one) { (add(one), ...); }, fields);

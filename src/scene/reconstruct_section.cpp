@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/sections.hpp"
+#include "scene/surface_section.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -383,6 +384,32 @@ void read_skin_methods(const Value& methods) {
   }
 }
 
+/// What curved skins alone have.
+void read_curved(Table& table, const Read& read, SkinScene& scene) {
+  const auto of_curved = [&](const Value& value) {
+    if (scene.sensor.curved || !read.whole) return scene.sensor.curved != nullptr;
+    value.problem("is of a curved skin, whose taxels have places in space and normals",
+                  "remove it");
+    return false;
+  };
+  if (const auto about = table.value("moment_about"))
+    if (of_curved(*about))
+      if (const auto place =
+              read_three(*about, any_number, read.units.length, "moment_about = [0.0, 0.0, 0.0]"))
+        scene.reconstruct.moment_about = *place;
+  if (const auto kernel = table.value("kernel")) {
+    constexpr std::array kernels = {CurvedKernel::ball, CurvedKernel::flat};
+    std::array<std::string_view, kernels.size()> names;
+    std::transform(kernels.begin(), kernels.end(), names.begin(),
+                   [](CurvedKernel one) { return enumerator_name(one); });
+    if (const auto index = kernel->one_of("kernel", names); index && of_curved(*kernel)) {
+      CurvedSkin curved = *scene.sensor.curved;
+      curved.kernel = kernels[*index];
+      scene.sensor.curved = std::make_shared<const CurvedSkin>(std::move(curved));
+    }
+  }
+}
+
 }  // namespace
 
 void read_reconstruct(std::optional<Table> table, const std::optional<Value>&, const Read& read,
@@ -443,6 +470,7 @@ void read_reconstruct(std::optional<Table> table, const std::optional<Value>& se
       cells.spacing = spacing->number(positive, read.units.length);
       sizes_cells = spacing;
     }
+    read_curved(*table, read, scene);
     table->finish();
   }
   check_grid(sizes_cells, read, scene);

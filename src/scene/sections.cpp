@@ -192,7 +192,8 @@ void read_tables(Table& root, const std::filesystem::path& folder, SceneKind aut
   const std::string keys = sensor_keys(scene);
   const auto sensor =
       root.required("sensor", "it says where the taxels are and what they read: " + keys);
-  if (const auto table = table_of(sensor)) read_sensor(*table, folder, read, scene.sensor);
+  const auto surface = root.value("surface");
+  if (const auto table = table_of(sensor)) read_sensor(*table, surface, folder, read, scene.sensor);
   read.whole = read.reads_complete && read.depths_complete && taxel_count(scene.sensor) > 0;
   if (const auto table = table_of(root.required(
           "material", "it says what the pad is made of: youngs_modulus, poisson_ratio")))

@@ -76,9 +76,12 @@ template <typename Enum, std::size_t size>
 
 /// The table [sensor]; without taxels where it is wrong.
 ///
-/// @param folder  of the scene's file
-void read_sensor(Table table, const std::filesystem::path& folder, Read& read, SensorArray& sensor);
-void read_sensor(Table table, const std::filesystem::path& folder, Read& read, SkinArray& sensor);
+/// @param surface  the table [surface], of curved skins
+/// @param folder   of the scene's file
+void read_sensor(Table table, const std::optional<Value>& surface,
+                 const std::filesystem::path& folder, Read& read, SensorArray& sensor);
+void read_sensor(Table table, const std::optional<Value>& surface,
+                 const std::filesystem::path& folder, Read& read, SkinArray& sensor);
 
 /// The contacts. What was wrong with the sensor counts as harmless: it is not compared with.
 void read_contacts(std::vector<Table> tables, const Read& read, Scene& scene);

@@ -10,7 +10,7 @@
 
 #include "scene/references.hpp"
 #include "scene/sections.hpp"
-#include "scene/taxel_file.hpp"
+#include "scene/surface_section.hpp"
 #include "tactile_net/sensing/aperture.hpp"
 #include "tactile_net/sensing/surface.hpp"
 
@@ -68,9 +68,9 @@ void read_even_depths(Table& table, Read& read, std::vector<double>& depths) {
 ///
 /// @param missing  what the scene says of all
 /// @param hint     how such a file looks
-std::vector<Taxel> taxels_of_file(const Value& value, const std::filesystem::path& folder,
-                                  const TaxelFileKind& kind, const Taxel& missing,
-                                  const Unit& length, const char* hint) {
+std::vector<FileTaxel> taxels_of_file(const Value& value, const std::filesystem::path& folder,
+                                      const TaxelFileKind& kind, const Taxel& missing,
+                                      const Unit& length, const char* hint) {
   const auto path = path_beside(value, folder, "taxels = \"palm.csv\"");
   if (!path) return {};
   try {
@@ -81,10 +81,17 @@ std::vector<Taxel> taxels_of_file(const Value& value, const std::filesystem::pat
   }
 }
 
+std::vector<Taxel> without_space(std::vector<FileTaxel> rows) {
+  std::vector<Taxel> taxels;
+  taxels.reserve(rows.size());
+  for (FileTaxel& row : rows) taxels.push_back(std::move(row.taxel));
+  return taxels;
+}
+
 /// @param make  an uneven array of taxels
-template <typename Array>
-void put_uneven(std::vector<Taxel> taxels, const Value& at, const char* what,
-                Array (*make)(std::vector<Taxel>), Read& read, Array& array) {
+template <typename OfFile, typename Array>
+void put_uneven(std::vector<OfFile> taxels, const Value& at, const char* what, const auto& make,
+                Read& read, Array& array) {
   if (taxels.empty()) return;
   try {
     array = make(std::move(taxels));
@@ -231,12 +238,13 @@ void read_uneven_line(Table& table, const std::optional<Value>& positions,
   const Taxel missing{.depth = number_or(common.depth, below_surface, 0.0, length),
                       .reads = common.reads,
                       .width = number_or(common.width, not_negative, 0.0, length)};
-  put_uneven(taxels_of_file(*file, folder,
-                            {columns, line_quantities, 2, static_cast<std::size_t>(most_taxels)},
-                            missing, length,
-                            "a header \"y,depth,reads\", then a row for each taxel, from the "
-                            "lowest y: -3.0,1.5,stress_x shear_xy"),
-             *file, "an array", uneven_array, read, array);
+  put_uneven(
+      without_space(taxels_of_file(
+          *file, folder, {columns, line_quantities, 2, static_cast<std::size_t>(most_taxels)},
+          missing, length,
+          "a header \"y,depth,reads\", then a row for each taxel, from the "
+          "lowest y: -3.0,1.5,stress_x shear_xy")),
+      *file, "an array", uneven_array, read, array);
 }
 
 // --- skins --------------------------------------------------------------------------------------
@@ -282,21 +290,41 @@ void read_even_skin(Table& table, Read& read, SkinArray& skin) {
 }
 
 /// Wherever they are.
-void read_uneven_skin(Table& table, const Value& file, const std::filesystem::path& folder,
-                      Read& read, SkinArray& skin) {
+void read_uneven_skin(Table& table, const std::optional<Value>& surface, const Value& file,
+                      const std::filesystem::path& folder, Read& read, SkinArray& skin) {
   for (const std::string_view key : {"rows", "columns", "pitch", "depths"})
     table.not_here(key, "applies to taxels on a lattice; these have places of their own",
                    "remove it");
   Taxel missing{.depth = number_or(table.value("depth"), positive, 0.0, read.units.length)};
-  const double depth_factor = number_or(table.value("depth_factor"), positive, 1.0);
+  const auto factor = table.value("depth_factor");
+  const double depth_factor = number_or(factor, positive, 1.0);
+  const std::optional<Value> axes = table.value("frame");
   read.reads = table.value("reads");
   if (read.reads && !read_quantities(*read.reads, skin_quantities, missing.reads)) return;
-  constexpr std::array<std::string_view, 5> columns = {"name", "y", "z", "depth", "reads"};
-  std::vector<Taxel> taxels = taxels_of_file(
+  constexpr std::array<std::string_view, 9> columns = {"name", "x",  "y",     "z",    "nx",
+                                                       "ny",   "nz", "depth", "reads"};
+  std::vector<FileTaxel> rows = taxels_of_file(
       file, folder, {columns, skin_quantities, 1, static_cast<std::size_t>(most_taxels)}, missing,
       read.units.length,
       "a header \"name,y,z,depth,reads\", then a row for each taxel: "
-      "thumb_1,-3.0,1.0,1.5,stress_x shear_xy shear_xz");
+      "thumb_1,-3.0,1.0,1.5,stress_x shear_xy shear_xz; of a curved skin a header "
+      "\"name,x,y,z,nx,ny,nz,depth,reads\"");
+  if (rows.empty()) return;
+  if (rows.front().x) {
+    if (factor)
+      factor->problem("applies to flat skins: a curved one's taxels have places in space",
+                      "remove it");
+    const auto make = [&](std::vector<FileTaxel> all) {
+      return curved_skin_of(std::move(all), axes, surface, read.units);
+    };
+    return put_uneven(std::move(rows), file, "a curved skin", make, read, skin);
+  }
+  for (const auto& [value, what] : {std::pair(surface, "is"), std::pair(axes, "is")})
+    if (value)
+      value->problem(
+          std::string(what) + " of a curved skin, and the file of taxels gives no places in space",
+          "give it the columns x, nx, ny and nz, or remove this");
+  std::vector<Taxel> taxels = without_space(std::move(rows));
   for (Taxel& taxel : taxels) taxel.depth *= depth_factor;
   put_uneven(std::move(taxels), file, "a skin", uneven_skin, read, skin);
 }
@@ -333,8 +361,9 @@ std::optional<std::array<double, 2>> read_two(const Value& value, const Rule& ru
   return std::nullopt;
 }
 
-void read_sensor(Table table, const std::filesystem::path& folder, Read& read,
-                 SensorArray& sensor) {
+void read_sensor(Table table, const std::optional<Value>& surface,
+                 const std::filesystem::path& folder, Read& read, SensorArray& sensor) {
+  if (surface) surface->problem("is of a curved skin, and this sensor is a line", "remove it");
   const auto positions = table.value("positions");
   const auto file = table.value("taxels");
   if (positions || file)
@@ -344,11 +373,17 @@ void read_sensor(Table table, const std::filesystem::path& folder, Read& read,
   table.finish();
 }
 
-void read_sensor(Table table, const std::filesystem::path& folder, Read& read, SkinArray& sensor) {
-  if (const auto file = table.value("taxels"))
-    read_uneven_skin(table, *file, folder, read, sensor);
-  else
+void read_sensor(Table table, const std::optional<Value>& surface,
+                 const std::filesystem::path& folder, Read& read, SkinArray& sensor) {
+  if (const auto file = table.value("taxels")) {
+    read_uneven_skin(table, surface, *file, folder, read, sensor);
+  } else {
+    if (surface)
+      surface->problem(
+          "is of a curved skin, whose taxels have places in space",
+          "under [sensor], taxels = \"finger.csv\" with columns name,x,y,z,nx,ny,nz,depth,reads");
     read_even_skin(table, read, sensor);
+  }
   table.finish();
 }
 

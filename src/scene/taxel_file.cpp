@@ -77,7 +77,8 @@ std::vector<Quantity> quantities_in(const Row& row, const std::string& text,
 class TaxelPlaces {
  public:
   /// @throw std::runtime_error  another taxel has this one's name, or reads the same in its place
-  void add(std::size_t line, const Taxel& taxel) {
+  void add(std::size_t line, const FileTaxel& row) {
+    const Taxel& taxel = row.taxel;
     if (const auto [other, is_new] = names_.try_emplace(taxel.name, line);
         !is_new && !taxel.name.empty())
       throw error_in_line(line, "the name is that of the taxel in line " +
@@ -85,8 +86,8 @@ class TaxelPlaces {
                                     " too: columns of recordings "
                                     "are called by it");
     for (const Quantity quantity : taxel.reads)
-      if (const auto [other, is_new] =
-              readings_.try_emplace({taxel.y, taxel.z, taxel.depth, quantity}, line);
+      if (const auto [other, is_new] = readings_.try_emplace(
+              {row.x.value_or(0.0), taxel.y, taxel.z, taxel.depth, quantity}, line);
           !is_new && other->second != line)
         throw error_in_line(line, "the taxel is at the place of that in line " +
                                       std::to_string(other->second) + " and reads the same, " +
@@ -96,13 +97,13 @@ class TaxelPlaces {
 
  private:
   std::map<std::string, std::size_t> names_{};
-  std::map<std::tuple<double, double, double, Quantity>, std::size_t> readings_{};
+  std::map<std::tuple<double, double, double, double, Quantity>, std::size_t> readings_{};
 };
 
 }  // namespace
 
-std::vector<Taxel> read_taxel_file(const std::filesystem::path& path, const TaxelFileKind& kind,
-                                   const Taxel& missing, const Unit& length) {
+std::vector<FileTaxel> read_taxel_file(const std::filesystem::path& path, const TaxelFileKind& kind,
+                                       const Taxel& missing, const Unit& length) {
   const CsvTable table = read_csv_table(path);
   const auto places = places_in(table.header, kind.columns, length);
   const auto is_known = [&](std::string_view column) {
@@ -120,22 +121,31 @@ std::vector<Taxel> read_taxel_file(const std::filesystem::path& path, const Taxe
     throw std::runtime_error("it has " + std::to_string(table.rows.size()) + " taxels: from " +
                              std::to_string(kind.least) + " to " + std::to_string(kind.most) +
                              " are possible");
-  std::vector<Taxel> taxels;
+  const bool has_normals = places.contains("nx");
+  for (const std::string_view column : {"nx", "ny", "nz"})
+    if (places.contains(column) != has_normals || (has_normals && !places.contains("x")))
+      throw error_in_line(table.header.line,
+                          "a normal needs all of the columns x, y, z, nx, ny, nz");
+  std::vector<FileTaxel> taxels;
   TaxelPlaces taken;
   for (const Row& row : table.rows) {
     const auto text = [&](std::string_view column) -> const std::string* {
       const auto place = places.find(column);
       return place == places.end() ? nullptr : &row.fields[place->second];
     };
-    const auto put_length = [&](std::string_view column, double& value) {
-      const std::string* field = text(column);
-      if (field == nullptr) return;
+    const auto number_in = [&](std::string_view column, const Unit& unit) {
       double number = 0.0;
-      if (!read_number(*field, number) || !std::isfinite(number))
+      if (!read_number(*text(column), number) || !std::isfinite(number))
         throw error_in_line(row.line, std::string(column) + " is not a finite number");
-      value = length.to_si(number);
+      return unit.to_si(number);
     };
-    Taxel taxel = missing;
+    const auto put_length = [&](std::string_view column, double& value) {
+      if (text(column) != nullptr) value = number_in(column, length);
+    };
+    FileTaxel one{.taxel = missing};
+    Taxel& taxel = one.taxel;
+    if (places.contains("x")) one.x = number_in("x", length);
+    if (has_normals) one.normal = {number_in("nx", {}), number_in("ny", {}), number_in("nz", {})};
     if (const std::string* own = text("name")) taxel.name = *own;
     put_length("y", taxel.y);
     put_length("z", taxel.z);
@@ -145,10 +155,10 @@ std::vector<Taxel> read_taxel_file(const std::filesystem::path& path, const Taxe
       taxel.reads = quantities_in(row, *own, kind.quantities);
     if (!(taxel.depth > 0.0)) throw error_in_line(row.line, "depth is not > 0");
     if (!(taxel.width >= 0.0)) throw error_in_line(row.line, "width is below 0");
-    if (!is_known("z") && !taxels.empty() && taxel.y < taxels.back().y)
+    if (!is_known("z") && !taxels.empty() && taxel.y < taxels.back().taxel.y)
       throw error_in_line(row.line, "y is below the taxel before it: it must rise");
-    taken.add(row.line, taxel);
-    taxels.push_back(std::move(taxel));
+    taken.add(row.line, one);
+    taxels.push_back(std::move(one));
   }
   return taxels;
 }

@@ -55,6 +55,12 @@ SkinArray uneven_skin(std::vector<Taxel> taxels) {
   return skin;
 }
 
+void require_flat(const SkinArray& skin, std::string_view asks) {
+  if (skin.curved)
+    throw std::invalid_argument(std::string(asks) +
+                                " knows flat skins alone, and the surface of this one is curved");
+}
+
 void check(const SkinArray& skin) {
   if (!is_even(skin)) {
     check(skin.taxels);

@@ -269,13 +269,14 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
       most = std::max(most, length(sum(1.0, point, -1.0, middle)));
     return most;
   }();
-  require(fitted->curvature * extent > -0.05 || is_hole || options.shape == SurfaceShape::points,
-          "the normals point to the middle of a sphere of radius " +
-              shortest(std::abs(1.0 / fitted->curvature)) +
-              ", as in a hole: turn them outward, or state the radius of a hole, which is < 0");
-  require(!is_stated || (fitted->curvature < 0.0) == is_hole,
-          "the normals point to the sphere's middle: turn them outward, or state the radius of a "
-          "hole, which is < 0");
+  const double turned = (has_normals ? sphere_of_normals(above) : *fitted).curvature * extent;
+  constexpr double some = 0.05;  // flatter surfaces may be either
+  require(turned > -some || is_hole || options.shape == SurfaceShape::points,
+          "the normals point to the middle of a sphere, as in a hole: turn them outward, or state "
+          "the radius of a hole, which is < 0");
+  require(turned < some || !is_hole,
+          "the normals point away from the middle of a sphere, and the radius, which is < 0, is "
+          "that of a hole: turn them, or state a radius > 0");
 
   CurvedSurface surface = options.centre ? surface_about(*options.centre, 1.0 / fitted->curvature,
                                                          above, options.reference)

@@ -20,8 +20,8 @@ bool is_finite(const SpaceVector& one) noexcept {
 constexpr double too_near = 0.984807753012208;
 
 /// Gauss' three points on [-1/2, 1/2].
-constexpr std::array<double, 3> points = {-0.3872983346207417, 0.0, 0.3872983346207417};
-constexpr std::array<double, 3> weights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+constexpr std::array<double, 3> gauss_points = {-0.3872983346207417, 0.0, 0.3872983346207417};
+constexpr std::array<double, 3> gauss_weights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
 
 }  // namespace
 
@@ -175,13 +175,13 @@ std::vector<SurfaceCell> CurvedSurface::cells(const SurfaceGrid& grid) const {
   for (std::size_t row = 0; row < grid.rows; ++row)
     for (std::size_t column = 0; column < grid.columns; ++column) {
       SurfaceCell cell{.middle = at(grid.y(row), grid.z(column))};
-      for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = 0; j < points.size(); ++j) {
-          const Tangents here = tangents(grid.y(row) + points[i] * grid.spacing_y,
-                                         grid.z(column) + points[j] * grid.spacing_z);
+      for (std::size_t i = 0; i < gauss_points.size(); ++i)
+        for (std::size_t j = 0; j < gauss_points.size(); ++j) {
+          const Tangents here = tangents(grid.y(row) + gauss_points[i] * grid.spacing_y,
+                                         grid.z(column) + gauss_points[j] * grid.spacing_z);
           const SpaceVector normal = cross(here.along_z, here.along_y);
           const double stretch = length(normal);
-          const double area = weights[i] * weights[j] * grid.area() * stretch;
+          const double area = gauss_weights[i] * gauss_weights[j] * grid.area() * stretch;
           const SurfaceFrame turned = frame(scaled(1.0 / stretch, normal));
           cell.area += area;
           cell.first_moment = sum(1.0, cell.first_moment, area, here.point);

@@ -128,6 +128,7 @@ class ExactSkinModel::Summation {
 ExactSkinModel::ExactSkinModel(const SkinArray& skin, const Material& material)
     : skin_(skin), material_(material) {
   check(skin, material);
+  require_flat(skin, "a simulated contact");
   std::map<double, std::size_t> depths;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> places;  // by depth and taxel
   for (std::size_t reading = 0; const Site& site : sites(skin)) {

@@ -16,6 +16,16 @@
 
 namespace tactile_net {
 
+/// What tractions on a curved skin amount to in the sensor's own axes.
+struct SpaceWrench {
+  std::array<Uncertain, 3> force{};   ///< that acts on the skin [N]
+  std::array<Uncertain, 3> moment{};  ///< of it, about the point that the scene names [N m]
+  /// The centre of pressure: the mean of the places that press, which lies below a convex surface
+  /// [m]. Absent if nothing presses.
+  std::optional<std::array<Uncertain, 3>> centre{};
+  std::optional<std::array<double, 3>> above{};  ///< the place of the surface above it [m]
+};
+
 /// The wrench of tractions, each value with its deviation. Of a line it has force, drag along y and
 /// centre y, per metre across the line.
 struct UncertainWrench {
@@ -28,6 +38,9 @@ struct UncertainWrench {
   std::optional<Uncertain> torsion{};
   /// Covariance of the six values in their order, 6 x 6 row-major; zero where one is absent.
   std::array<double, 36> covariance{};
+  /// Of a curved skin, whose other values are those of its chart: F_x sums what presses along each
+  /// place's own normal, and centres are places of the chart.
+  std::optional<SpaceWrench> space{};
 };
 
 /// The size of a drag, to first order. @pre  there is one

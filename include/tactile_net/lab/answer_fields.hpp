@@ -51,6 +51,13 @@ struct ResultantTold : UncertainWrench {
           whole.angle};
 }
 
+/// Of a curved skin's wrench; absent: it is flat.
+[[nodiscard]] inline IfAny<std::array<Uncertain, 3>> in_space(
+    const UncertainWrench& wrench, std::array<Uncertain, 3> SpaceWrench::*which) {
+  if (!wrench.space) return {};
+  return {(*wrench.space).*which};
+}
+
 /// How the search under constraints ended.
 struct ConstraintsTold {
   double residual = 0.0;
@@ -144,7 +151,33 @@ struct Fields<UncertainWrench> {
           },
           Measure::length, "The centre of pressure, y and z; null: nothing presses.", Of::skins),
       field("torsion", &W::torsion, Measure::moment,
-            "The moment about x through the centre of pressure, from y towards z.", Of::skins)};
+            "The moment about x through the centre of pressure, from y towards z.", Of::skins),
+      field(
+          "force", [](const W& wrench) { return lab::in_space(wrench, &SpaceWrench::force); },
+          Measure::load,
+          "Of a curved skin the force that acts on it, along the sensor's x, y and z; absent: it "
+          "is flat.",
+          Of::skins),
+      field(
+          "moment", [](const W& wrench) { return lab::in_space(wrench, &SpaceWrench::moment); },
+          Measure::moment, "The moment of that force about the point that the scene names.",
+          Of::skins),
+      field(
+          "centre_in_space",
+          [](const W& wrench) {
+            return IfAny<std::array<Uncertain, 3>>{wrench.space ? wrench.space->centre
+                                                                : std::nullopt};
+          },
+          Measure::length,
+          "The mean of the places of a curved skin that press, in the sensor's axes: it lies below "
+          "a convex surface; absent: nothing presses.",
+          Of::skins),
+      field(
+          "above",
+          [](const W& wrench) {
+            return IfAny<std::array<double, 3>>{wrench.space ? wrench.space->above : std::nullopt};
+          },
+          Measure::length, "The place of the surface above that.", Of::skins)};
 };
 
 template <>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tactile_net/scene/scene.hpp"
+#include "tactile_net/sensing/surface_cells.hpp"
 #include "tactile_net/skin/array.hpp"
 #include "tactile_net/skin/grid.hpp"
 #include "tactile_net/skin/load.hpp"
@@ -18,6 +19,7 @@ namespace tactile_net {
 struct SkinReconstructOptions : SharedReconstructOptions {
   std::optional<double> smoothing_length{};  ///< l [m]; absent: the mean depth of the taxels
   SkinGridOptions grid{};                    ///< where the tractions lie
+  SpaceVector moment_about{};                ///< of a curved skin, in the sensor's axes [m]
 };
 
 /// With units, its force is in newtons.

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tactile_net/elasticity/material.hpp"
@@ -51,6 +52,11 @@ struct SkinArray {
 
 /// True for a regular skin: taxels on a lattice, equally deep and reading the same.
 [[nodiscard]] inline bool is_even(const SkinArray& skin) noexcept { return skin.taxels.empty(); }
+
+/// Refuses a curved skin.
+/// @param asks  what knows flat ones alone, for the message: "an exact reading"
+/// @throw std::invalid_argument  the skin is curved
+void require_flat(const SkinArray& skin, std::string_view asks);
 
 /// @throw std::invalid_argument  a place is not finite, a depth not > 0, a pitch not > 0, a width
 ///                               not 0; no taxel, no depth, nothing read or something twice; two

@@ -25,13 +25,15 @@ bool has_intervals(const SkinScene& scene) {
   return scene.reconstruct.answer == AnswerKind::mixture;
 }
 
+bool is_curved(const SkinScene& scene) { return scene.sensor.curved != nullptr; }
+
 }  // namespace
 
-std::vector<std::string> resultant_columns(bool intervals) {
-  return columns_of<ResultantRow>(true, intervals);
+std::vector<std::string> resultant_columns(bool intervals, bool curved) {
+  return columns_of<ResultantRow>(true, intervals, curved);
 }
 
-std::vector<double> resultant_values(const lab::FrameAnswer& answer, bool intervals) {
+std::vector<double> resultant_values(const lab::FrameAnswer& answer, bool intervals, bool curved) {
   ResultantRow row{answer.wrench};
   if (const auto& friction = answer.friction) {
     const double ratio = friction->ratio.value;
@@ -39,11 +41,11 @@ std::vector<double> resultant_values(const lab::FrameAnswer& answer, bool interv
     row.angle = Uncertain{std::atan(ratio), friction->ratio.deviation / (1.0 + ratio * ratio)};
     row.slip_margin = friction->slip_margin;
   }
-  return values_of(row, true, intervals);
+  return values_of(row, true, intervals, curved);
 }
 
 std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
-  std::vector<std::string> names = resultant_columns(has_intervals(scene));
+  std::vector<std::string> names = resultant_columns(has_intervals(scene), is_curved(scene));
   if (scene.reconstruct.offset)
     for (const Channel& channel : channels(scene.sensor)) names.push_back("offset_" + channel.name);
   for (std::string& name : columns_of<TrustRow>(true)) names.push_back(std::move(name));
@@ -52,7 +54,7 @@ std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
 }
 
 std::vector<double> uncertainty_values(const lab::FrameAnswer& answer, const SkinScene& scene) {
-  std::vector<double> values = resultant_values(answer, has_intervals(scene));
+  std::vector<double> values = resultant_values(answer, has_intervals(scene), is_curved(scene));
   if (scene.reconstruct.offset)
     values.insert(values.end(), answer.offsets.begin(), answer.offsets.end());
   for (const double value : values_of(trust_row(answer.data, answer.alpha.value), true))

@@ -19,7 +19,7 @@ std::vector<std::string> line_columns(const lab::SceneProblem& problem) {
   const bool intervals = has_intervals(problem);
   // The bare names of the tractions are these; the forces have names of their own.
   std::vector<std::string> columns =
-      columns_of<ResultantRow>(false, intervals, [](std::string_view key, Measure measure) {
+      columns_of<ResultantRow>(false, intervals, false, [](std::string_view key, Measure measure) {
         return std::string(key) + (measure == Measure::load ? "_force" : "");
       });
   const auto add = [&](const char* what) {

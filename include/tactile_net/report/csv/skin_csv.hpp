@@ -18,9 +18,11 @@ namespace tactile_net::report {
 /// centre, torsion, friction, the angle of the force to the normal [rad], and what is left of the
 /// friction limit.
 /// @param intervals  whether the ends of each one's interval stand behind its deviation
-[[nodiscard]] std::vector<std::string> resultant_columns(bool intervals = false);
+/// @param curved     with force, moment and centre in the sensor's own axes
+[[nodiscard]] std::vector<std::string> resultant_columns(bool intervals = false,
+                                                         bool curved = false);
 [[nodiscard]] std::vector<double> resultant_values(const lab::FrameAnswer& answer,
-                                                   bool intervals = false);
+                                                   bool intervals = false, bool curved = false);
 
 /// Of `solve --uncertainty`: those, then the constant found in each channel where offsets are not
 /// known, whether the readings can be true (0, or 1 + the worst `DataDoubt`), and alpha, all in SI

@@ -1,0 +1,27 @@
+/// @file
+/// The table [surface], of skins that are curved. Private.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scene/sections.hpp"
+#include "scene/taxel_file.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
+
+namespace tactile_net {
+
+/// Three numbers, such as a place in space; none: a problem, which has been said.
+[[nodiscard]] std::optional<SpaceVector> read_three(const Value& value, const Rule& rule,
+                                                    const Unit& unit, std::string_view example);
+
+/// The skin of a file's taxels below the surface that a scene states.
+///
+/// @param axes     `sensor.frame`: along which axes displacements are read
+/// @param surface  the table
+/// @throw std::invalid_argument  as `curved_skin`; the extent is that of other units
+[[nodiscard]] SkinArray curved_skin_of(std::vector<FileTaxel> rows,
+                                       const std::optional<Value>& axes,
+                                       const std::optional<Value>& surface, const Units& units);
+
+}  // namespace tactile_net

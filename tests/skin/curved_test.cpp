@@ -1,0 +1,342 @@
+// Curved skins: charts, cells, sums, and the flat skin as their limit.
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/inverse/covariance.hpp"
+#include "tactile_net/inverse/tikhonov_family.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
+#include "tactile_net/skin/problem.hpp"
+#include "tactile_net/skin/resultant.hpp"
+#include "tactile_net/skin/space_wrench.hpp"
+#include "tests/catch.hpp"
+#include "tests/skin/skins.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+const std::vector<Quantity> moves = {Quantity::displacement_x, Quantity::displacement_y,
+                                     Quantity::displacement_z};
+const Material skin_on_core{
+    .youngs_modulus = 2.5e5, .poisson_ratio = 0.48, .layer = Layer{4e-3, Base::bonded}};
+
+SpaceVector scaled(double factor, const SpaceVector& one) { return sum(factor, one, 0.0, one); }
+
+/// Columns: where the sensor's axes point.
+struct Turn {
+  std::array<SpaceVector, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  SpaceVector shift{};
+
+  [[nodiscard]] SpaceVector direction(const SpaceVector& v) const {
+    return sum(1.0, sum(v[0], axes[0], v[1], axes[1]), v[2], axes[2]);
+  }
+  [[nodiscard]] SpaceVector place(const SpaceVector& p) const {
+    return sum(1.0, direction(p), 1.0, shift);
+  }
+};
+
+/// By Rodrigues' formula.
+Turn turn_about(const SpaceVector& axis, double angle, const SpaceVector& shift) {
+  const SpaceVector n = scaled(1.0 / length(axis), axis);
+  Turn turn{.shift = shift};
+  for (SpaceVector& e : turn.axes)
+    e = sum(1.0, sum(std::cos(angle), e, std::sin(angle), cross(n, e)),
+            (1.0 - std::cos(angle)) * dot(n, e), n);
+  return turn;
+}
+
+/// Taxels below an ellipsoid of these half axes, or a sphere; z out at the apex.
+std::vector<CurvedTaxel> taxels_below(const SpaceVector& half_axes, double reach, int count,
+                                      double depth, const std::vector<Quantity>& reads) {
+  std::vector<CurvedTaxel> taxels;
+  for (int i = 0; i < count; ++i)
+    for (int j = 0; j < count; ++j) {
+      const double x = reach * (2.0 * i / (count - 1.0) - 1.0);
+      const double y = reach * (2.0 * j / (count - 1.0) - 1.0);
+      const SpaceVector at = {x, y,
+                              half_axes[2] * std::sqrt(1.0 - std::pow(x / half_axes[0], 2) -
+                                                       std::pow(y / half_axes[1], 2))};
+      SpaceVector normal = {at[0] / std::pow(half_axes[0], 2), at[1] / std::pow(half_axes[1], 2),
+                            at[2] / std::pow(half_axes[2], 2)};
+      normal = scaled(1.0 / length(normal), normal);
+      taxels.push_back({"t" + std::to_string(i) + "_" + std::to_string(j),
+                        sum(1.0, at, -depth, normal), normal, depth, reads});
+    }
+  return taxels;
+}
+
+std::vector<CurvedTaxel> ball_taxels(double radius, int count = 5) {
+  return taxels_below({radius, radius, radius}, 5e-3, count, 1.2e-3, moves);
+}
+
+/// Smooth tractions that are not 0 anywhere.
+std::vector<double> some_tractions(const LinearProblem& problem) {
+  std::vector<double> all(problem.components * problem.grid.count());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = 1e3 * (1.3 + std::sin(0.37 * static_cast<double>(i)));
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a chart's places are on the sphere, its areas the sphere's, and it inverts itself",
+          "[skin][curved][property]") {
+  const double radius = GENERATE(7e-3, -12e-3, 1.0, 1e5);
+  const SpaceVector outward = {0.6, 0.0, 0.8};
+  const CurvedSurface surface({1e-3, 2e-3, 3e-3}, outward, 1.0 / radius, {0.1, 1.0, 0.2});
+  const SpaceVector centre = sum(1.0, {1e-3, 2e-3, 3e-3}, -radius, outward);
+  for (const double y : {0.0, 3e-3, -5e-3})
+    for (const double z : {0.0, 1e-3, 6e-3}) {
+      CAPTURE(radius, y, z);
+      const SurfacePlace place = surface.at(y, z);
+      const double off = length(sum(1.0, place.point, -1.0, centre)) - std::abs(radius);
+      CHECK(std::abs(off) <= 4e-16 * (std::abs(radius) + 1e-2));
+      const SpaceVector normal = sum(1.0 / radius, place.point, -1.0 / radius, centre);
+      CHECK(length(sum(1.0, normal, 1.0, place.frame[0])) <= 1e-14 + 1e-17 / 1e-3);
+      CHECK(std::abs(place.stretch - 1.0) <= 1e-14);
+      CHECK(place.mean_curvature == 1.0 / radius);
+      const auto back = surface.chart(sum(1.0, place.point, -0.4e-3, place.frame[0]));
+      CHECK(std::abs(back.y - y) <= 1e-16);
+      CHECK(std::abs(back.z - z) <= 1e-16);
+      CHECK(std::abs(back.outside - 0.4e-3) <= 1e-16);
+    }
+}
+
+TEST_CASE("under an even pressure a patch of any surface bears its rim's area vector",
+          "[skin][curved][property]") {
+  const CurvedSurface sphere(
+      {0, 0, 14e-3}, {0, 0, 1}, 1.0 / 20e-3, {0, 1, 0},
+      {.degree = 3,
+       .length = 8e-3,
+       .coefficients = {0, 1e-4, -2e-4, 8e-4, 3e-4, -5e-4, 1e-4, 0, 2e-4, -1e-4}});
+  const SurfaceGrid grid{.rows = 14, .columns = 11, .spacing_y = 0.8e-3, .spacing_z = 0.9e-3};
+  SpaceVector force{};
+  for (const SurfaceCell& cell : sphere.cells(grid)) force = sum(1.0, force, 1.0, cell.force[0]);
+  // 1/2 of the integral of r x dr along the rim, by Gauss' rule on many pieces of each side.
+  SpaceVector area{};
+  const double half_y = 0.5 * grid.spacing_y * static_cast<double>(grid.rows);
+  const double half_z = 0.5 * grid.spacing_z * static_cast<double>(grid.columns);
+  const auto side = [&](double from_y, double from_z, double to_y, double to_z) {
+    constexpr int pieces = 400;
+    for (int i = 0; i < pieces; ++i)
+      for (const double node : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
+        const double t = (i + node) / pieces;
+        const auto at = sphere.tangents(from_y + t * (to_y - from_y), from_z + t * (to_z - from_z));
+        const SpaceVector along =
+            sum((to_y - from_y) / pieces, at.along_y, (to_z - from_z) / pieces, at.along_z);
+        area = sum(1.0, area, 0.25, cross(at.point, along));
+      }
+  };
+  side(-half_y, -half_z, half_y, -half_z);
+  side(half_y, -half_z, half_y, half_z);
+  side(half_y, half_z, -half_y, half_z);
+  side(-half_y, half_z, -half_y, -half_z);
+  // y, then z is clockwise from outside: the vector points inward, as pressure does.
+  CHECK(length(sum(1.0, force, -1.0, area)) <= 1e-8 * length(area));
+}
+
+TEST_CASE("a skin that is hardly curved has the flat skin's problem", "[skin][curved][property]") {
+  const double radius = GENERATE(1e7, -1e7);
+  const std::vector<Quantity> reads = {Quantity::stress_x, Quantity::shear_xy,
+                                       Quantity::shear_strain_xz, Quantity::displacement_y};
+  std::vector<CurvedTaxel> curved;
+  std::vector<Taxel> flat;
+  const std::vector<std::array<double, 3>> places = {
+      {0.0, 0.0, 1e-3}, {1.7e-3, -0.4e-3, 1.5e-3}, {-2e-3, 1e-3, 0.6e-3}, {0.4e-3, 2.2e-3, 1e-3}};
+  for (const auto& [y, z, depth] : places) {
+    const std::string name = "t" + std::to_string(flat.size());
+    // The chart's x is -z of the sensor, its y the sensor's y, so its z is the sensor's x.
+    curved.push_back({name, {z, y, -depth}, SpaceVector{0, 0, 1}, depth, reads});
+    flat.push_back({name, y, z, depth, reads});
+  }
+  const SkinProblemOptions options{.channel_rms = {10.0, 10.0, 1e-4, 1e-6}};
+  const LinearProblem expected = make_problem(uneven_skin(flat), skin_on_core, options);
+  const SkinArray skin =
+      curved_skin(curved, {.centre = SpaceVector{0, 0, -radius}, .radius = radius});
+  const LinearProblem found = make_problem(skin, skin_on_core, options);
+  REQUIRE(found.grid.rows == expected.grid.rows);
+  REQUIRE(found.grid.columns == expected.grid.columns);
+  CHECK(std::abs(found.grid.spacing_y - expected.grid.spacing_y) <= 1e-12);
+  CHECK(distance(found.kernel.values, expected.kernel.values) <=
+        1e-8 * norm(expected.kernel.values));
+  CHECK(found.smoothing_length == expected.smoothing_length);
+  CHECK(std::abs(found.measure / expected.measure - 1.0) <= 1e-9);
+}
+
+TEST_CASE("a plane's problem is the flat one to ten digits", "[skin][curved]") {
+  std::vector<CurvedTaxel> curved;
+  std::vector<Taxel> flat;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const double y = 1.1e-3 * i;
+      const double z = 0.9e-3 * j;
+      const std::string name = "t" + std::to_string(flat.size());
+      curved.push_back({name, {z, y, -1.2e-3}, SpaceVector{0, 0, 1}, 1.2e-3, moves});
+      flat.push_back({name, y - 1.65e-3, z - 1.35e-3, 1.2e-3, moves});
+    }
+  const auto shape = GENERATE(SurfaceShape::sphere, SurfaceShape::points);
+  const LinearProblem expected = make_problem(uneven_skin(flat), skin_on_core);
+  const LinearProblem found = make_problem(curved_skin(curved, {.shape = shape}), skin_on_core);
+  CHECK(distance(found.kernel.values, expected.kernel.values) <=
+        1e-10 * norm(expected.kernel.values));
+}
+
+TEST_CASE("a surface through the taxels of a sphere is that sphere", "[skin][curved]") {
+  const double radius = GENERATE(15e-3, 30e-3);
+  const std::vector<CurvedTaxel> taxels = ball_taxels(radius);
+  const SkinArray sphere = curved_skin(taxels);
+  const SkinArray points = curved_skin(taxels, {.shape = SurfaceShape::points});
+  CHECK(sphere.curved->shape == SurfaceShape::sphere);
+  CHECK(std::abs(sphere.curved->surface.curvature() * radius - 1.0) <= 1e-12);
+  for (const SurfacePlace& place : points.curved->above) {
+    CHECK(std::abs(place.mean_curvature * radius - 1.0) <= 1e-6);
+    CHECK(place.curvature_difference * radius <= 1e-3);
+  }
+  const SkinArray fitted = [&] {
+    std::vector<CurvedTaxel> without = taxels;
+    for (CurvedTaxel& taxel : without) taxel.normal.reset();
+    return curved_skin(without, {.shape = SurfaceShape::sphere});
+  }();
+  CHECK(std::abs(fitted.curved->surface.curvature() * radius - 1.0) <= 1e-9);
+  CHECK(length(sum(1.0, fitted.curved->above[3].point, -1.0, sphere.curved->above[3].point)) <=
+        1e-11);
+}
+
+TEST_CASE("an ellipsoid's taxels tell its curvatures", "[skin][curved]") {
+  const SpaceVector half_axes = {12e-3, 20e-3, 14e-3};
+  const SkinArray skin = curved_skin(taxels_below(half_axes, 5e-3, 9, 1.2e-3, moves));
+  REQUIRE(skin.curved->shape == SurfaceShape::points);
+  CHECK(skin.curved->residual <= 1e-5);
+  // At the apex: c / a^2 and c / b^2.
+  const auto at = skin.curved->surface.chart({0, 0, half_axes[2]});
+  const SurfacePlace apex = skin.curved->surface.at(at.y, at.z);
+  const double along_x = half_axes[2] / std::pow(half_axes[0], 2);
+  const double along_y = half_axes[2] / std::pow(half_axes[1], 2);
+  CHECK(std::abs(apex.mean_curvature / (0.5 * (along_x + along_y)) - 1.0) <= 0.01);
+  CHECK(std::abs(apex.curvature_difference / (along_x - along_y) - 1.0) <= 0.03);
+}
+
+TEST_CASE("sums of a curved skin's tractions are the resultant about any point",
+          "[skin][curved][property]") {
+  const LinearProblem problem = make_problem(
+      curved_skin(taxels_below({12e-3, 20e-3, 14e-3}, 4e-3, 5, 1.2e-3, moves)), skin_on_core);
+  const SkinArray skin = curved_skin(taxels_below({12e-3, 20e-3, 14e-3}, 4e-3, 5, 1.2e-3, moves));
+  std::vector<double> on_surface = some_tractions(problem);
+  const TikhonovFamily family(problem);
+  const TractionCovariance covariance(family, 1e-20, 1e-20);
+  std::vector<std::size_t> cells(problem.grid.count());
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = i;
+  const std::vector<double> tractions = on_surface;
+  put_on_surface(problem, on_surface);
+  SpaceVector force{};
+  SpaceVector moment{};
+  double pressed = 0.0;
+  for (const std::size_t i : cells) {
+    const SurfaceCell& cell = (*problem.cells)[i];
+    for (std::size_t u = 0; u < 3; ++u) {
+      force = sum(1.0, force, on_surface[u * cells.size() + i], cell.force[u]);
+      moment = sum(1.0, moment, on_surface[u * cells.size() + i], cell.moment[u]);
+    }
+    pressed += on_surface[i] * cell.area;
+  }
+  const UncertainWrench chart = resultant_of(problem.grid, tractions, cells, covariance, 1.0);
+  CHECK(std::abs(chart.normal.value / pressed - 1.0) <= 1e-13);
+  for (const SpaceVector& about : {SpaceVector{}, SpaceVector{3e-3, -1e-2, 4e-2}}) {
+    const SpaceWrench found = space_wrench(problem, skin.curved->surface, tractions, cells,
+                                           covariance, 1.0, chart, about);
+    const SpaceVector expected = sum(1.0, moment, -1.0, cross(about, force));
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(std::abs(found.force[k].value - force[k]) <= 1e-12 * length(force));
+      CHECK(std::abs(found.moment[k].value - expected[k]) <= 1e-12 * length(force) * 5e-2);
+    }
+  }
+}
+
+TEST_CASE("a skin that is turned and moved gives turned forces", "[skin][curved][property]") {
+  const Turn turn = turn_about({0.3, -0.5, 0.8}, 1.1, {0.1, -0.05, 0.02});
+  const auto shape = GENERATE(SurfaceShape::sphere, SurfaceShape::points);
+  const std::vector<CurvedTaxel> taxels = ball_taxels(15e-3, 6);
+  std::vector<CurvedTaxel> turned = taxels;
+  for (CurvedTaxel& taxel : turned) {
+    taxel.place = turn.place(taxel.place);
+    taxel.normal = turn.direction(*taxel.normal);
+  }
+  const SkinArray skin = curved_skin(taxels, {.shape = shape, .axes = ReadingAxes::sensor});
+  const SkinArray other = curved_skin(
+      turned,
+      {.shape = shape, .reference = turn.direction({0, 1, 0}), .axes = ReadingAxes::sensor});
+  const LinearProblem problem = make_problem(skin, skin_on_core);
+  const LinearProblem moved = make_problem(other, skin_on_core);
+  std::mt19937 random(5);
+  std::normal_distribution<double> number(0.0, 1e-5);
+  std::vector<double> readings(problem.sites.size());
+  for (double& one : readings) one = number(random);
+  const std::size_t taxel_count = taxels.size();
+  std::vector<double> seen(readings.size());
+  for (std::size_t i = 0; i < taxel_count; ++i) {
+    const SpaceVector there =
+        turn.direction({readings[i], readings[taxel_count + i], readings[2 * taxel_count + i]});
+    for (std::size_t k = 0; k < 3; ++k) seen[k * taxel_count + i] = there[k];
+  }
+  const auto force_of = [](const LinearProblem& one, const std::vector<double>& frame) {
+    const TikhonovFamily family(one);
+    const std::vector<double> f = family.solve(family.analyse(frame), 1e-14);
+    SpaceVector force{};
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      const SurfaceCell& cell = (*one.cells)[i % one.grid.count()];
+      force = sum(1.0, force, f[i] * one.grid.area() / cell.area, cell.force[i / one.grid.count()]);
+    }
+    return force;
+  };
+  const SpaceVector expected = turn.direction(force_of(problem, readings));
+  const SpaceVector found = force_of(moved, seen);
+  CHECK(length(sum(1.0, found, -1.0, expected)) <= 1e-8 * length(expected));
+}
+
+TEST_CASE("what is no curved skin is refused with the rule", "[skin][curved]") {
+  const std::vector<CurvedTaxel> good = ball_taxels(15e-3);
+  const auto refused = [](const std::vector<CurvedTaxel>& taxels, const CurvedSkinOptions& options,
+                          const std::string& rule) {
+    CHECK_THROWS_WITH(curved_skin(taxels, options), ContainsSubstring(rule));
+  };
+  refused({}, {}, "at least one taxel");
+  std::vector<CurvedTaxel> bad = good;
+  bad[7].normal = scaled(1.01, *bad[7].normal);
+  refused(bad, {}, "normal of taxel t1_2 must be of length 1");
+  bad = good;
+  bad[7].normal = scaled(-1.0, *bad[7].normal);
+  refused(bad, {}, "t1_2");
+  bad = good;
+  for (CurvedTaxel& taxel : bad) taxel.normal = scaled(-1.0, *taxel.normal);
+  refused(bad, {}, "turn them outward");
+  refused(bad, {.radius = 15e-3}, "turn them outward");
+  bad = good;
+  bad[0].normal.reset();
+  refused(bad, {}, "needs its outward normal");
+  bad = good;
+  bad[3].depth = -1e-3;
+  refused(bad, {}, "depth of taxel t0_3");
+  bad = good;
+  bad[3].place = bad[4].place;
+  bad[3].normal = bad[4].normal;
+  refused(bad, {}, "t0_3");
+  refused(good, {.radius = 0.0}, "radius");
+  refused(good, {.shape = SurfaceShape::points, .radius = 15e-3}, "a sphere's");
+  refused(good, {.reference = {0, 0, 1}}, "within 10 degrees");
+  bad.assign(good.begin(), good.begin() + 3);
+  for (CurvedTaxel& taxel : bad) taxel.normal.reset();
+  refused(bad, {.shape = SurfaceShape::sphere}, "four taxels");
+
+  const SkinArray skin = curved_skin(good);
+  Material material = skin_on_core;
+  material.layer.reset();
+  CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("thickness"));
+  material.layer = Layer{4e-3, Base::frictionless};
+  CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("bonded"));
+  material.layer = Layer{16e-3, Base::bonded};
+  CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("radius of curvature"));
+}
