@@ -12,6 +12,7 @@
 #include "rooms.hpp"
 #include "shared_scene.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 
 namespace tactile_net::python {
 namespace {
@@ -55,6 +56,43 @@ std::tuple<Array, Array, std::pair<double, double>> cell_places(const SharedSkin
   return {owned(std::move(y)), owned(std::move(z)), {cells.spacing_y, cells.spacing_z}};
 }
 
+/// Of a curved skin's cells middles, frames, areas, and what 1 Pa along each frame's axis amounts to:
+/// (N, 3), (N, 3, 3), (N,), (N, 3, 3); of a flat one nothing.
+std::optional<std::tuple<Array, Array, Array, Array>> surface_of(const SharedSkin& self) {
+  const SkinScene& scene = self.scene();
+  if (!scene.sensor.curved) return std::nullopt;
+  const std::vector<SurfaceCell> cells = scene.sensor.curved->surface.cells(grid(scene));
+  std::vector<double> middles;
+  std::vector<double> frames;
+  std::vector<double> areas;
+  std::vector<double> forces;
+  for (const SurfaceCell& cell : cells) {
+    middles.insert(middles.end(), cell.middle.point.begin(), cell.middle.point.end());
+    for (std::size_t u = 0; u < 3; ++u) {
+      frames.insert(frames.end(), cell.middle.frame[u].begin(), cell.middle.frame[u].end());
+      forces.insert(forces.end(), cell.force[u].begin(), cell.force[u].end());
+    }
+    areas.push_back(cell.area);
+  }
+  const std::size_t count = cells.size();
+  return std::tuple{owned(std::move(middles), {count, 3}), owned(std::move(frames), {count, 3, 3}),
+                    owned(std::move(areas)), owned(std::move(forces), {count, 3, 3})};
+}
+
+/// Of a curved skin where each taxel's place on the surface is, and the outward normal: (N, 3) each.
+std::optional<std::tuple<Array, Array>> places_of(const SharedSkin& self) {
+  const SkinArray& skin = self.scene().sensor;
+  if (!skin.curved) return std::nullopt;
+  std::vector<double> points;
+  std::vector<double> normals;
+  for (const SurfacePlace& place : skin.curved->above) {
+    points.insert(points.end(), place.point.begin(), place.point.end());
+    for (const double x : place.frame[0]) normals.push_back(-x);
+  }
+  const std::size_t count = skin.curved->above.size();
+  return std::tuple{owned(std::move(points), {count, 3}), owned(std::move(normals), {count, 3})};
+}
+
 std::vector<std::string> skin_words(const SharedSkin& self) {
   const SkinScene& scene = self.scene();
   std::vector<std::string> all{report::sensor_in_words(scene), report::material_in_words(scene)};
@@ -73,6 +111,8 @@ void bind_skin(nb::module_& module) {
       .def_prop_ro("unknowns", [](const SharedSkin& self) { return components(self.scene()); })
       .def_prop_ro("taxel_names", &taxel_names)
       .def("cells", &cell_places)
+      .def("surface", &surface_of)
+      .def("places", &places_of)
       .def("sites", &skin_sites_of)
       .def("words", &skin_words);
 }

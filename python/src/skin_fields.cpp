@@ -4,6 +4,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,6 +76,23 @@ Array covariances_of(Answers answers) {
       answers, 36, [](const auto& one) -> const auto& { return one.wrench.covariance; });
 }
 
+/// Of a curved skin force, moment and centre in the sensor's axes, each with its deviation.
+Array spaces_of(Answers answers) {
+  return rows_of(answers, 18, [](const lab::FrameAnswer& one) {
+    std::vector<double> values;
+    if (!one.wrench.space) return std::vector<double>(18, unknown);
+    const SpaceWrench& space = *one.wrench.space;
+    const std::array<Uncertain, 3> none = {
+        {{unknown, unknown}, {unknown, unknown}, {unknown, unknown}}};
+    for (const auto& three : {space.force, space.moment, space.centre.value_or(none)})
+      for (const Uncertain& number : three) {
+        values.push_back(number.value);
+        values.push_back(number.deviation);
+      }
+    return values;
+  });
+}
+
 /// Radius, second radius and angle of the strongest contact, each with its deviation.
 Array ellipses_of(Answers answers) {
   return rows_of(answers, 6, [](const lab::FrameAnswer& one) {
@@ -109,6 +127,7 @@ nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinScene
   found["touching"] = touching_of(answers, grid);
   found["wrench"] = wrenches_of(answers, wrench);
   found["covariance"] = covariances_of(answers);
+  if (scene.sensor.curved) found["space"] = spaces_of(answers);
   found["ellipse"] = ellipses_of(answers);
   found["verdict"] = verdicts;
   found["data"] = data;

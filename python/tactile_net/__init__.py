@@ -22,7 +22,7 @@ from ._recording import Distribution, Recording, Solution
 from ._report import Report, report
 from ._result import MethodResult, Result, run
 from ._scene import Scene, Sites
-from ._skin import Skin
+from ._skin import Skin, Surface
 from ._skin_result import SkinMethodResult, SkinResult
 from ._skin_solution import SkinSolution
 from ._solver import Solver

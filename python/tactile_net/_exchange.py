@@ -15,7 +15,7 @@ from ._containers import beside, chosen, columns_of, layout_from
 from ._layout import OF_FRAMES, READINGS, TRACTIONS, Layout
 from ._optional import optional
 from ._refusal import refused
-from ._skin_solution import EARLIER, RESULTANT
+from ._skin_solution import EARLIER, RESULTANT, SPACE
 
 if TYPE_CHECKING:
     from ._scene import Scene
@@ -28,6 +28,8 @@ _OTHERS = {
     "wrench_covariance": ("covariance_row", "covariance_column"),
     "ellipse": ("axis",),
     "ellipse_deviation": ("axis",),
+    "space": ("of_space",),
+    "space_deviation": ("of_space",),
 }
 _ORDER = ("t", "row", "column", "channel", "taxel", "reading", "component", "y", "z")
 
@@ -63,6 +65,8 @@ def dataset_of(layout: Layout, scene: Scene) -> Any:
             variables[name] = (("t", *_OTHERS.get(name, ())), values)
     if "wrench" in arrays:
         coordinates |= {"of": list(RESULTANT), "axis": ["radius", "second_radius", "angle"]}
+    if "space" in arrays:
+        coordinates |= {"of_space": list(SPACE)}
     return xarray.Dataset(variables, coordinates, layout.attributes | {"components": json.dumps(components)})
 
 

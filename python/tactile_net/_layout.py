@@ -40,6 +40,8 @@ OF_SKINS = (
     "wrench_covariance",
     "ellipse",
     "ellipse_deviation",
+    "space",
+    "space_deviation",
     "touching",
     "contacts",
 )

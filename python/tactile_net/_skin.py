@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -18,7 +18,20 @@ from ._solver import AnySolver
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Skin"]
+__all__ = ["Skin", "Surface"]
+
+
+class Surface(NamedTuple):
+    """The cells of a curved skin, row after row as `Skin.y` and `Skin.z` have them on its chart; in the sensor's axes."""
+
+    middles: Floats
+    """(N, 3) [m]"""
+    frames: Floats
+    """(N, 3, 3): unit vectors of x (into the skin), y and z at each middle, a row each."""
+    areas: Floats
+    """(N,) [m^2]"""
+    forces: Floats
+    """(N, 3, 3): what 1 Pa along each row of a cell's frames amounts to [N]."""
 
 
 class Skin(Scene):
@@ -100,8 +113,26 @@ class Skin(Scene):
         return self.spacing * self.spacing_z
 
     @cached_property
+    def surface(self) -> Surface | None:
+        """The cells of a curved skin in the sensor's axes; None: the skin is flat, and `y` and `z` say where they are."""
+        found = self._core.surface()
+        return None if found is None else Surface(*map(_read_only, found))
+
+    @cached_property
+    def positions(self) -> Floats | None:
+        """(N, 3): of a curved skin the place on its surface above each taxel, in the sensor's axes [m]; None: it is flat."""
+        places = self._core.places()
+        return None if places is None else _read_only(places[0])
+
+    @cached_property
+    def normals(self) -> Floats | None:
+        """(N, 3): of a curved skin the outward normal there; None: it is flat."""
+        places = self._core.places()
+        return None if places is None else _read_only(places[1])
+
+    @cached_property
     def taxels(self) -> Floats:
-        """(N, 2): y and z of the taxels, row after row [m]."""
+        """(N, 2): y and z of the taxels, row after row [m]; of a curved skin on its chart."""
         sites = self.sites
         places = np.empty((self.count, 2))
         places[sites.taxel] = np.stack([sites.y, sites.z], axis=1)

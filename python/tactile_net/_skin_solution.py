@@ -17,12 +17,13 @@ from ._recording import Recording, Solution
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from ._skin import Skin
+    from ._skin import Skin, Surface
 
 __all__ = ["COMPONENTS", "SkinSolution"]
 
 COMPONENTS = ("normal", "tangential_y", "tangential_z")
 RESULTANT = ("normal", "tangential_y", "tangential_z", "centre_y", "centre_z", "torsion", "friction")
+SPACE = tuple(f"{what}_{axis}" for what in ("force", "moment", "centre") for axis in "xyz")
 EARLIER = "covariance"
 """What the library, and files of earlier versions, call `wrench_covariance`; there values and deviations stand side by side."""
 
@@ -51,6 +52,7 @@ class SkinSolution(Solution):
         self._wrench = found["wrench"]  # seven values, each with its deviation behind it
         self.wrench_covariance = found[EARLIER].reshape(frames, 6, 6)
         """(T, 6, 6): of the first six numbers of `wrench`; 0 where one is not known."""
+        self._space = found.get("space")  # nine values, each with its deviation behind it
         self._ellipse = found["ellipse"]
         self.verdict = np.array(found["verdict"], dtype=np.str_)
         self.data = np.array(found["data"], dtype=np.str_)
@@ -67,7 +69,7 @@ class SkinSolution(Solution):
             "ellipse_deviation": self.ellipse_deviation,
             "touching": self.touching,
             "contacts": self.contacts,
-        }
+        } | ({} if self._space is None else {"space": self._space[:, 0::2], "space_deviation": self._space[:, 1::2]})
 
     @classmethod
     def _restored(cls, held: dict[str, Floats], **state: Any) -> SkinSolution:
@@ -137,12 +139,53 @@ class SkinSolution(Solution):
 
     @property
     def centre(self) -> Floats:
-        """(T, 2): y and z where the normal force acts [m]; nan where nothing presses."""
-        return np.asarray(self.wrench[:, 3:5])
+        """(T, 2): y and z where the normal force acts [m]; nan where nothing presses. Of a curved skin (T, 3): the mean of
+        the places that press, in the sensor's axes, which lies below a convex surface."""
+        return np.asarray(self.wrench[:, 3:5]) if self._space is None else self._in_space(2)
 
     @property
     def centre_deviation(self) -> Floats:
-        return np.asarray(self.wrench_deviation[:, 3:5])
+        return np.asarray(self.wrench_deviation[:, 3:5]) if self._space is None else self._in_space(2, 1)
+
+    def _in_space(self, which: int, deviation: int = 0) -> Floats:
+        if self._space is None:
+            raise ValueError("forces in the sensor's axes are of a curved skin, and this one is flat: see `wrench`")
+        return np.asarray(self._space[:, 6 * which + deviation : 6 * which + 6 : 2])
+
+    @property
+    def force(self) -> Floats:
+        """(T, 3): of a curved skin the force that acts on it, along the sensor's axes [N]. ValueError of a flat one."""
+        return self._in_space(0)
+
+    @property
+    def force_deviation(self) -> Floats:
+        """(T, 3): one standard deviation [N]"""
+        return self._in_space(0, 1)
+
+    @property
+    def moment(self) -> Floats:
+        """(T, 3): of a curved skin the moment of that force about `moment_about`, the origin if that is left out [N m]."""
+        return self._in_space(1)
+
+    @property
+    def moment_deviation(self) -> Floats:
+        """(T, 3): one standard deviation [N m]"""
+        return self._in_space(1, 1)
+
+    @property
+    def pressed(self) -> Floats:
+        """(T,): what presses along each place's own normal, summed [N]: `normal_force` by the name that curved skins have."""
+        return self.normal_force
+
+    @property
+    def pressed_deviation(self) -> Floats:
+        """(T,): one standard deviation [N]"""
+        return self.normal_force_deviation
+
+    @property
+    def surface(self) -> Surface | None:
+        """The cells of a curved skin; None: it is flat."""
+        return self.scene.surface
 
     @property
     def torsion(self) -> Floats:
@@ -214,6 +257,7 @@ def _side_by_side(held: dict[str, Floats]) -> dict[str, Floats]:
     """With each value beside its deviation, as the library gives them."""
     together = {
         name: np.stack([held[name], held[f"{name}_deviation"]], axis=-1).reshape(len(held[name]), -1)
-        for name in ("wrench", "ellipse")
+        for name in ("wrench", "ellipse", "space")
+        if name in held
     }
     return held | together | {EARLIER: held["wrench_covariance"]}

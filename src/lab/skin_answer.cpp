@@ -184,6 +184,7 @@ class SkinFrameMethod final : public FrameMethod {
   Uncertain add_bands(FrameAnswer& answer) override {
     if (mixture_) {
       add_mixture_bands(answer, problem_, readings_);
+      doubt_flat_kernel(answer);
       return answer.wrench.normal;
     }
     answer.noise = estimate_noise(*answer.residual, frame_.rows, answer.degrees_of_freedom,
@@ -199,6 +200,7 @@ class SkinFrameMethod final : public FrameMethod {
       take_from_beyond(answer, lab::answer(beyond), problem_.reaching_beyond().grid(),
                        problem_.grid());
     }
+    doubt_flat_kernel(answer);
     return answer.wrench.normal;
   }
   [[nodiscard]] bool holds_model_error(const FrameAnswer&) const override { return true; }
@@ -234,6 +236,57 @@ class SkinFrameMethod final : public FrameMethod {
   /// Whether tractions are the mixture's mean.
   [[nodiscard]] bool is_mean(const SkinSceneProblem& problem) const {
     return mixture_ != nullptr && !problem.constraints();
+  }
+
+  /// What balls as curved as the skin would read of the tractions beyond what a flat one reads,
+  /// solved as if it were flat, is about as much as they are off by: bands of forces hold that.
+  void doubt_flat_kernel(FrameAnswer& answer) const {
+    constexpr double least = 0.01;
+    const auto& curved = problem_.scene().sensor.curved;
+    if (!curved || curved->kernel != CurvedKernel::flat || answer.cells.empty()) return;
+    const LinearProblem& balls = problem_.on_balls();
+    const LinearProblem& flat = problem_.problem();
+    std::vector<double> seen(readings_.size());
+    for (std::size_t row = 0; row < seen.size(); ++row)
+      if (balls.weights[row] > 0.0) {
+        double more = 0.0;
+        for (std::size_t i = 0; i < answer.tractions.size(); ++i)
+          more += (balls.kernel(row, i) - flat.kernel(row, i)) * answer.tractions[i];
+        seen[row] = more / balls.weights[row];
+      }
+    const std::vector<double> moved =
+        method_->solve(problem_.family().analyse(seen), seen, answer.alpha.value);
+    const std::size_t count = flat.grid.count();
+    SpaceVector force{};
+    SpaceVector off{};
+    SpaceVector turned{};
+    std::array<double, 3> sums{};
+    for (const std::size_t at : answer.cells)
+      for (std::size_t u = 0; u < flat.components; ++u) {
+        const SurfaceCell& cell = (*flat.cells)[at];
+        const double on_surface = flat.grid.area() / cell.area;
+        const double found = on_surface * answer.tractions[u * count + at];
+        const double by = on_surface * moved[u * count + at];
+        force = sum(1.0, force, found, cell.force[u]);
+        off = sum(1.0, off, by, cell.force[u]);
+        turned = sum(1.0, turned, by,
+                     sum(1.0, cell.moment[u], -1.0,
+                         cross(problem_.scene().reconstruct.moment_about, cell.force[u])));
+        sums[u] += by * cell.area;
+      }
+    const auto widen = [](Uncertain& one, double by) {
+      one.deviation = std::hypot(one.deviation, by);
+    };
+    widen(answer.wrench.normal, sums[0]);
+    if (answer.wrench.tangential_y) widen(*answer.wrench.tangential_y, sums[1]);
+    if (answer.wrench.tangential_z) widen(*answer.wrench.tangential_z, sums[2]);
+    if (answer.wrench.space)
+      for (std::size_t k = 0; k < off.size(); ++k) {
+        widen(answer.wrench.space->force[k], off[k]);
+        widen(answer.wrench.space->moment[k], turned[k]);
+      }
+    const double share = length(off) / length(force);
+    if (share > least) answer.remarks.emplace_back(remark::FlatKernel{share});
   }
 
   void solve_by_alpha(FrameAnswer& answer) {

@@ -18,6 +18,7 @@
 #include "tactile_net/inverse/tangential_weight.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
 #include "tactile_net/scene/skin_size.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 #include "tactile_net/system/memory.hpp"
 
 namespace tactile_net::lab {
@@ -103,6 +104,7 @@ struct SkinSceneProblem::Parts {
   std::optional<std::vector<bool>> unseen{};
   std::optional<std::vector<std::size_t>> border{};
   std::optional<SkinSceneProblem> beyond{};
+  std::optional<LinearProblem> on_balls{};
   std::optional<PatternCache<SkinSceneProblem, double>> weighed{};  // by tangential weight
 
   std::optional<ConeTikhonov>
@@ -299,6 +301,18 @@ const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
     parts_->beyond.emplace(std::move(scene), parts_->most_dense);
   }
   return *parts_->beyond;
+}
+
+const LinearProblem& SkinSceneProblem::on_balls() const {
+  const std::lock_guard lock(parts_->mutex);
+  if (!parts_->on_balls) {
+    CurvedSkin curved = *parts_->scene.sensor.curved;
+    curved.kernel = CurvedKernel::ball;
+    SkinArray skin = parts_->scene.sensor;
+    skin.curved = std::make_shared<const CurvedSkin>(std::move(curved));
+    parts_->on_balls = make_problem(skin, parts_->scene.material, options());
+  }
+  return *parts_->on_balls;
 }
 
 LinearProblem SkinSceneProblem::on(const SkinGridOptions& grid) const {

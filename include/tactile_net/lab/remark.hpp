@@ -67,6 +67,9 @@ struct ModelError {
   double times = 0.0;  ///< the noise stated
   bool held = false;   ///< by the bands, as if it were noise
 };
+struct FlatKernel {
+  double share = 0.0;  ///< of the force, that a flat layer's formula is off on this curved skin
+};
 struct Clipped {
   std::vector<std::size_t> taxels{};  ///< that read the end of their range, rising
   std::vector<std::string> names{};   ///< theirs, as many
@@ -96,8 +99,9 @@ using Remark =
                  remark::CutOff, remark::LowerBound, remark::NotOneContact, remark::DragInNoise,
                  remark::NullMode, remark::NotConverged, remark::IterationLimit, remark::NoBands,
                  remark::Unexplained, remark::Rounding, remark::EstimatedWeight,
-                 remark::OffsetsFound, remark::ModelError, remark::Clipped, remark::DataDoubted,
-                 remark::Hidden, remark::ConstraintsIgnored, remark::VoltagesUnresolved>;
+                 remark::OffsetsFound, remark::ModelError, remark::FlatKernel, remark::Clipped,
+                 remark::DataDoubted, remark::Hidden, remark::ConstraintsIgnored,
+                 remark::VoltagesUnresolved>;
 
 using Remarks = std::vector<Remark>;
 

@@ -101,6 +101,9 @@ class SkinSceneProblem {
   /// The same with cells to two depths beyond the outermost taxels, for what presses over the edge.
   /// @pre  the scene states no margin
   [[nodiscard]] const SkinSceneProblem& reaching_beyond() const;
+  /// The same skin's, its layer on balls, where the scene takes a curved skin for a flat one.
+  /// @pre  the skin is curved
+  [[nodiscard]] const LinearProblem& on_balls() const;
   /// The problem on another grid.
   [[nodiscard]] LinearProblem on(const SkinGridOptions& grid) const;
 

@@ -82,6 +82,10 @@ std::string say(const remark::ModelError& r) {
          brief(r.times) + " times the noise; the bands " +
          (r.held ? "include that, as if it were noise" : "do not include that");
 }
+std::string say(const remark::FlatKernel& r) {
+  return "the skin is curved and kernel = \"flat\" takes it for flat: the force is about " +
+         percent(r.share) + " off; leave kernel out";
+}
 std::string say(const remark::Clipped& r) {
   constexpr std::size_t most = 12;
   const std::size_t shown = std::min(r.names.size(), most);
