@@ -8,9 +8,9 @@
 
 #include "frames/column_places.hpp"
 #include "frames/missing_hint.hpp"
-#include "frames/npy_header.hpp"
-#include "frames/npy_numbers.hpp"
 #include "numeric/finite.hpp"
+#include "scene/npy_header.hpp"
+#include "scene/npy_numbers.hpp"
 #include "tactile_net/numeric/counted.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"

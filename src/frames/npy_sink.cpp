@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "frames/npy.hpp"
-#include "frames/npy_header.hpp"
+#include "scene/npy_header.hpp"
 
 namespace tactile_net::frames {
 

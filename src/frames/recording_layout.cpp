@@ -7,7 +7,7 @@
 #include "frames/column_names.hpp"
 #include "frames/column_places.hpp"
 #include "frames/npy.hpp"
-#include "frames/npy_header.hpp"
+#include "scene/npy_header.hpp"
 #include "tactile_net/elasticity/quantity.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/frames/open.hpp"

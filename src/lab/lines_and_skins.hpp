@@ -67,7 +67,7 @@ namespace tactile_net::lab {
 /// differ: about .3 of their difference times the thickness.
 [[nodiscard]] inline double model_share(const SkinScene& scene) {
   const double stated = model_share(static_cast<const SensorEffects&>(scene));
-  if (!scene.sensor.curved || !scene.material.layer) return stated;
+  if (!scene.sensor.curved || scene.sensor.curved->given || !scene.material.layer) return stated;
   double difference = 0.0;
   for (const SurfacePlace& place : scene.sensor.curved->above)
     difference += place.curvature_difference;

@@ -294,8 +294,8 @@ void add_space(UncertainWrench& wrench, const SkinSceneProblem& problem,
                const Covariance& covariance, double noise_rms) {
   const SkinScene& scene = problem.scene();
   if (!scene.sensor.curved) return;
-  wrench.space = space_wrench(problem.problem(), scene.sensor.curved->surface, tractions, cells,
-                              covariance, noise_rms, wrench, scene.reconstruct.moment_about);
+  wrench.space = space_wrench(problem.problem(), tractions, cells, covariance, noise_rms, wrench,
+                              scene.reconstruct.moment_about);
 }
 
 double smoothed_variance(const SkinSceneProblem& problem, double degrees_of_freedom) {

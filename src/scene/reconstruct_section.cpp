@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -9,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "scene/kernel_file.hpp"
+#include "scene/references.hpp"
 #include "scene/sections.hpp"
 #include "scene/surface_section.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
@@ -384,8 +388,40 @@ void read_skin_methods(const Value& methods) {
   }
 }
 
+/// By name, or of a file.
+void read_kernel(const Value& value, const std::filesystem::path& folder, SkinScene& scene) {
+  if (value.is_text() && value.text().value_or("").ends_with(".npz")) {
+    const auto path = path_beside(value, folder, "kernel = \"k.npz\"");
+    if (!path) return;
+    for (const auto& [own, what] : {std::pair(scene.reconstruct.grid.spacing, "spacing"),
+                                    std::pair(scene.reconstruct.grid.margin, "margin")})
+      if (own)
+        value.problem(
+            "brings its own cells, and reconstruct." + std::string(what) + " asks for others",
+            "remove that");
+    try {
+      scene.sensor =
+          with_kernel(scene.sensor, read_kernel_file(*path, scene.sensor, scene.material));
+    } catch (const std::exception& error) {
+      value.problem("names a file that is not in order: " + std::string(error.what()),
+                    "docs/kernels.md says what it holds; tools/pad_kernel.py writes one");
+    }
+    return;
+  }
+  constexpr std::array kernels = {CurvedKernel::ball, CurvedKernel::flat};
+  std::array<std::string_view, kernels.size()> names;
+  std::transform(kernels.begin(), kernels.end(), names.begin(),
+                 [](CurvedKernel one) { return enumerator_name(one); });
+  const auto index = value.one_of("kernel, or file \"k.npz\"", names);
+  if (!index) return;
+  CurvedSkin curved = *scene.sensor.curved;
+  curved.kernel = kernels[*index];
+  scene.sensor.curved = std::make_shared<const CurvedSkin>(std::move(curved));
+}
+
 /// What curved skins alone have.
-void read_curved(Table& table, const Read& read, SkinScene& scene) {
+void read_curved(Table& table, const Read& read, const std::filesystem::path& folder,
+                 SkinScene& scene) {
   const auto of_curved = [&](const Value& value) {
     if (scene.sensor.curved || !read.whole) return scene.sensor.curved != nullptr;
     value.problem("is of a curved skin, whose taxels have places in space and normals",
@@ -397,23 +433,14 @@ void read_curved(Table& table, const Read& read, SkinScene& scene) {
       if (const auto place =
               read_three(*about, any_number, read.units.length, "moment_about = [0.0, 0.0, 0.0]"))
         scene.reconstruct.moment_about = *place;
-  if (const auto kernel = table.value("kernel")) {
-    constexpr std::array kernels = {CurvedKernel::ball, CurvedKernel::flat};
-    std::array<std::string_view, kernels.size()> names;
-    std::transform(kernels.begin(), kernels.end(), names.begin(),
-                   [](CurvedKernel one) { return enumerator_name(one); });
-    if (const auto index = kernel->one_of("kernel", names); index && of_curved(*kernel)) {
-      CurvedSkin curved = *scene.sensor.curved;
-      curved.kernel = kernels[*index];
-      scene.sensor.curved = std::make_shared<const CurvedSkin>(std::move(curved));
-    }
-  }
+  if (const auto kernel = table.value("kernel"))
+    if (of_curved(*kernel)) read_kernel(*kernel, folder, scene);
 }
 
 }  // namespace
 
 void read_reconstruct(std::optional<Table> table, const std::optional<Value>&, const Read& read,
-                      Scene& scene) {
+                      const std::filesystem::path&, Scene& scene) {
   ReconstructOptions& options = scene.reconstruct;
   if (!scene.sensor.depths.empty())
     options.smoothing_length =
@@ -444,7 +471,7 @@ void read_reconstruct(std::optional<Table> table, const std::optional<Value>&, c
 }
 
 void read_reconstruct(std::optional<Table> table, const std::optional<Value>& sensor,
-                      const Read& read, SkinScene& scene) {
+                      const Read& read, const std::filesystem::path& folder, SkinScene& scene) {
   std::optional<Value> sizes_cells = depths_in(sensor);
   if (table) {
     if (const auto methods = table->value("methods")) read_skin_methods(*methods);
@@ -470,7 +497,7 @@ void read_reconstruct(std::optional<Table> table, const std::optional<Value>& se
       cells.spacing = spacing->number(positive, read.units.length);
       sizes_cells = spacing;
     }
-    read_curved(*table, read, scene);
+    read_curved(*table, read, folder, scene);
     table->finish();
   }
   check_grid(sizes_cells, read, scene);

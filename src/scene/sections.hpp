@@ -90,10 +90,11 @@ void read_contacts(std::vector<Table> tables, const Read& read, SkinScene& scene
 /// The table [reconstruct], if there is one.
 ///
 /// @param sensor  the table, for what its depths make
+/// @param folder  of the scene's file
 void read_reconstruct(std::optional<Table> table, const std::optional<Value>& sensor,
-                      const Read& read, Scene& scene);
+                      const Read& read, const std::filesystem::path& folder, Scene& scene);
 void read_reconstruct(std::optional<Table> table, const std::optional<Value>& sensor,
-                      const Read& read, SkinScene& scene);
+                      const Read& read, const std::filesystem::path& folder, SkinScene& scene);
 
 /// A list of two numbers, such as a place on the surface.
 [[nodiscard]] std::optional<std::array<double, 2>> read_two(const Value& value, const Rule& rule,

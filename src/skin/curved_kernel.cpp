@@ -1,5 +1,6 @@
 #include "skin/curved_kernel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -141,7 +142,25 @@ void check_curved(const SkinArray& skin, const Material& material) {
   }
 }
 
+namespace {
+
+/// Of a kernel that is given, each value per area of the chart.
+void add_given_kernel(const GivenKernel& given, LinearProblem& problem) {
+  const std::size_t cells = problem.grid.count();
+  double size = 0.0;
+  for (std::size_t row = 0; row < problem.sites.size(); ++row)
+    for (std::size_t i = 0; i < problem.kernel.columns; ++i) {
+      const double per_area = problem.grid.area() / given.cells[i % cells].area;
+      problem.kernel(row, i) = problem.weights[row] * per_area * given.kernel(row, i);
+      size = std::hypot(size, problem.kernel(row, i));
+    }
+  problem.kernel_error = std::numeric_limits<double>::epsilon() * size;
+}
+
+}  // namespace
+
 void add_curved_kernel(const SkinArray& skin, const Material& material, LinearProblem& problem) {
+  if (skin.curved->given) return add_given_kernel(*skin.curved->given, problem);
   constexpr double least_depth_in_parts = 1.2;  // from there on a point serves for a part
   const CurvedSkin& curved = *skin.curved;
   const SurfaceGrid& grid = problem.grid;

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "sensing/axis_steps.hpp"
+#include "skin/curved_kernel.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 
 namespace tactile_net {
 namespace {
@@ -39,6 +41,7 @@ TaxelRange taxel_range(const SkinArray& skin, double Taxel::*coordinate) {
 SurfaceGrid grid_of(const SkinArray& skin, const SkinGridOptions& options) {
   check(skin);
   check_spacing_and_margin(options.spacing, options.margin);
+  if (skin.curved && skin.curved->given) return given_grid(skin);
   const double depth = least_depth(skin);
   const double margin = options.margin.value_or(depth);
   const auto [y_from, y_to] = taxel_range(skin, &Taxel::y);

@@ -48,12 +48,24 @@ double total(const Weights& weights, std::span<const double> tractions) {
   return all;
 }
 
+/// The place of the surface above a point: on the tangent plane of the nearest cell.
+SurfacePlace place_above(const LinearProblem& problem, const SpaceVector& point) {
+  const auto nearest = std::min_element(problem.cells->begin(), problem.cells->end(),
+                                        [&](const SurfaceCell& a, const SurfaceCell& b) {
+                                          return length(sum(1.0, a.middle.point, -1.0, point)) <
+                                                 length(sum(1.0, b.middle.point, -1.0, point));
+                                        });
+  SurfacePlace place = nearest->middle;
+  const SpaceVector from = sum(1.0, point, -1.0, place.point);
+  place.point = sum(1.0, point, -dot(from, place.frame[0]), place.frame[0]);
+  return place;
+}
+
 }  // namespace
 
-SpaceWrench space_wrench(const LinearProblem& problem, const CurvedSurface& surface,
-                         std::span<const double> tractions, std::span<const std::size_t> cells,
-                         const Covariance& covariance, double noise_rms,
-                         const UncertainWrench& chart, const SpaceVector& about) {
+SpaceWrench space_wrench(const LinearProblem& problem, std::span<const double> tractions,
+                         std::span<const std::size_t> cells, const Covariance& covariance,
+                         double noise_rms, const UncertainWrench& chart, const SpaceVector& about) {
   const std::size_t count = problem.grid.count();
   if (tractions.size() != problem.components * count)
     throw std::invalid_argument("tractions need one value for each cell and component");
@@ -96,13 +108,9 @@ SpaceWrench space_wrench(const LinearProblem& problem, const CurvedSurface& surf
   for (double& deviation : deviations) deviation *= noise_rms;
 
   // What the chart's sums are doubted by beside the covariance acts along the frame's axes there.
-  SurfacePlace place{.point = about};
-  if (has_centre) {
-    const auto at = surface.chart(middle);
-    place = surface.at(at.y, at.z);
-  } else {
-    place = surface.at(problem.grid.centre_y, problem.grid.centre_z);
-  }
+  // Where nothing presses these are the axes at the chart's middle.
+  const SurfacePlace place =
+      has_centre ? place_above(problem, middle) : (*problem.cells)[count / 2].middle;
   const SpaceVector arm = sum(1.0, place.point, -1.0, about);
   const std::array<double, 3> told = {chart.normal.deviation,
                                       chart.tangential_y ? chart.tangential_y->deviation : 0.0,

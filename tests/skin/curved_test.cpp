@@ -246,8 +246,8 @@ TEST_CASE("sums of a curved skin's tractions are the resultant about any point",
   const UncertainWrench chart = resultant_of(problem.grid, tractions, cells, covariance, 1.0);
   CHECK(std::abs(chart.normal.value / pressed - 1.0) <= 1e-13);
   for (const SpaceVector& about : {SpaceVector{}, SpaceVector{3e-3, -1e-2, 4e-2}}) {
-    const SpaceWrench found = space_wrench(problem, skin.curved->surface, tractions, cells,
-                                           covariance, 1.0, chart, about);
+    const SpaceWrench found =
+        space_wrench(problem, tractions, cells, covariance, 1.0, chart, about);
     const SpaceVector expected = sum(1.0, moment, -1.0, cross(about, force));
     for (std::size_t k = 0; k < 3; ++k) {
       CHECK(std::abs(found.force[k].value - force[k]) <= 1e-12 * length(force));

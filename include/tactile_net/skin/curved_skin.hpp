@@ -11,12 +11,16 @@
 ///     const LinearProblem problem = make_problem(skin, silicone);   // skin/problem.hpp
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tactile_net/numeric/fields.hpp"
+#include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/skin/array.hpp"
 #include "tactile_net/skin/curved_surface.hpp"
 
@@ -53,14 +57,15 @@ struct Enumerators<ReadingAxes> {
 };
 
 /// What a traction on a curved skin is taken to cause.
-enum class CurvedKernel { ball, flat };
+enum class CurvedKernel { ball, flat, given };
 
 template <>
 struct Enumerators<CurvedKernel> {
   static constexpr Enumerator<CurvedKernel> all[] = {
       {CurvedKernel::ball, "ball",
        "A layer on a ball that is as curved as the surface above each taxel."},
-      {CurvedKernel::flat, "flat", "A flat layer, laid along the surface."}};
+      {CurvedKernel::flat, "flat", "A flat layer, laid along the surface."},
+      {CurvedKernel::given, "given", "What a file says, by finite elements of this pad, say."}};
 };
 
 struct CurvedSkinOptions {
@@ -74,6 +79,22 @@ struct CurvedSkinOptions {
   CurvedKernel kernel = CurvedKernel::ball;
 };
 
+/// What tractions on cells of a curved skin cause, by whatever computation: of a pad whose layer is
+/// no ball's.
+struct GivenKernel {
+  std::string from{};                ///< the name of its file
+  std::size_t rows = 0;              ///< of cells, >= 2
+  std::size_t columns = 0;           ///< of cells, >= 2
+  std::vector<SurfaceCell> cells{};  ///< row after row
+  /// Readings in the skin's order x (3 cells, all normal tractions first) [unit of a reading / Pa].
+  Matrix kernel{};
+};
+
+/// A cell between four corners, with the frame at its middle.
+/// @param corners  counterclockwise from outside [m]
+[[nodiscard]] SurfaceCell quadrilateral(const std::array<SpaceVector, 4>& corners,
+                                        const SurfaceFrame& frame);
+
 /// What is known of a curved skin beside its taxels on the chart.
 struct CurvedSkin {
   CurvedSurface surface;
@@ -82,6 +103,8 @@ struct CurvedSkin {
   CurvedKernel kernel = CurvedKernel::ball;
   std::vector<SurfacePlace> above{};  ///< the place of the surface above each taxel
   double residual = 0.0;  ///< of these places about the surface that was fitted, rms [m]
+  /// Null: `kernel` says it.
+  std::shared_ptr<const GivenKernel> given{};
 };
 
 /// A curved skin.
@@ -94,5 +117,13 @@ struct CurvedSkin {
 ///                               extent above 1 m or below 1 mm, as of other units
 [[nodiscard]] SkinArray curved_skin(std::vector<CurvedTaxel> taxels,
                                     const CurvedSkinOptions& options = {});
+
+/// The same skin with that kernel: its chart is then the lattice of the kernel's cells, rows along
+/// the frames' y.
+///
+/// @param skin  curved
+/// @throw std::invalid_argument  a size does not fit; a number is not finite, or the kernel is 0; a
+///                               cell is turned inside out, or none lies above a taxel
+[[nodiscard]] SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel);
 
 }  // namespace tactile_net

@@ -3,7 +3,7 @@
 /// deviation.
 ///
 ///     UncertainWrench wrench = resultant_of(problem.grid, f, cells, covariance, rms);
-///     wrench.space = space_wrench(problem, curved.surface, f, cells, covariance, rms, wrench, {});
+///     wrench.space = space_wrench(problem, f, cells, covariance, rms, wrench, {});
 ///     wrench.space->force[2];                 // [N], along the sensor's z
 #pragma once
 
@@ -11,7 +11,7 @@
 #include <span>
 
 #include "tactile_net/inverse/contact_patch.hpp"
-#include "tactile_net/skin/curved_surface.hpp"
+#include "tactile_net/sensing/surface_cells.hpp"
 
 namespace tactile_net {
 
@@ -25,7 +25,7 @@ namespace tactile_net {
 /// @param chart      `resultant_of` these cells, with all its doubts
 /// @param about      of moments, in the sensor's axes [m]
 /// @throw std::invalid_argument  a size does not fit, or the problem has no cells
-[[nodiscard]] SpaceWrench space_wrench(const LinearProblem& problem, const CurvedSurface& surface,
+[[nodiscard]] SpaceWrench space_wrench(const LinearProblem& problem,
                                        std::span<const double> tractions,
                                        std::span<const std::size_t> cells,
                                        const Covariance& covariance, double noise_rms,

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-namespace tactile_net::frames {
+namespace tactile_net {
 
 /// How one type of numbers is read.
 struct NpyNumbers {
@@ -27,4 +27,4 @@ struct NpyNumbers {
 /// What a type that is not read holds: "truth values".
 [[nodiscard]] std::string_view kind_of_type(std::string_view type);
 
-}  // namespace tactile_net::frames
+}  // namespace tactile_net

@@ -1,4 +1,4 @@
-#include "frames/npy_numbers.hpp"
+#include "scene/npy_numbers.hpp"
 
 #include <array>
 #include <bit>
@@ -10,7 +10,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 
-namespace tactile_net::frames {
+namespace tactile_net {
 namespace {
 
 template <typename Word, bool big_endian>
@@ -118,4 +118,4 @@ std::string_view kind_of_type(std::string_view type) {
   }
 }
 
-}  // namespace tactile_net::frames
+}  // namespace tactile_net

@@ -1,4 +1,4 @@
-#include "frames/npy_header.hpp"
+#include "scene/npy_header.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 
 #include "tactile_net/scene/diagnostic.hpp"
 
-namespace tactile_net::frames {
+namespace tactile_net {
 namespace {
 
 constexpr std::size_t written_size = 128;
@@ -90,4 +90,4 @@ std::string npy_header(std::size_t frames, std::size_t columns) {
   return text + '\n';
 }
 
-}  // namespace tactile_net::frames
+}  // namespace tactile_net

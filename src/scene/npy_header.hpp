@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tactile_net::frames {
+namespace tactile_net {
 
 inline constexpr std::string_view npy_magic = "\x93NUMPY";
 
@@ -29,4 +29,4 @@ struct NpyHeader {
 /// A header of 128 bytes for doubles in C order.
 [[nodiscard]] std::string npy_header(std::size_t frames, std::size_t columns);
 
-}  // namespace tactile_net::frames
+}  // namespace tactile_net

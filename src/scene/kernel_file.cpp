@@ -1,0 +1,224 @@
+#include "scene/kernel_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/npz_file.hpp"
+#include "tactile_net/inverse/linear_problem.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/skin/array.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr std::size_t most_corners = std::size_t{1} << 20;
+
+std::string shape_of(const NpzArray& array) {
+  std::string text = "(";
+  for (const std::size_t length : array.shape)
+    text += (text.size() > 1 ? ", " : "") + std::to_string(length);
+  return text + ')';
+}
+
+/// @param wanted  0: any length
+NpzArray numbers(const NpzFile& file, std::string_view name, std::size_t most,
+                 const std::vector<std::size_t>& wanted) {
+  NpzArray array = file.array(name, most);
+  bool fits = array.texts.empty() && array.shape.size() == wanted.size();
+  for (std::size_t i = 0; fits && i < wanted.size(); ++i)
+    fits = wanted[i] == 0 || wanted[i] == array.shape[i];
+  if (!fits) {
+    std::string text;
+    for (const std::size_t length : wanted)
+      text +=
+          (text.empty() ? "" : ", ") + (length == 0 ? std::string("any") : std::to_string(length));
+    throw std::runtime_error("the array " + std::string(name) + " has the shape " +
+                             shape_of(array) + ", not (" + text + ')');
+  }
+  if (!std::all_of(array.numbers.begin(), array.numbers.end(),
+                   [](double x) { return std::isfinite(x); }))
+    throw std::runtime_error("the array " + std::string(name) +
+                             " holds a number that is not finite");
+  return array;
+}
+
+SpaceVector vector_at(const NpzArray& array, std::size_t index) {
+  return {array.numbers[3 * index], array.numbers[3 * index + 1], array.numbers[3 * index + 2]};
+}
+
+using Corners = std::array<std::size_t, 4>;
+
+std::size_t shared(const Corners& a, const Corners& b) {
+  return static_cast<std::size_t>(std::count_if(a.begin(), a.end(), [&](std::size_t corner) {
+    return std::find(b.begin(), b.end(), corner) != b.end();
+  }));
+}
+
+/// The length of a row of quadrilaterals that lie row after row.
+/// @throw std::runtime_error  they do not
+std::size_t row_length(const std::vector<Corners>& cells) {
+  const std::string rule =
+      "the cells must be quadrilaterals in rows and columns, one row after the other, of which "
+      "neighbours share two corners";
+  std::size_t length = 2;
+  while (length < cells.size() && shared(cells[0], cells[length]) != 2) ++length;
+  if (length >= cells.size() || cells.size() % length != 0) throw std::runtime_error(rule);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if ((i + 1) % length != 0 && shared(cells[i], cells[i + 1]) != 2)
+      throw std::runtime_error(rule);
+    if (i + length < cells.size() && shared(cells[i], cells[i + length]) != 2)
+      throw std::runtime_error(rule);
+  }
+  return length;
+}
+
+/// Where each reading of the skin stands in the file.
+std::vector<std::size_t> rows_of(const NpzFile& file, const SkinArray& skin) {
+  const NpzArray named = file.array("readings", most_corners);
+  const std::vector<std::string> wanted = reading_names(skin);
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < named.texts.size(); ++i)
+    if (!places.try_emplace(named.texts[i], i).second)
+      throw std::runtime_error("the array readings names '" + named.texts[i] + "' twice");
+  std::vector<std::size_t> rows;
+  for (const std::string& name : wanted) {
+    const auto found = places.find(name);
+    if (found == places.end())
+      throw std::runtime_error("its readings have no '" + name + "', which the sensor has");
+    rows.push_back(found->second);
+  }
+  if (named.texts.size() != wanted.size())
+    throw std::runtime_error("it has " + std::to_string(named.texts.size()) +
+                             " readings, and the sensor " + std::to_string(wanted.size()));
+  return rows;
+}
+
+/// A number that the file may have; it must then be the scene's.
+std::optional<double> number_in(const NpzFile& file, std::string_view name) {
+  if (!file.has(name)) return std::nullopt;
+  const NpzArray array = file.array(name, 1);
+  if (array.numbers.size() != 1)
+    throw std::runtime_error("the array " + std::string(name) + " is not one number");
+  return array.numbers.front();
+}
+
+void require_same(const NpzFile& file, std::string_view name, double of_scene) {
+  const auto number = number_in(file, name);
+  if (number && !(std::abs(*number - of_scene) <= 1e-6 * std::abs(of_scene)))
+    throw std::runtime_error("it is of " + std::string(name) + " = " + shortest(*number) +
+                             ", and the scene says " + shortest(of_scene));
+}
+
+void check_frame(const NpzFile& file, const SkinArray& skin) {
+  if (!file.has("frame")) return;
+  const NpzArray frame = file.array("frame", 1);
+  const std::string_view of_scene = enumerator_name(skin.curved->axes);
+  if (frame.texts.size() == 1 && frame.texts.front() != of_scene)
+    throw std::runtime_error("its displacements are along the " + frame.texts.front() +
+                             " axes, and the scene says sensor.frame = \"" + std::string(of_scene) +
+                             '"');
+}
+
+void check_units(const NpzFile& file, const SkinArray& skin, const std::vector<std::size_t>& rows) {
+  if (!file.has("units")) return;
+  const NpzArray units = file.array("units", most_corners);
+  const std::vector<Site> all = sites(skin);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (units.texts.empty()) return;
+    const std::string& unit =
+        units.texts.size() == 1 ? units.texts.front() : units.texts.at(rows[i]);
+    const std::string_view wanted = traits(all[i].quantity).unit;
+    if (unit != wanted)
+      throw std::runtime_error("its units are '" + unit + "' for " +
+                               std::string(name(all[i].quantity)) + ", not '" +
+                               std::string(wanted) + "' (over Pa)");
+  }
+}
+
+}  // namespace
+
+GivenKernel read_kernel_file(const std::filesystem::path& path, const SkinArray& skin,
+                             const Material& material) {
+  const NpzFile file(path);
+  const std::vector<std::size_t> rows = rows_of(file, skin);
+  check_frame(file, skin);
+  check_units(file, skin, rows);
+  require_same(file, "poisson_ratio", material.poisson_ratio);
+  if (material.layer) require_same(file, "thickness", material.layer->thickness);
+  const double stiffer =
+      number_in(file, "youngs_modulus").value_or(material.youngs_modulus) / material.youngs_modulus;
+
+  const NpzArray vertices = numbers(file, "vertices", 3 * most_corners, {0, 3});
+  const NpzArray quads = numbers(file, "cells", 4 * most_corners, {0, 4});
+  std::vector<Corners> corners(quads.shape[0]);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double corner = quads.numbers[4 * i + k];
+      if (!(corner >= 0.0 && corner < static_cast<double>(vertices.shape[0])) ||
+          corner != std::floor(corner))
+        throw std::runtime_error("cell " + std::to_string(i) +
+                                 " has a corner that is no vertex; triangles, with a corner of -1, "
+                                 "are not taken");
+      corners[i][k] = static_cast<std::size_t>(corner);
+    }
+  GivenKernel kernel{.from = path.filename().string()};
+  kernel.columns = row_length(corners);
+  kernel.rows = corners.size() / kernel.columns;
+  std::optional<NpzArray> frames;
+  if (file.has("frames"))
+    frames = numbers(file, "frames", 9 * most_corners, {corners.size(), 3, 3});
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    std::array<SpaceVector, 4> points;
+    for (std::size_t k = 0; k < 4; ++k) points[k] = vector_at(vertices, corners[i][k]);
+    const SpaceVector twice =
+        cross(sum(1.0, points[2], -1.0, points[0]), sum(1.0, points[3], -1.0, points[1]));
+    if (!(length(twice) > 0.0))
+      throw std::runtime_error("cell " + std::to_string(i) + " has no area");
+    const SurfaceFrame frame =
+        frames ? SurfaceFrame{vector_at(*frames, 3 * i), vector_at(*frames, 3 * i + 1),
+                              vector_at(*frames, 3 * i + 2)}
+               : skin.curved->surface.frame(sum(1.0 / length(twice), twice, 0.0, {}));
+    for (std::size_t u = 0; u < 3; ++u)
+      if (!(std::abs(dot(frame[u], frame[u]) - 1.0) <= 1e-6 &&
+            std::abs(dot(frame[u], frame[(u + 1) % 3])) <= 1e-6 &&
+            dot(cross(frame[0], frame[1]), frame[2]) > 0.0))
+        throw std::runtime_error("the frame of cell " + std::to_string(i) +
+                                 " is not three unit vectors at right angles, right-handed");
+    kernel.cells.push_back(quadrilateral(points, frame));
+  }
+  if (file.has("F") && file.has("M")) {
+    const NpzArray forces = numbers(file, "F", 9 * most_corners, {corners.size(), 3, 3});
+    const NpzArray moments = numbers(file, "M", 9 * most_corners, {corners.size(), 3, 3});
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      for (std::size_t u = 0; u < 3; ++u) {
+        kernel.cells[i].force[u] = vector_at(forces, 3 * i + u);
+        kernel.cells[i].moment[u] = vector_at(moments, 3 * i + u);
+      }
+  }
+  if (file.has("areas")) {
+    const NpzArray areas = numbers(file, "areas", most_corners, {corners.size()});
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      SurfaceCell& cell = kernel.cells[i];
+      cell.first_moment = sum(areas.numbers[i] / cell.area, cell.first_moment, 0.0, {});
+      cell.area = areas.numbers[i];
+    }
+  }
+  const NpzArray given = numbers(file, "K", most_kernel_entries, {rows.size(), 3 * corners.size()});
+  kernel.kernel = {rows.size(), 3 * corners.size(), std::vector<double>(given.numbers.size())};
+  const std::vector<Site> all = sites(skin);
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    const double scale = traits(all[row].quantity).kind == QuantityKind::stress ? 1.0 : stiffer;
+    for (std::size_t i = 0; i < kernel.kernel.columns; ++i)
+      kernel.kernel(row, i) = scale * given.numbers[rows[row] * kernel.kernel.columns + i];
+  }
+  return kernel;
+}
+
+}  // namespace tactile_net

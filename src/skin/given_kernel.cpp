@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "numeric/require.hpp"
+#include "skin/curved_kernel.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
+
+namespace tactile_net {
+namespace {
+
+/// How the middles of a lattice's cells move from cell to cell.
+class Lattice {
+ public:
+  explicit Lattice(const GivenKernel& kernel) : kernel_(kernel) {}
+
+  [[nodiscard]] SpaceVector along_rows(std::size_t row, std::size_t column) const {
+    const std::size_t before = row > 0 ? row - 1 : row;
+    const std::size_t behind = std::min(row + 1, kernel_.rows - 1);
+    return sum(1.0 / static_cast<double>(behind - before), middle(behind, column),
+               -1.0 / static_cast<double>(behind - before), middle(before, column));
+  }
+  [[nodiscard]] SpaceVector along_columns(std::size_t row, std::size_t column) const {
+    const std::size_t before = column > 0 ? column - 1 : column;
+    const std::size_t behind = std::min(column + 1, kernel_.columns - 1);
+    return sum(1.0 / static_cast<double>(behind - before), middle(row, behind),
+               -1.0 / static_cast<double>(behind - before), middle(row, before));
+  }
+  [[nodiscard]] const SpaceVector& middle(std::size_t row, std::size_t column) const {
+    return kernel_.cells[row * kernel_.columns + column].middle.point;
+  }
+
+ private:
+  const GivenKernel& kernel_;
+};
+
+void check_given(const GivenKernel& kernel, std::size_t readings) {
+  require(kernel.rows >= 2 && kernel.columns >= 2,
+          "the cells of a kernel must lie in two rows and two columns at least");
+  const std::size_t count = kernel.rows * kernel.columns;
+  require(kernel.cells.size() == count, "cells", "be rows * columns", kernel.cells.size());
+  require(kernel.kernel.rows == readings, "rows of K", "be one for each reading of the skin",
+          kernel.kernel.rows);
+  require(kernel.kernel.columns == 3 * count, "columns of K", "be three for each cell",
+          kernel.kernel.columns);
+  double largest = 0.0;
+  for (const double entry : kernel.kernel.values) {
+    require(std::isfinite(entry), "K holds a number that is not finite");
+    largest = std::max(largest, std::abs(entry));
+  }
+  require(largest > 0.0, "K is 0: the cells cause no reading");
+  for (std::size_t i = 0; i < count; ++i) {
+    const SurfaceCell& cell = kernel.cells[i];
+    require(cell.area > 0.0 && std::isfinite(cell.area),
+            "cell " + std::to_string(i) + " has no area");
+    require(dot(cell.force[0], cell.middle.frame[0]) > 0.5 * cell.area,
+            "cell " + std::to_string(i) +
+                " is turned inside out: its corners must run counterclockwise seen from outside, "
+                "and its frame's x must point into the skin");
+  }
+  const auto beside = [&](std::size_t a, std::size_t b) {
+    require(dot(kernel.cells[a].middle.frame[0], kernel.cells[b].middle.frame[0]) > 0.0,
+            "cells " + std::to_string(a) + " and " + std::to_string(b) +
+                " lie side by side and face away from one another");
+  };
+  for (std::size_t row = 0; row < kernel.rows; ++row)
+    for (std::size_t column = 0; column < kernel.columns; ++column) {
+      const std::size_t at = row * kernel.columns + column;
+      if (row + 1 < kernel.rows) beside(at, at + kernel.columns);
+      if (column + 1 < kernel.columns) beside(at, at + 1);
+    }
+}
+
+/// The same with its cells in another order. @param old_place  of the cell at each place
+GivenKernel reordered(GivenKernel kernel, std::size_t rows, std::size_t columns,
+                      std::span<const std::size_t> old_place) {
+  GivenKernel ordered{.from = std::move(kernel.from), .rows = rows, .columns = columns};
+  const std::size_t count = old_place.size();
+  ordered.kernel = kernel.kernel;
+  for (std::size_t i = 0; i < count; ++i) {
+    ordered.cells.push_back(kernel.cells[old_place[i]]);
+    for (std::size_t reading = 0; reading < kernel.kernel.rows; ++reading)
+      for (std::size_t u = 0; u < 3; ++u)
+        ordered.kernel(reading, u * count + i) = kernel.kernel(reading, u * count + old_place[i]);
+  }
+  return ordered;
+}
+
+/// With rows along the frames' y, and columns along z.
+GivenKernel along_frames(GivenKernel kernel) {
+  const Lattice lattice(kernel);
+  double y_of_rows = 0.0;
+  double z_of_rows = 0.0;
+  double y_of_columns = 0.0;
+  double z_of_columns = 0.0;
+  for (std::size_t row = 0; row < kernel.rows; ++row)
+    for (std::size_t column = 0; column < kernel.columns; ++column) {
+      const SurfaceFrame& frame = kernel.cells[row * kernel.columns + column].middle.frame;
+      y_of_rows += dot(lattice.along_rows(row, column), frame[1]);
+      z_of_rows += dot(lattice.along_rows(row, column), frame[2]);
+      y_of_columns += dot(lattice.along_columns(row, column), frame[1]);
+      z_of_columns += dot(lattice.along_columns(row, column), frame[2]);
+    }
+  const bool exchange = std::abs(y_of_rows) < std::abs(z_of_rows);
+  const bool back_y = (exchange ? y_of_columns : y_of_rows) < 0.0;
+  const bool back_z = (exchange ? z_of_rows : z_of_columns) < 0.0;
+  if (!exchange && !back_y && !back_z) return kernel;
+  const std::size_t rows = exchange ? kernel.columns : kernel.rows;
+  const std::size_t columns = exchange ? kernel.rows : kernel.columns;
+  std::vector<std::size_t> old_place;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::size_t y = back_y ? rows - 1 - row : row;
+      const std::size_t z = back_z ? columns - 1 - column : column;
+      old_place.push_back(exchange ? z * kernel.columns + y : y * kernel.columns + z);
+    }
+  return reordered(std::move(kernel), rows, columns, old_place);
+}
+
+/// Where a point is on the lattice, in cells from its first one's middle.
+std::array<double, 2> lattice_place(const GivenKernel& kernel, const SpaceVector& point) {
+  const auto nearest = std::min_element(kernel.cells.begin(), kernel.cells.end(),
+                                        [&](const SurfaceCell& a, const SurfaceCell& b) {
+                                          return length(sum(1.0, a.middle.point, -1.0, point)) <
+                                                 length(sum(1.0, b.middle.point, -1.0, point));
+                                        });
+  const auto at = static_cast<std::size_t>(nearest - kernel.cells.begin());
+  const std::size_t row = at / kernel.columns;
+  const std::size_t column = at % kernel.columns;
+  const Lattice lattice(kernel);
+  const SpaceVector y = lattice.along_rows(row, column);
+  const SpaceVector z = lattice.along_columns(row, column);
+  const SpaceVector from = sum(1.0, point, -1.0, nearest->middle.point);
+  const double yy = dot(y, y);
+  const double yz = dot(y, z);
+  const double zz = dot(z, z);
+  const double area = yy * zz - yz * yz;
+  const double by_y = (zz * dot(from, y) - yz * dot(from, z)) / area;
+  const double by_z = (yy * dot(from, z) - yz * dot(from, y)) / area;
+  return {static_cast<double>(row) + by_y, static_cast<double>(column) + by_z};
+}
+
+}  // namespace
+
+SurfaceCell quadrilateral(const std::array<SpaceVector, 4>& corners, const SurfaceFrame& frame) {
+  // The area vector of the rim is that of any surface in it.
+  const SpaceVector twice =
+      cross(sum(1.0, corners[2], -1.0, corners[0]), sum(1.0, corners[3], -1.0, corners[1]));
+  const SpaceVector middle =
+      sum(0.25, sum(1.0, corners[0], 1.0, corners[1]), 0.25, sum(1.0, corners[2], 1.0, corners[3]));
+  SurfaceCell cell{.middle = {.point = middle, .frame = frame}, .area = 0.5 * length(twice)};
+  cell.first_moment = sum(cell.area, middle, 0.0, {});
+  cell.force = {sum(-0.5, twice, 0.0, {}), sum(cell.area, frame[1], 0.0, {}),
+                sum(cell.area, frame[2], 0.0, {})};
+  for (std::size_t u = 0; u < 3; ++u) cell.moment[u] = cross(middle, cell.force[u]);
+  return cell;
+}
+
+SurfaceGrid given_grid(const SkinArray& skin) {
+  const GivenKernel& kernel = *skin.curved->given;
+  const Lattice lattice(kernel);
+  double y = 0.0;
+  double z = 0.0;
+  double area = 0.0;
+  for (std::size_t row = 0; row < kernel.rows; ++row)
+    for (std::size_t column = 0; column < kernel.columns; ++column) {
+      y += length(lattice.along_rows(row, column));
+      z += length(lattice.along_columns(row, column));
+      area += kernel.cells[row * kernel.columns + column].area;
+    }
+  const auto count = static_cast<double>(kernel.cells.size());
+  const double scale = std::sqrt(area * count / (y * z));
+  return {.rows = kernel.rows,
+          .columns = kernel.columns,
+          .spacing_y = scale * y / count,
+          .spacing_z = scale * z / count};
+}
+
+SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
+  require(skin.curved != nullptr, "a kernel from a file is of a curved skin");
+  check_given(kernel, reading_count(skin));
+  CurvedSkin curved = *skin.curved;
+  curved.kernel = CurvedKernel::given;
+  curved.given = std::make_shared<const GivenKernel>(along_frames(std::move(kernel)));
+  const GivenKernel& given = *curved.given;
+  SkinArray placed = skin;
+  placed.curved = std::make_shared<const CurvedSkin>(curved);
+  const SurfaceGrid grid = given_grid(placed);
+  std::vector<Taxel> taxels = skin.taxels;
+  for (std::size_t i = 0; i < taxels.size(); ++i) {
+    const auto [row, column] = lattice_place(given, curved.above[i].point);
+    const bool inside = row > -0.6 && column > -0.6 &&
+                        row < static_cast<double>(given.rows) - 0.4 &&
+                        column < static_cast<double>(given.columns) - 0.4;
+    require(inside, "taxel " + taxels[i].name +
+                        " lies below none of the kernel's cells: are they in metres, and in the "
+                        "sensor's axes?");
+    taxels[i].y = (row - 0.5 * static_cast<double>(given.rows - 1)) * grid.spacing_y;
+    taxels[i].z = (column - 0.5 * static_cast<double>(given.columns - 1)) * grid.spacing_z;
+  }
+  SkinArray array = uneven_skin(std::move(taxels));
+  array.curved = placed.curved;
+  return array;
+}
+
+}  // namespace tactile_net
