@@ -267,11 +267,12 @@ class SkinFrameMethod final : public FrameMethod {
         const double on_surface = flat.grid.area() / cell.area;
         const double found = on_surface * answer.tractions[u * count + at];
         const double by = on_surface * moved[u * count + at];
-        force = sum(1.0, force, found, cell.force[u]);
-        off = sum(1.0, off, by, cell.force[u]);
-        turned = sum(1.0, turned, by,
-                     sum(1.0, cell.moment[u], -1.0,
-                         cross(problem_.scene().reconstruct.moment_about, cell.force[u])));
+        force = combined(1.0, force, found, cell.force[u]);
+        off = combined(1.0, off, by, cell.force[u]);
+        turned =
+            combined(1.0, turned, by,
+                     combined(1.0, cell.moment[u], -1.0,
+                              cross(problem_.scene().reconstruct.moment_about, cell.force[u])));
         sums[u] += by * cell.area;
       }
     const auto widen = [](Uncertain& one, double by) {

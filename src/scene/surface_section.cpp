@@ -44,7 +44,7 @@ CurvedSkinOptions read_surface(Table table, const Units& units) {
 void check_extent(std::span<const CurvedTaxel> taxels, const Units& units) {
   double extent = 0.0;
   for (const CurvedTaxel& taxel : taxels)
-    extent = std::max(extent, length(sum(1.0, taxel.place, -1.0, taxels.front().place)));
+    extent = std::max(extent, length(combined(1.0, taxel.place, -1.0, taxels.front().place)));
   if (taxels.size() < 2 || (extent >= 1e-3 && extent <= 1.0)) return;
   throw std::invalid_argument(
       "its taxels lie within " + shortest(extent) + " m of one another, by units.length = \"" +

@@ -182,7 +182,8 @@ void add_curved_kernel(const SkinArray& skin, const Material& material, LinearPr
     if (load.places.empty()) load = places_of(curved.surface, grid, parts);
     seen.clear();
     for (const SurfacePlace& from : load.places)
-      seen.push_back(surface_place(from.frame, place.frame, sum(1.0, place.point, -1.0, from.point),
+      seen.push_back(surface_place(from.frame, place.frame,
+                                   combined(1.0, place.point, -1.0, from.point),
                                    place.mean_curvature));
     const PlaceKernel& kernel = kernels(place.mean_curvature, depth);
     const double share = grid.area() / static_cast<double>(load.of_each);

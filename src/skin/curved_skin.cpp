@@ -21,7 +21,7 @@ SpaceVector unit(const SpaceVector& one) noexcept {
 
 SpaceVector mean(std::span<const SpaceVector> all) noexcept {
   SpaceVector total{};
-  for (const SpaceVector& one : all) total = sum(1.0, total, 1.0, one);
+  for (const SpaceVector& one : all) total = combined(1.0, total, 1.0, one);
   const double count = static_cast<double>(all.size());
   return {total[0] / count, total[1] / count, total[2] / count};
 }
@@ -65,7 +65,7 @@ Sphere sphere_around(std::span<const CurvedTaxel> taxels, bool is_hole) {
   const SpaceVector middle = mean(places);
   double size = 0.0;
   for (SpaceVector& place : places) {
-    place = sum(1.0, place, -1.0, middle);
+    place = combined(1.0, place, -1.0, middle);
     size = std::max(size, length(place));
   }
   require(size > 0.0, "all taxels lie at one place" + advice);
@@ -86,7 +86,7 @@ Sphere sphere_around(std::span<const CurvedTaxel> taxels, bool is_hole) {
   const auto evaluate = [&] {
     for (Eigen::Index i = 0; i < rows; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      const SpaceVector from = sum(1.0, places[at], -1.0, centre);
+      const SpaceVector from = combined(1.0, places[at], -1.0, centre);
       residual(i) = length(from) + sign * taxels[at].depth;
     }
     radius = residual.mean();
@@ -95,12 +95,13 @@ Sphere sphere_around(std::span<const CurvedTaxel> taxels, bool is_hole) {
   evaluate();
   for (int step = 0; step < 50; ++step) {
     for (Eigen::Index i = 0; i < rows; ++i) {
-      const SpaceVector along = unit(sum(1.0, places[static_cast<std::size_t>(i)], -1.0, centre));
+      const SpaceVector along =
+          unit(combined(1.0, places[static_cast<std::size_t>(i)], -1.0, centre));
       for (int k = 0; k < 3; ++k) system(i, k) = along[static_cast<std::size_t>(k)];
       system(i, 3) = 1.0;
     }
     const Eigen::VectorXd moved = pivoted_least_squares(system, residual);
-    centre = sum(1.0, centre, 1.0, {moved(0), moved(1), moved(2)});
+    centre = combined(1.0, centre, 1.0, {moved(0), moved(1), moved(2)});
     evaluate();
     if (!(moved.norm() > 1e-12 * size)) break;
   }
@@ -111,7 +112,7 @@ Sphere sphere_around(std::span<const CurvedTaxel> taxels, bool is_hole) {
           "the taxels do not tell the sphere's radius, which is " + shortest(radius) + " +- " +
               shortest(deviation) + advice);
   const double curvature = sign / radius;
-  return {curvature, sum(-curvature, sum(1.0, centre, 1.0, middle), 0.0, {})};
+  return {curvature, combined(-curvature, combined(1.0, centre, 1.0, middle), 0.0, {})};
 }
 
 /// The sphere whose normals are nearest to those above the taxels.
@@ -121,29 +122,29 @@ Sphere sphere_of_normals(const Above& above) {
   double turned = 0.0;
   double square = 0.0;
   for (std::size_t i = 0; i < above.points.size(); ++i) {
-    const SpaceVector from = sum(1.0, above.points[i], -1.0, point);
-    turned += dot(from, sum(1.0, above.normals[i], -1.0, normal));
+    const SpaceVector from = combined(1.0, above.points[i], -1.0, point);
+    turned += dot(from, combined(1.0, above.normals[i], -1.0, normal));
     square += dot(from, from);
   }
   const double curvature = square > 0.0 ? turned / square : 0.0;
-  return {curvature, sum(1.0, normal, -curvature, point)};
+  return {curvature, combined(1.0, normal, -curvature, point)};
 }
 
 Sphere stated_sphere(const CurvedSkinOptions& options, const Above& above) {
   const SpaceVector point = mean(above.points);
   if (options.radius && !options.centre) {
     const double curvature = 1.0 / *options.radius;
-    return {curvature, sum(1.0, mean(above.normals), -curvature, point)};
+    return {curvature, combined(1.0, mean(above.normals), -curvature, point)};
   }
   double radius = options.radius.value_or(0.0);
   if (!options.radius) {
     for (std::size_t i = 0; i < above.points.size(); ++i) {
-      const SpaceVector from = sum(1.0, above.points[i], -1.0, *options.centre);
+      const SpaceVector from = combined(1.0, above.points[i], -1.0, *options.centre);
       radius += std::copysign(length(from), dot(from, above.normals[i]));
     }
     radius /= static_cast<double>(above.points.size());
   }
-  return {1.0 / radius, sum(-1.0 / radius, *options.centre, 0.0, {})};
+  return {1.0 / radius, combined(-1.0 / radius, *options.centre, 0.0, {})};
 }
 
 /// The surface of a sphere, its chart around the middle of the taxels.
@@ -151,25 +152,26 @@ CurvedSurface surface_of(const Sphere& sphere, const Above& above, const SpaceVe
                          HeightField height = {}) {
   const SpaceVector point = mean(above.points);
   const double k = sphere.curvature;
-  const SpaceVector normal = sum(k, point, 1.0, sphere.offset);
+  const SpaceVector normal = combined(k, point, 1.0, sphere.offset);
   require(length(mean(above.normals)) > 0.2 && length(normal) > 0.1,
           "the taxels' normals point to all sides: give the skin in parts");
   // |normal| = 1 - k times how far the middle lies inside of the surface.
   double inside = 0.0;
   for (const SpaceVector& one : above.points) {
-    const SpaceVector from = sum(1.0, one, -1.0, point);
+    const SpaceVector from = combined(1.0, one, -1.0, point);
     inside += dot(from, from);
   }
   inside *= k / (1.0 + length(normal)) / static_cast<double>(above.points.size());
   const SpaceVector outward = unit(normal);
-  return CurvedSurface(sum(1.0, point, inside, outward), outward, k, reference, std::move(height));
+  return CurvedSurface(combined(1.0, point, inside, outward), outward, k, reference,
+                       std::move(height));
 }
 
 /// The same with a sphere whose centre and radius are stated.
 CurvedSurface surface_about(const SpaceVector& centre, double radius, const Above& above,
                             const SpaceVector& reference) {
   const SpaceVector outward = unit(mean(above.normals));
-  return CurvedSurface(sum(1.0, centre, radius, outward), outward, 1.0 / radius, reference);
+  return CurvedSurface(combined(1.0, centre, radius, outward), outward, 1.0 / radius, reference);
 }
 
 /// The height of the surface above a sphere: least squares of places and slopes, of as many terms
@@ -250,15 +252,16 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
     for (CurvedTaxel& taxel : taxels) {
       const SpaceVector outward =
           options.centre && options.radius
-              ? sum(is_hole ? -1.0 : 1.0, sum(1.0, taxel.place, -1.0, *options.centre), 0.0, {})
-              : sum(fitted->curvature, taxel.place, 1.0, fitted->offset);
+              ? combined(is_hole ? -1.0 : 1.0, combined(1.0, taxel.place, -1.0, *options.centre),
+                         0.0, {})
+              : combined(fitted->curvature, taxel.place, 1.0, fitted->offset);
       require(length(outward) > 0.0, "a taxel lies in the sphere's centre");
       taxel.normal = unit(outward);
     }
   }
   for (const CurvedTaxel& taxel : taxels) {
     above.normals.push_back(unit(*taxel.normal));
-    above.points.push_back(sum(1.0, taxel.place, taxel.depth, above.normals.back()));
+    above.points.push_back(combined(1.0, taxel.place, taxel.depth, above.normals.back()));
   }
   if (!fitted) fitted = is_stated ? stated_sphere(options, above) : sphere_of_normals(above);
 
@@ -266,7 +269,7 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
     double most = 0.0;
     const SpaceVector middle = mean(above.points);
     for (const SpaceVector& point : above.points)
-      most = std::max(most, length(sum(1.0, point, -1.0, middle)));
+      most = std::max(most, length(combined(1.0, point, -1.0, middle)));
     return most;
   }();
   const double turned = (has_normals ? sphere_of_normals(above) : *fitted).curvature * extent;

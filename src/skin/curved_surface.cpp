@@ -76,7 +76,7 @@ SurfaceFrame CurvedSurface::frame(const SpaceVector& outward) const {
     throw std::invalid_argument(
         "the reference direction is within 10 degrees of the surface's normal, where it gives the "
         "surface no y: choose one that lies along all of the surface, of a finger along it");
-  const SpaceVector tangent = sum(1.0, reference_, -along, outward);
+  const SpaceVector tangent = combined(1.0, reference_, -along, outward);
   const SpaceVector y = scaled(1.0 / length(tangent), tangent);
   const SpaceVector x = scaled(-1.0, outward);
   return {x, y, cross(x, y)};
@@ -92,23 +92,23 @@ CurvedSurface::Tangents CurvedSurface::tangents(double y, double z) const {
         "in parts, or choose a smaller margin");
   // Lambert's chart: sin g = k s c and 1 - cos g = k^2 s^2 / 2 of the angle g from the apex.
   const double c = std::sqrt(1.0 - 0.25 * k * k * s * s);
-  const SpaceVector flat = sum(y, axes_[1], z, axes_[2]);
+  const SpaceVector flat = combined(y, axes_[1], z, axes_[2]);
   const double half = 0.5 * s * s * k;
-  SpaceVector point = sum(1.0, apex_, c, flat);
-  point = sum(1.0, point, half, inward);
+  SpaceVector point = combined(1.0, apex_, c, flat);
+  point = combined(1.0, point, half, inward);
   const auto moved = [&](double by, const SpaceVector& axis) {  // of the sphere's point
     const double dc = -0.25 * k * k * by / c;
-    return sum(1.0, sum(c, axis, dc, flat), k * by, inward);
+    return combined(1.0, combined(c, axis, dc, flat), k * by, inward);
   };
   SpaceVector along_y = moved(y, axes_[1]);
   SpaceVector along_z = moved(z, axes_[2]);
   if (!height_.coefficients.empty()) {
     const HeightField::Value above = height_.at(y, z);
-    const SpaceVector normal = sum(-(1.0 - k * half), inward, k * c, flat);
+    const SpaceVector normal = combined(-(1.0 - k * half), inward, k * c, flat);
     // The normal moves by the curvature times what the point moves by.
-    along_y = sum(1.0 + k * above.height, along_y, above.slope_y, normal);
-    along_z = sum(1.0 + k * above.height, along_z, above.slope_z, normal);
-    point = sum(1.0, point, above.height, normal);
+    along_y = combined(1.0 + k * above.height, along_y, above.slope_y, normal);
+    along_z = combined(1.0 + k * above.height, along_z, above.slope_z, normal);
+    point = combined(1.0, point, above.height, normal);
   }
   return {point, along_y, along_z};
 }
@@ -133,7 +133,7 @@ SurfacePlace CurvedSurface::at(double y, double z) const {
       const SpaceVector n = normal_of(tangents(y + sign * dy, z + sign * dz));
       return scaled(1.0 / length(n), n);
     };
-    return scaled(0.5 / step, sum(1.0, unit(1.0), -1.0, unit(-1.0)));
+    return scaled(0.5 / step, combined(1.0, unit(1.0), -1.0, unit(-1.0)));
   };
   const SpaceVector turn_y = turn(step, 0.0);
   const SpaceVector turn_z = turn(0.0, step);
@@ -152,10 +152,10 @@ SurfacePlace CurvedSurface::at(double y, double z) const {
 }
 
 CurvedSurface::Charted CurvedSurface::chart(const SpaceVector& point) const {
-  const SpaceVector from = sum(1.0, point, -1.0, apex_);
+  const SpaceVector from = combined(1.0, point, -1.0, apex_);
   const double k = curvature_;
   const double outward = -dot(axes_[0], from);
-  const SpaceVector flat = sum(1.0, from, outward, axes_[0]);
+  const SpaceVector flat = combined(1.0, from, outward, axes_[0]);
   const double y = dot(axes_[1], flat);
   const double z = dot(axes_[2], flat);
   const double t = std::hypot(y, z);
@@ -184,10 +184,10 @@ std::vector<SurfaceCell> CurvedSurface::cells(const SurfaceGrid& grid) const {
           const double area = gauss_weights[i] * gauss_weights[j] * grid.area() * stretch;
           const SurfaceFrame turned = frame(scaled(1.0 / stretch, normal));
           cell.area += area;
-          cell.first_moment = sum(1.0, cell.first_moment, area, here.point);
+          cell.first_moment = combined(1.0, cell.first_moment, area, here.point);
           for (std::size_t u = 0; u < turned.size(); ++u) {
-            cell.force[u] = sum(1.0, cell.force[u], area, turned[u]);
-            cell.moment[u] = sum(1.0, cell.moment[u], area, cross(here.point, turned[u]));
+            cell.force[u] = combined(1.0, cell.force[u], area, turned[u]);
+            cell.moment[u] = combined(1.0, cell.moment[u], area, cross(here.point, turned[u]));
           }
         }
       all.push_back(cell);

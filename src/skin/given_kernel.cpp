@@ -22,14 +22,14 @@ class Lattice {
   [[nodiscard]] SpaceVector along_rows(std::size_t row, std::size_t column) const {
     const std::size_t before = row > 0 ? row - 1 : row;
     const std::size_t behind = std::min(row + 1, kernel_.rows - 1);
-    return sum(1.0 / static_cast<double>(behind - before), middle(behind, column),
-               -1.0 / static_cast<double>(behind - before), middle(before, column));
+    return combined(1.0 / static_cast<double>(behind - before), middle(behind, column),
+                    -1.0 / static_cast<double>(behind - before), middle(before, column));
   }
   [[nodiscard]] SpaceVector along_columns(std::size_t row, std::size_t column) const {
     const std::size_t before = column > 0 ? column - 1 : column;
     const std::size_t behind = std::min(column + 1, kernel_.columns - 1);
-    return sum(1.0 / static_cast<double>(behind - before), middle(row, behind),
-               -1.0 / static_cast<double>(behind - before), middle(row, before));
+    return combined(1.0 / static_cast<double>(behind - before), middle(row, behind),
+                    -1.0 / static_cast<double>(behind - before), middle(row, before));
   }
   [[nodiscard]] const SpaceVector& middle(std::size_t row, std::size_t column) const {
     return kernel_.cells[row * kernel_.columns + column].middle.point;
@@ -122,20 +122,24 @@ GivenKernel along_frames(GivenKernel kernel) {
   return reordered(std::move(kernel), rows, columns, old_place);
 }
 
+std::size_t nearest_cell(const GivenKernel& kernel, const SpaceVector& point) {
+  const auto nearest = std::min_element(
+      kernel.cells.begin(), kernel.cells.end(), [&](const SurfaceCell& a, const SurfaceCell& b) {
+        return length(combined(1.0, a.middle.point, -1.0, point)) <
+               length(combined(1.0, b.middle.point, -1.0, point));
+      });
+  return static_cast<std::size_t>(nearest - kernel.cells.begin());
+}
+
 /// Where a point is on the lattice, in cells from its first one's middle.
 std::array<double, 2> lattice_place(const GivenKernel& kernel, const SpaceVector& point) {
-  const auto nearest = std::min_element(kernel.cells.begin(), kernel.cells.end(),
-                                        [&](const SurfaceCell& a, const SurfaceCell& b) {
-                                          return length(sum(1.0, a.middle.point, -1.0, point)) <
-                                                 length(sum(1.0, b.middle.point, -1.0, point));
-                                        });
-  const auto at = static_cast<std::size_t>(nearest - kernel.cells.begin());
+  const std::size_t at = nearest_cell(kernel, point);
   const std::size_t row = at / kernel.columns;
   const std::size_t column = at % kernel.columns;
   const Lattice lattice(kernel);
   const SpaceVector y = lattice.along_rows(row, column);
   const SpaceVector z = lattice.along_columns(row, column);
-  const SpaceVector from = sum(1.0, point, -1.0, nearest->middle.point);
+  const SpaceVector from = combined(1.0, point, -1.0, kernel.cells[at].middle.point);
   const double yy = dot(y, y);
   const double yz = dot(y, z);
   const double zz = dot(z, z);
@@ -149,14 +153,14 @@ std::array<double, 2> lattice_place(const GivenKernel& kernel, const SpaceVector
 
 SurfaceCell quadrilateral(const std::array<SpaceVector, 4>& corners, const SurfaceFrame& frame) {
   // The area vector of the rim is that of any surface in it.
-  const SpaceVector twice =
-      cross(sum(1.0, corners[2], -1.0, corners[0]), sum(1.0, corners[3], -1.0, corners[1]));
-  const SpaceVector middle =
-      sum(0.25, sum(1.0, corners[0], 1.0, corners[1]), 0.25, sum(1.0, corners[2], 1.0, corners[3]));
+  const SpaceVector twice = cross(combined(1.0, corners[2], -1.0, corners[0]),
+                                  combined(1.0, corners[3], -1.0, corners[1]));
+  const SpaceVector middle = combined(0.25, combined(1.0, corners[0], 1.0, corners[1]), 0.25,
+                                      combined(1.0, corners[2], 1.0, corners[3]));
   SurfaceCell cell{.middle = {.point = middle, .frame = frame}, .area = 0.5 * length(twice)};
-  cell.first_moment = sum(cell.area, middle, 0.0, {});
-  cell.force = {sum(-0.5, twice, 0.0, {}), sum(cell.area, frame[1], 0.0, {}),
-                sum(cell.area, frame[2], 0.0, {})};
+  cell.first_moment = combined(cell.area, middle, 0.0, {});
+  cell.force = {combined(-0.5, twice, 0.0, {}), combined(cell.area, frame[1], 0.0, {}),
+                combined(cell.area, frame[2], 0.0, {})};
   for (std::size_t u = 0; u < 3; ++u) cell.moment[u] = cross(middle, cell.force[u]);
   return cell;
 }
@@ -193,7 +197,12 @@ SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
   const SurfaceGrid grid = given_grid(placed);
   std::vector<Taxel> taxels = skin.taxels;
   for (std::size_t i = 0; i < taxels.size(); ++i) {
-    const auto [row, column] = lattice_place(given, curved.above[i].point);
+    const SurfacePlace& above = curved.above[i];
+    const std::size_t cell = nearest_cell(given, above.point);
+    require(dot(given.cells[cell].middle.frame[0], above.frame[0]) > 0.0,
+            "the cell above taxel " + taxels[i].name +
+                " is turned inside out: its corners must run counterclockwise seen from outside");
+    const auto [row, column] = lattice_place(given, above.point);
     const bool inside = row > -0.6 && column > -0.6 &&
                         row < static_cast<double>(given.rows) - 0.4 &&
                         column < static_cast<double>(given.columns) - 0.4;

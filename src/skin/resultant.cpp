@@ -148,7 +148,7 @@ std::vector<Uncertain> uncertain(std::span<const Result> results, const Covarian
 }
 
 /// a x + b y of gradients.
-Gradient combination(double a, const Gradient& x, double b, const Gradient& y) {
+Gradient sum(double a, const Gradient& x, double b, const Gradient& y) {
   Gradient all(x.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = a * x[i] + b * y[i];
   return all;
@@ -280,9 +280,8 @@ std::optional<SkinFriction> friction_of(const SurfaceGrid& grid, std::span<const
   const double along_y = drag > 0.0 ? force[1] / drag : 1.0;
   const double along_z = drag > 0.0 ? force[2] / drag : 0.0;
   const double ratio = drag / force[0];
-  const Gradient of_drag = combination(along_y, contact.of_force(1), along_z, contact.of_force(2));
-  const Gradient of_ratio =
-      combination(1.0 / force[0], of_drag, -ratio / force[0], contact.of_force(0));
+  const Gradient of_drag = sum(along_y, contact.of_force(1), along_z, contact.of_force(2));
+  const Gradient of_ratio = sum(1.0 / force[0], of_drag, -ratio / force[0], contact.of_force(0));
 
   SkinFriction friction{
       .contacts = nearest.contacts, .lever = contact.lever(), .lever_of_all = all.lever()};
@@ -296,8 +295,8 @@ std::optional<SkinFriction> friction_of(const SurfaceGrid& grid, std::span<const
     const double used = std::hypot(slide, twist);
     // The lever's own error is of second order beside the torsion's.
     const Gradient of_slip_margin =
-        used > 0.0 ? combination(-slide / used / *limit, of_ratio,
-                                 most > 0.0 ? -twist / used / most : 0.0, contact.of_torsion())
+        used > 0.0 ? sum(-slide / used / *limit, of_ratio, most > 0.0 ? -twist / used / most : 0.0,
+                         contact.of_torsion())
                    : Gradient(tractions.size());
     results.push_back({1.0 - used, of_slip_margin});
   }

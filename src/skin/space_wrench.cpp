@@ -50,14 +50,15 @@ double total(const Weights& weights, std::span<const double> tractions) {
 
 /// The place of the surface above a point: on the tangent plane of the nearest cell.
 SurfacePlace place_above(const LinearProblem& problem, const SpaceVector& point) {
-  const auto nearest = std::min_element(problem.cells->begin(), problem.cells->end(),
-                                        [&](const SurfaceCell& a, const SurfaceCell& b) {
-                                          return length(sum(1.0, a.middle.point, -1.0, point)) <
-                                                 length(sum(1.0, b.middle.point, -1.0, point));
-                                        });
+  const auto nearest =
+      std::min_element(problem.cells->begin(), problem.cells->end(),
+                       [&](const SurfaceCell& a, const SurfaceCell& b) {
+                         return length(combined(1.0, a.middle.point, -1.0, point)) <
+                                length(combined(1.0, b.middle.point, -1.0, point));
+                       });
   SurfacePlace place = nearest->middle;
-  const SpaceVector from = sum(1.0, point, -1.0, place.point);
-  place.point = sum(1.0, point, -dot(from, place.frame[0]), place.frame[0]);
+  const SpaceVector from = combined(1.0, point, -1.0, place.point);
+  place.point = combined(1.0, point, -dot(from, place.frame[0]), place.frame[0]);
   return place;
 }
 
@@ -76,7 +77,7 @@ SpaceWrench space_wrench(const LinearProblem& problem, std::span<const double> t
   };
   put(sums([](const SurfaceCell& cell, std::size_t u) { return cell.force[u]; }));
   put(sums([&](const SurfaceCell& cell, std::size_t u) {
-    return sum(1.0, cell.moment[u], -1.0, cross(about, cell.force[u]));
+    return combined(1.0, cell.moment[u], -1.0, cross(about, cell.force[u]));
   }));
   // The mean of the places that press, and the sums on the chart.
   const bool presses = chart.centre_y && chart.centre_z && chart.normal.value > 0.0;
@@ -111,7 +112,7 @@ SpaceWrench space_wrench(const LinearProblem& problem, std::span<const double> t
   // Where nothing presses these are the axes at the chart's middle.
   const SurfacePlace place =
       has_centre ? place_above(problem, middle) : (*problem.cells)[count / 2].middle;
-  const SpaceVector arm = sum(1.0, place.point, -1.0, about);
+  const SpaceVector arm = combined(1.0, place.point, -1.0, about);
   const std::array<double, 3> told = {chart.normal.deviation,
                                       chart.tangential_y ? chart.tangential_y->deviation : 0.0,
                                       chart.tangential_z ? chart.tangential_z->deviation : 0.0};

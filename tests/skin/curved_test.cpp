@@ -24,7 +24,9 @@ const std::vector<Quantity> moves = {Quantity::displacement_x, Quantity::displac
 const Material skin_on_core{
     .youngs_modulus = 2.5e5, .poisson_ratio = 0.48, .layer = Layer{4e-3, Base::bonded}};
 
-SpaceVector scaled(double factor, const SpaceVector& one) { return sum(factor, one, 0.0, one); }
+SpaceVector scaled(double factor, const SpaceVector& one) {
+  return combined(factor, one, 0.0, one);
+}
 
 /// Columns: where the sensor's axes point.
 struct Turn {
@@ -32,10 +34,10 @@ struct Turn {
   SpaceVector shift{};
 
   [[nodiscard]] SpaceVector direction(const SpaceVector& v) const {
-    return sum(1.0, sum(v[0], axes[0], v[1], axes[1]), v[2], axes[2]);
+    return combined(1.0, combined(v[0], axes[0], v[1], axes[1]), v[2], axes[2]);
   }
   [[nodiscard]] SpaceVector place(const SpaceVector& p) const {
-    return sum(1.0, direction(p), 1.0, shift);
+    return combined(1.0, direction(p), 1.0, shift);
   }
 };
 
@@ -44,8 +46,8 @@ Turn turn_about(const SpaceVector& axis, double angle, const SpaceVector& shift)
   const SpaceVector n = scaled(1.0 / length(axis), axis);
   Turn turn{.shift = shift};
   for (SpaceVector& e : turn.axes)
-    e = sum(1.0, sum(std::cos(angle), e, std::sin(angle), cross(n, e)),
-            (1.0 - std::cos(angle)) * dot(n, e), n);
+    e = combined(1.0, combined(std::cos(angle), e, std::sin(angle), cross(n, e)),
+                 (1.0 - std::cos(angle)) * dot(n, e), n);
   return turn;
 }
 
@@ -64,7 +66,7 @@ std::vector<CurvedTaxel> taxels_below(const SpaceVector& half_axes, double reach
                             at[2] / std::pow(half_axes[2], 2)};
       normal = scaled(1.0 / length(normal), normal);
       taxels.push_back({"t" + std::to_string(i) + "_" + std::to_string(j),
-                        sum(1.0, at, -depth, normal), normal, depth, reads});
+                        combined(1.0, at, -depth, normal), normal, depth, reads});
     }
   return taxels;
 }
@@ -88,18 +90,18 @@ TEST_CASE("a chart's places are on the sphere, its areas the sphere's, and it in
   const double radius = GENERATE(7e-3, -12e-3, 1.0, 1e5);
   const SpaceVector outward = {0.6, 0.0, 0.8};
   const CurvedSurface surface({1e-3, 2e-3, 3e-3}, outward, 1.0 / radius, {0.1, 1.0, 0.2});
-  const SpaceVector centre = sum(1.0, {1e-3, 2e-3, 3e-3}, -radius, outward);
+  const SpaceVector centre = combined(1.0, {1e-3, 2e-3, 3e-3}, -radius, outward);
   for (const double y : {0.0, 3e-3, -5e-3})
     for (const double z : {0.0, 1e-3, 6e-3}) {
       CAPTURE(radius, y, z);
       const SurfacePlace place = surface.at(y, z);
-      const double off = length(sum(1.0, place.point, -1.0, centre)) - std::abs(radius);
+      const double off = length(combined(1.0, place.point, -1.0, centre)) - std::abs(radius);
       CHECK(std::abs(off) <= 4e-16 * (std::abs(radius) + 1e-2));
-      const SpaceVector normal = sum(1.0 / radius, place.point, -1.0 / radius, centre);
-      CHECK(length(sum(1.0, normal, 1.0, place.frame[0])) <= 1e-14 + 1e-17 / 1e-3);
+      const SpaceVector normal = combined(1.0 / radius, place.point, -1.0 / radius, centre);
+      CHECK(length(combined(1.0, normal, 1.0, place.frame[0])) <= 1e-14 + 1e-17 / 1e-3);
       CHECK(std::abs(place.stretch - 1.0) <= 1e-14);
       CHECK(place.mean_curvature == 1.0 / radius);
-      const auto back = surface.chart(sum(1.0, place.point, -0.4e-3, place.frame[0]));
+      const auto back = surface.chart(combined(1.0, place.point, -0.4e-3, place.frame[0]));
       CHECK(std::abs(back.y - y) <= 1e-16);
       CHECK(std::abs(back.z - z) <= 1e-16);
       CHECK(std::abs(back.outside - 0.4e-3) <= 1e-16);
@@ -115,7 +117,8 @@ TEST_CASE("under an even pressure a patch of any surface bears its rim's area ve
        .coefficients = {0, 1e-4, -2e-4, 8e-4, 3e-4, -5e-4, 1e-4, 0, 2e-4, -1e-4}});
   const SurfaceGrid grid{.rows = 14, .columns = 11, .spacing_y = 0.8e-3, .spacing_z = 0.9e-3};
   SpaceVector force{};
-  for (const SurfaceCell& cell : sphere.cells(grid)) force = sum(1.0, force, 1.0, cell.force[0]);
+  for (const SurfaceCell& cell : sphere.cells(grid))
+    force = combined(1.0, force, 1.0, cell.force[0]);
   // 1/2 of the integral of r x dr along the rim, by Gauss' rule on many pieces of each side.
   SpaceVector area{};
   const double half_y = 0.5 * grid.spacing_y * static_cast<double>(grid.rows);
@@ -127,8 +130,8 @@ TEST_CASE("under an even pressure a patch of any surface bears its rim's area ve
         const double t = (i + node) / pieces;
         const auto at = sphere.tangents(from_y + t * (to_y - from_y), from_z + t * (to_z - from_z));
         const SpaceVector along =
-            sum((to_y - from_y) / pieces, at.along_y, (to_z - from_z) / pieces, at.along_z);
-        area = sum(1.0, area, 0.25, cross(at.point, along));
+            combined((to_y - from_y) / pieces, at.along_y, (to_z - from_z) / pieces, at.along_z);
+        area = combined(1.0, area, 0.25, cross(at.point, along));
       }
   };
   side(-half_y, -half_z, half_y, -half_z);
@@ -136,7 +139,7 @@ TEST_CASE("under an even pressure a patch of any surface bears its rim's area ve
   side(half_y, half_z, -half_y, half_z);
   side(-half_y, half_z, -half_y, -half_z);
   // y, then z is clockwise from outside: the vector points inward, as pressure does.
-  CHECK(length(sum(1.0, force, -1.0, area)) <= 1e-8 * length(area));
+  CHECK(length(combined(1.0, force, -1.0, area)) <= 1e-8 * length(area));
 }
 
 TEST_CASE("a skin that is hardly curved has the flat skin's problem", "[skin][curved][property]") {
@@ -202,7 +205,7 @@ TEST_CASE("a surface through the taxels of a sphere is that sphere", "[skin][cur
     return curved_skin(without, {.shape = SurfaceShape::sphere});
   }();
   CHECK(std::abs(fitted.curved->surface.curvature() * radius - 1.0) <= 1e-9);
-  CHECK(length(sum(1.0, fitted.curved->above[3].point, -1.0, sphere.curved->above[3].point)) <=
+  CHECK(length(combined(1.0, fitted.curved->above[3].point, -1.0, sphere.curved->above[3].point)) <=
         1e-11);
 }
 
@@ -238,8 +241,8 @@ TEST_CASE("sums of a curved skin's tractions are the resultant about any point",
   for (const std::size_t i : cells) {
     const SurfaceCell& cell = (*problem.cells)[i];
     for (std::size_t u = 0; u < 3; ++u) {
-      force = sum(1.0, force, on_surface[u * cells.size() + i], cell.force[u]);
-      moment = sum(1.0, moment, on_surface[u * cells.size() + i], cell.moment[u]);
+      force = combined(1.0, force, on_surface[u * cells.size() + i], cell.force[u]);
+      moment = combined(1.0, moment, on_surface[u * cells.size() + i], cell.moment[u]);
     }
     pressed += on_surface[i] * cell.area;
   }
@@ -248,7 +251,7 @@ TEST_CASE("sums of a curved skin's tractions are the resultant about any point",
   for (const SpaceVector& about : {SpaceVector{}, SpaceVector{3e-3, -1e-2, 4e-2}}) {
     const SpaceWrench found =
         space_wrench(problem, tractions, cells, covariance, 1.0, chart, about);
-    const SpaceVector expected = sum(1.0, moment, -1.0, cross(about, force));
+    const SpaceVector expected = combined(1.0, moment, -1.0, cross(about, force));
     for (std::size_t k = 0; k < 3; ++k) {
       CHECK(std::abs(found.force[k].value - force[k]) <= 1e-12 * length(force));
       CHECK(std::abs(found.moment[k].value - expected[k]) <= 1e-12 * length(force) * 5e-2);
@@ -288,13 +291,14 @@ TEST_CASE("a skin that is turned and moved gives turned forces", "[skin][curved]
     SpaceVector force{};
     for (std::size_t i = 0; i < f.size(); ++i) {
       const SurfaceCell& cell = (*one.cells)[i % one.grid.count()];
-      force = sum(1.0, force, f[i] * one.grid.area() / cell.area, cell.force[i / one.grid.count()]);
+      force = combined(1.0, force, f[i] * one.grid.area() / cell.area,
+                       cell.force[i / one.grid.count()]);
     }
     return force;
   };
   const SpaceVector expected = turn.direction(force_of(problem, readings));
   const SpaceVector found = force_of(moved, seen);
-  CHECK(length(sum(1.0, found, -1.0, expected)) <= 1e-8 * length(expected));
+  CHECK(length(combined(1.0, found, -1.0, expected)) <= 1e-8 * length(expected));
 }
 
 TEST_CASE("what is no curved skin is refused with the rule", "[skin][curved]") {

@@ -30,8 +30,8 @@ using SpaceVector = std::array<double, 3>;
 }
 
 /// a x + b y.
-[[nodiscard]] constexpr SpaceVector sum(double a, const SpaceVector& x, double b,
-                                        const SpaceVector& y) noexcept {
+[[nodiscard]] constexpr SpaceVector combined(double a, const SpaceVector& x, double b,
+                                             const SpaceVector& y) noexcept {
   return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
 }
 
