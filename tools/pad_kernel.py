@@ -281,12 +281,14 @@ class Mesh:
         middle = above.mean(axis=0)
         y, z, _ = np.moveaxis((above - middle) @ axes.T, -1, 0)
         slopes = taxels.normal @ axes.T
-        curvature = [
-            float(s @ (n / np.hypot(n, slopes[:, 2])) / (s @ s)) if s @ s > 1e-6 * extent**2 else 0.0
-            for s, n in ((y, slopes[:, 0]), (z, slopes[:, 1]))
-        ]
-        # Below a tenth of a degree over all of the mesh it is flat.
-        self.rays = Rays(middle, axes, np.array([k if abs(k) * extent > 2e-3 else 0.0 for k in curvature]))
+        curvature = np.zeros(2)
+        for k, s in enumerate((y, z)):
+            sine, cosine = slopes[:, [k, 2]].T / np.hypot(slopes[:, k], slopes[:, 2])
+            fitted = float(s @ sine / (s @ s)) if s @ s > 1e-6 * extent**2 else 0.0
+            if abs(fitted) * extent > 2e-3:  # below a tenth of a degree over all of the mesh it is flat
+                curvature[k] = fitted
+                middle = middle + np.mean(1.0 - cosine) / fitted * axes[2]  # taxels beside lie below the middle one
+        self.rays = Rays(middle, axes, curvature)
         plane = self.rays.coordinates(self.vertices)
         plane[np.abs(plane * self.rays.curvature).max(axis=1) > np.radians(85.0)] = np.nan
         corners = plane[self.triangles]
@@ -601,37 +603,30 @@ class Pad:
     # Readings --------------------------------------------------------------------------------------------------------
 
     def row(self, place: Array, quantity: str, axes: Array) -> tuple[Array, Array]:
-        """Degrees of freedom (81) and their weights in the reading at one place of the lattice.
-
-        Stresses and strains are taken at an element's 2 x 2 x 2 Gauss points, where they are most accurate, and continued linearly.
-        """
+        """Degrees of freedom (81) and their weights in the reading at one place of the lattice, in one element."""
         unit, first, second = QUANTITIES[quantity]
-        element, inside = (part[0] for part in self.split(place[None]))
-        degrees = (3 * self.elements[element][:, None] + np.arange(3)).ravel()
+        element, inside = self.split(place[None])
+        degrees = (3 * self.elements[element[0]][:, None] + np.arange(3)).ravel()
         if unit == "m":
-            return degrees, np.outer(shapes(inside[None])[0][0], axes[first]).ravel()
-        places, _ = cube(2)
-        share = np.prod(0.5 * (1.0 + 3.0 * inside * places), axis=1)  # linear, 1 at its own point, 0 at the others
-        one = np.array([element])
-        point, slope, _ = self.gradients(one, places)
-        along = slope[0] @ axes.T  # (g, 27, axis)
-        strain = 0.5 * (along[..., [second], None] * axes[first] + along[..., [first], None] * axes[second])[..., 0, :]
-        strain = strain.reshape(len(places), 81)
+            return degrees, np.outer(shapes(inside)[0][0], axes[first]).ravel()
+        point, slope, _ = self.gradients(element, inside)
+        along = slope[0, 0] @ axes.T  # (27, axis)
+        strain = 0.5 * (np.outer(along[:, second], axes[first]) + np.outer(along[:, first], axes[second])).ravel()
         if unit == "1":
-            return degrees, -share @ strain * (1.0 if first == second else 2.0)
+            return degrees, -strain * (1.0 if first == second else 2.0)
         stress = 2.0 * self.shear * strain
         if first == second:
-            stress = stress + self.lame * self.pressures(one)[1](point)[0]
-        return degrees, -share @ stress
+            stress = stress + self.lame * self.pressures(element)[1](point)[0, 0]
+        return degrees, -stress
 
     def reading(self, place: Array, quantity: str, axes: Array) -> tuple[Array, Array]:
-        """As `row`, the mean of both sides where a place lies between elements."""
+        """As `row`, the mean of both sides where a place lies between elements, whose stresses and strains differ."""
+        if QUANTITIES[quantity][0] == "m":
+            return self.row(place, quantity, axes)
         sides = []
         for s, n in zip(place, self.counts, strict=True):
             between = abs(s - round(s)) < 1e-7 and 0 < round(s) < n
             sides.append([round(s) - 1e-9, round(s) + 1e-9] if between else [s])
-        if QUANTITIES[quantity][0] == "m":
-            sides = [side[:1] for side in sides]
         rows = [self.row(np.array([a, b, c]), quantity, axes) for a in sides[0] for b in sides[1] for c in sides[2]]
         return np.concatenate([degrees for degrees, _ in rows]), np.concatenate([weights for _, weights in rows]) / len(rows)
 
