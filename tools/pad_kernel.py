@@ -106,7 +106,9 @@ def read_taxels(path: Path, length: str, reads: str) -> Taxels:
         name, _, unit = title.partition("[")
         names.append(name.strip())
         if unit and unit.rstrip("] ") != length and names[-1] != "name":
-            raise Refusal(f"{path}:{first}: column {title!r} has another unit than {length}: give --length-unit {unit.rstrip('] ')}")
+            raise Refusal(
+                f"{path}:{first}: column {title!r} has another unit than {length}: give --length-unit {unit.rstrip('] ')}"
+            )
         if names[-1] not in COLUMNS:
             raise Refusal(f"{path}:{first}: there is a column {title!r}: the columns are {','.join(COLUMNS)}")
         if names[-1] in names[:-1]:
@@ -151,7 +153,9 @@ def read_taxels(path: Path, length: str, reads: str) -> Taxels:
     for i, quantity in result.readings():
         other = seen.setdefault((*(result.place[i] + 0.0).tolist(), quantity), i)
         if other != i:
-            raise Refusal(f"{path}: taxels {taxels[other]} and {taxels[i]} are at one place and both read {quantity}: leave one out")
+            raise Refusal(
+                f"{path}: taxels {taxels[other]} and {taxels[i]} are at one place and both read {quantity}: leave one out"
+            )
     if len(taxels) > 1:
         extent = float(np.ptp(result.place, axis=0).max())
         if not 1e-3 <= extent <= 1.0:
@@ -220,7 +224,9 @@ def middle_frame(taxels: Taxels, reference: Array) -> Array:
     mean = taxels.normal.mean(axis=0)
     size = np.linalg.norm(mean)
     if size < 0.2:
-        raise Refusal("the taxels' normals point to all sides, so that no lattice of cells spans them: give the taxels of one side at a time")
+        raise Refusal(
+            "the taxels' normals point to all sides, so that no lattice of cells spans them: give the taxels of one side at a time"
+        )
     x, y, z = frames((mean / size)[None], reference, lambda _: "the middle of the taxels")[0]
     return np.array([y, z, -x])
 
@@ -244,7 +250,9 @@ class Sphere:
         a = np.concatenate([np.broadcast_to(np.eye(3), (len(above), 3, 3)), normal[:, :, None]], axis=2).reshape(-1, 4)
         values, _, rank, _ = np.linalg.lstsq(a, above.ravel())
         if rank < 4:
-            raise Refusal("the taxels' normals are parallel, so that they determine no sphere: give --sphere=X,Y,Z,R, or --surface")
+            raise Refusal(
+                "the taxels' normals are parallel, so that they determine no sphere: give --sphere=X,Y,Z,R, or --surface"
+            )
         residual = above.ravel() - a @ values
         spread = np.sqrt(residual @ residual / max(1, a.shape[0] - 4))
         deviation = spread * np.sqrt(np.linalg.inv(a.T @ a)[3, 3])
@@ -371,7 +379,9 @@ class Mesh:
                     "the outermost taxels, without holes, or make --edge less"
                 )
             if not len(faces):
-                raise Refusal(f"{self.of(triangle[mine[0]])} faces inward: the mesh is turned inside out; let it be counterclockwise seen from outside")
+                raise Refusal(
+                    f"{self.of(triangle[mine[0]])} faces inward: the mesh is turned inside out; let it be counterclockwise seen from outside"
+                )
             best = faces[np.argmax(height[faces])]
             for other in faces:
                 if not np.intersect1d(self.triangles[triangle[best]], self.triangles[triangle[other]]).size:
@@ -403,13 +413,20 @@ def read_obj(path: Path, unit: float) -> tuple[Array, Array, list[int]]:
             elif words[:1] == ["f"]:
                 corners = [int(word.partition("/")[0]) for word in words[1:]]
                 corners = [corner - 1 if corner > 0 else len(vertices) + corner for corner in corners]
-                if len(corners) < 3 or len(set(corners)) != len(corners) or min(corners) < 0 or "0" in {word.partition("/")[0] for word in words[1:]}:
+                if (
+                    len(corners) < 3
+                    or len(set(corners)) != len(corners)
+                    or min(corners) < 0
+                    or "0" in {word.partition("/")[0] for word in words[1:]}
+                ):
                     raise ValueError
                 for k in range(1, len(corners) - 1):
                     triangles.append([corners[0], corners[k], corners[k + 1]])
                     lines.append(number)
         except ValueError:
-            raise Refusal(f"{path}:{number}: {line[:60]!r} is no vertex of three finite numbers and no face of three or more vertices") from None
+            raise Refusal(
+                f"{path}:{number}: {line[:60]!r} is no vertex of three finite numbers and no face of three or more vertices"
+            ) from None
     if not triangles:
         raise Refusal(f"{path}: it holds no face: --surface takes a Wavefront OBJ file with lines v and f")
     faces = np.array(triangles)
@@ -464,7 +481,9 @@ class Pad:
 
     def __post_init__(self) -> None:
         count = 2 * np.array(self.counts) + 1
-        half = [np.interp(np.arange(n) / 2.0, np.arange(len(edges)), edges) for n, edges in zip(count, (self.u, self.v), strict=False)]
+        half = [
+            np.interp(np.arange(n) / 2.0, np.arange(len(edges)), edges) for n, edges in zip(count, (self.u, self.v), strict=False)
+        ]
         if max(np.abs(self.surface.rays.curvature[k] * half[k]).max() for k in range(2)) > STEEPEST:
             raise Refusal(
                 "the pad would reach around more than 160 degrees of its surface, where the lattice's rays miss it: make --edge or --margin less, "
@@ -515,7 +534,9 @@ class Pad:
         stretch = np.einsum("eni,gnk->egik", corner, slope)
         volume = np.linalg.det(stretch)
         if not (volume > 0.0).all():
-            raise Refusal("elements of the pad turn inside out: its surface is bent too much for the thickness, or its mesh is too coarse")
+            raise Refusal(
+                "elements of the pad turn inside out: its surface is bent too much for the thickness, or its mesh is too coarse"
+            )
         return np.einsum("gn,eni->egi", value, corner), np.matmul(slope, np.linalg.inv(stretch)), volume
 
     def pressures(self, elements: Array) -> tuple[Array, Callable[[Array], Array]]:
@@ -778,7 +799,9 @@ class Request:
 
     def check(self) -> None:
         if not (np.isfinite(self.thickness) and 1e-5 <= self.thickness <= 1.0):
-            raise Refusal(f"the thickness is {self.thickness:g} m: it must lie between 1e-5 and 1 m; --length-unit says what lengths are in")
+            raise Refusal(
+                f"the thickness is {self.thickness:g} m: it must lie between 1e-5 and 1 m; --length-unit says what lengths are in"
+            )
         if not (np.isfinite(self.modulus) and self.modulus > 0.0):
             raise Refusal(f"Young's modulus is {self.modulus:g} Pa: it must be above 0")
         if not 0.0 <= self.poisson <= MOST_POISSON:
@@ -794,7 +817,9 @@ class Request:
             raise Refusal("--reference must be a direction: three finite numbers that are not all 0")
         for name, depth in zip(self.taxels.names, self.taxels.depth, strict=True):
             if depth > self.thickness * (1.0 + 1e-9):
-                raise Refusal(f"taxel {name} is {depth:.4g} m deep, and the pad is {self.thickness:.4g} m thick: it would lie in the core")
+                raise Refusal(
+                    f"taxel {name} is {depth:.4g} m deep, and the pad is {self.thickness:.4g} m thick: it would lie in the core"
+                )
         for i, quantity in self.taxels.readings():
             if QUANTITIES[quantity][0] == "m":
                 if self.frame is None:
@@ -803,7 +828,9 @@ class Request:
                         "--frame local (x into the pad, y and z along its surface)"
                     )
                 if self.taxels.depth[i] > self.thickness * (1.0 - 1e-6):
-                    raise Refusal(f"taxel {self.taxels.names[i]} reads {quantity} at the core, where nothing moves: its depth must be less than the thickness")
+                    raise Refusal(
+                        f"taxel {self.taxels.names[i]} reads {quantity} at the core, where nothing moves: its depth must be less than the thickness"
+                    )
 
 
 def ranges(request: Request, surface: Surface) -> tuple[Pad, Cells]:
@@ -818,7 +845,9 @@ def ranges(request: Request, surface: Surface) -> tuple[Pad, Cells]:
     margin = float(taxels.depth.max()) if request.margin is None else request.margin
     edge = max(margin, 4.0 * h) if request.edge is None else request.edge
     if edge < margin:
-        raise Refusal(f"--edge is {edge:g} m and --margin {margin:g} m: cells cannot reach beyond the pad's edge; make --margin less")
+        raise Refusal(
+            f"--edge is {edge:g} m and --margin {margin:g} m: cells cannot reach beyond the pad's edge; make --margin less"
+        )
     low, high = uv.min(axis=0), uv.max(axis=0)
     extent = high - low + 2.0 * margin
     if extent.min() <= 0.0:
@@ -869,7 +898,10 @@ def places_of(request: Request, pad: Pad, axes: Array) -> tuple[Array, Array]:
                 f"the normal of taxel {name} is {np.degrees(np.arccos(turned[i])):.0f} degrees off the surface's: do both have the same axes?"
             )
         if off[i].max() > 1e-6 * pad.thickness or (place[i, :, :2] < -1e-9).any() or (place[i, :, :2] > counts[:2] + 1e-9).any():
-            raise Refusal(f"taxel {name} lies outside of the pad" + (", with half of --width: make --edge more, or --width less" if request.width else ""))
+            raise Refusal(
+                f"taxel {name} lies outside of the pad"
+                + (", with half of --width: make --edge more, or --width less" if request.width else "")
+            )
         if abs(found[i] - taxels.depth[i]) > 0.05 * pad.thickness:
             raise Refusal(
                 f"taxel {name} lies {found[i]:.4g} m below the surface, and its depth is said to be {taxels.depth[i]:.4g} m: x, y, z is where it "
@@ -917,8 +949,12 @@ def make_kernel(request: Request, tell: Callable[[str], None] = lambda _: None) 
         most = max(most, float(missed.max()))
         kernel[first : first + 64] = (work @ solved).T
     if not (np.isfinite(kernel).all() and most < 1e-7):
-        raise Refusal(f"the elements' equations are not solved: they miss {most:.1g} of their right sides; give another --solver, or a smaller --poisson-ratio")
-    tell(f"{len(readings)} solves: {time.perf_counter() - built:.1f} s; {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6:.2f} GB in all")
+        raise Refusal(
+            f"the elements' equations are not solved: they miss {most:.1g} of their right sides; give another --solver, or a smaller --poisson-ratio"
+        )
+    tell(
+        f"{len(readings)} solves: {time.perf_counter() - built:.1f} s; {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e6:.2f} GB in all"
+    )
     vertices, corners = cells.vertices()
     # The work of the tractions in a shift and in a turn of the whole pad: forces and moments, to rounding.
     turn = np.zeros((3, 3, *pad.nodes.shape[:1]))
@@ -990,25 +1026,66 @@ def parser() -> argparse.ArgumentParser:
         "finite elements. docs/kernels.md explains it step by step.",
         epilog="Lengths, the files' and the options', are in --length-unit; K is in SI: m/Pa, Pa/Pa, 1/Pa.",
     )
-    options.add_argument("taxels", type=Path, help="CSV: name,x,y,z,nx,ny,nz,depth,reads; x, y, z is where a taxel reads, nx, ny, nz the outward unit normal")
+    options.add_argument(
+        "taxels",
+        type=Path,
+        help="CSV: name,x,y,z,nx,ny,nz,depth,reads; x, y, z is where a taxel reads, nx, ny, nz the outward unit normal",
+    )
     shape = options.add_mutually_exclusive_group(required=True)
     shape.add_argument(
-        "--sphere", nargs="?", const="fitted", metavar="X,Y,Z,R", help="the outer surface is a sphere: fitted to the taxels, or centre and radius (R < 0: a hole)"
+        "--sphere",
+        nargs="?",
+        const="fitted",
+        metavar="X,Y,Z,R",
+        help="the outer surface is a sphere: fitted to the taxels, or centre and radius (R < 0: a hole)",
     )
-    shape.add_argument("--surface", type=Path, metavar="MESH.obj", help="the outer surface, triangles or quadrilaterals, counterclockwise seen from outside")
-    options.add_argument("--thickness", type=float, required=True, help="of the pad, from its surface to the core along the normal")
+    shape.add_argument(
+        "--surface",
+        type=Path,
+        metavar="MESH.obj",
+        help="the outer surface, triangles or quadrilaterals, counterclockwise seen from outside",
+    )
+    options.add_argument(
+        "--thickness", type=float, required=True, help="of the pad, from its surface to the core along the normal"
+    )
     options.add_argument("--youngs-modulus", type=float, required=True, metavar="PA", help="[Pa]")
     options.add_argument("--poisson-ratio", type=float, required=True, metavar="NU", help=f"0 to {MOST_POISSON}; 0.5 is refused")
     options.add_argument("--length-unit", choices=LENGTHS, default="m", help="of the files and of the options (m)")
-    options.add_argument("--reads", default="", help='what taxels read where the file does not say it: "displacement_x displacement_y displacement_z"')
-    options.add_argument("--frame", choices=("sensor", "local"), help="displacements are along the file's axes, or along the taxel's own; must be said")
-    options.add_argument("--reference", type=floats(3), default=(0.0, 1.0, 0.0), metavar="X,Y,Z", help="e_y is this direction made tangent (0,1,0)")
-    options.add_argument("--cells", type=counts(2), metavar="ROWSxCOLUMNS", help="rows along e_y (the taxels' mean depth a side, but a quarter to a half of the thickness)")
-    options.add_argument("--elements", type=counts(3), metavar="ROWSxCOLUMNSxLAYERS", help="(0.6 of the thickness a side in the middle, 3 layers)")
-    options.add_argument("--margin", type=float, help="how far cells reach beyond the outermost taxels, along the surface (their largest depth)")
+    options.add_argument(
+        "--reads",
+        default="",
+        help='what taxels read where the file does not say it: "displacement_x displacement_y displacement_z"',
+    )
+    options.add_argument(
+        "--frame",
+        choices=("sensor", "local"),
+        help="displacements are along the file's axes, or along the taxel's own; must be said",
+    )
+    options.add_argument(
+        "--reference", type=floats(3), default=(0.0, 1.0, 0.0), metavar="X,Y,Z", help="e_y is this direction made tangent (0,1,0)"
+    )
+    options.add_argument(
+        "--cells",
+        type=counts(2),
+        metavar="ROWSxCOLUMNS",
+        help="rows along e_y (the taxels' mean depth a side, but a quarter to a half of the thickness)",
+    )
+    options.add_argument(
+        "--elements", type=counts(3), metavar="ROWSxCOLUMNSxLAYERS", help="(0.6 of the thickness a side in the middle, 3 layers)"
+    )
+    options.add_argument(
+        "--margin", type=float, help="how far cells reach beyond the outermost taxels, along the surface (their largest depth)"
+    )
     options.add_argument("--edge", type=float, help="how far the pad itself does; its edges are free (4 thicknesses)")
-    options.add_argument("--width", type=float, default=0.0, help="readings are means over a square of this side, along the surface (0: at a point)")
-    options.add_argument("--solver", choices=("auto", *SOLVERS), default="auto", help="auto: the first that is installed; SuperLU is SciPy's")
+    options.add_argument(
+        "--width",
+        type=float,
+        default=0.0,
+        help="readings are means over a square of this side, along the surface (0: at a point)",
+    )
+    options.add_argument(
+        "--solver", choices=("auto", *SOLVERS), default="auto", help="auto: the first that is installed; SuperLU is SciPy's"
+    )
     options.add_argument("-o", "--output", type=Path, default=Path("k.npz"), help="(k.npz)")
     options.add_argument("-q", "--quiet", action="store_true", help="say nothing of the progress")
     return options

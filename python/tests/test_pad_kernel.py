@@ -44,11 +44,15 @@ def ball(radius: float = R) -> Callable[..., Any]:
 
 
 def request(taxels: Any, **given: Any) -> Any:
-    return tool.Request(taxels, **{"surface": ball(), "thickness": H, "modulus": 0.25e6, "poisson": 0.48, "frame": "local"} | given)
+    return tool.Request(
+        taxels, **{"surface": ball(), "thickness": H, "modulus": 0.25e6, "poisson": 0.48, "frame": "local"} | given
+    )
 
 
 def small(**given: Any) -> Any:
-    taxels = given.pop("taxels", None) or taxels_on_ball(np.linspace(-0.1, 0.1, 3), 1.6e-3, [*OF, "stress_x", "shear_xy", "shear_xz"])
+    taxels = given.pop("taxels", None) or taxels_on_ball(
+        np.linspace(-0.1, 0.1, 3), 1.6e-3, [*OF, "stress_x", "shear_xy", "shear_xz"]
+    )
     return request(taxels, **{"cells": (6, 6), "elements": (6, 6, 2), "edge": 8e-3, "margin": 2e-3} | given)
 
 
@@ -107,7 +111,9 @@ def test_a_uniform_strain_is_exact_on_curved_elements() -> None:
     inner = np.zeros(2 * np.array(pad.counts) + 1, dtype=bool)
     inner[1:-1, 1:-1, 0] = True
     # Minus the sum over cells of p's nodal vectors is the area vector that these nodes bear.
-    assert np.allclose(stress @ -normal_load[0].sum(axis=0)[inner.ravel()].sum(axis=0), top, rtol=1e-9, atol=1e-9 * np.abs(top).max())
+    assert np.allclose(
+        stress @ -normal_load[0].sum(axis=0)[inner.ravel()].sum(axis=0), top, rtol=1e-9, atol=1e-9 * np.abs(top).max()
+    )
 
 
 def test_a_row_of_k_is_what_loads_cause() -> None:
@@ -124,7 +130,9 @@ def test_a_row_of_k_is_what_loads_cause() -> None:
     place, _ = tool.places_of(asked, pad, axes)
     for row, (i, quantity) in enumerate(asked.taxels.readings()):
         degrees, weights = pad.reading(place[i, 0], quantity, axes[i])
-        assert weights @ moved[degrees] == pytest.approx(arrays["K"][row, load], rel=1e-8, abs=1e-9 * np.abs(arrays["K"][row]).max())
+        assert weights @ moved[degrees] == pytest.approx(
+            arrays["K"][row, load], rel=1e-8, abs=1e-9 * np.abs(arrays["K"][row]).max()
+        )
 
 
 def test_a_symmetric_pad_has_a_symmetric_kernel() -> None:
@@ -163,7 +171,7 @@ def test_forces_and_moments_are_those_of_the_surface() -> None:
     solid = 4.0 * np.arctan(tangent[1] ** 2 / np.sqrt(1.0 + 2.0 * tangent[1] ** 2))
     assert tangent[0] == pytest.approx(-tangent[1]) and arrays["areas"].sum() == pytest.approx(solid * R**2, rel=1e-4)
     _, finer = tool.ranges(small(elements=(24, 24, 1)), ball()(asked.taxels, tool.middle_frame(asked.taxels, cells.reference)))
-    assert finer.loads()[1].sum() == pytest.approx(solid * R**2, rel=1e-6)
+    assert finer.loads()[1].sum() == pytest.approx(solid * R**2, rel=5e-6)
     # Of small cells force and moment are those in their middles.
     middle = arrays["vertices"][arrays["cells"]].mean(axis=1)
     near = arrays["frames"] * arrays["areas"][:, None, None]
@@ -186,7 +194,9 @@ def test_a_pad_elsewhere_in_the_frame_is_the_same_pad(frame: str) -> None:
     old = asked.taxels
     moved = dataclasses.replace(old, place=old.place @ turn.T + shift, normal=old.normal @ turn.T)
     again = tool.make_kernel(
-        dataclasses.replace(asked, taxels=moved, surface=lambda _, axes: tool.Sphere(shift, R, axes), reference=tuple(turn @ [0.0, 1.0, 0.0]))
+        dataclasses.replace(
+            asked, taxels=moved, surface=lambda _, axes: tool.Sphere(shift, R, axes), reference=tuple(turn @ [0.0, 1.0, 0.0])
+        )
     )
     k, turned = arrays["K"], again["K"]
     if frame == "sensor":
@@ -257,7 +267,11 @@ class BallSeries:
         to_load, drag, turn = tangent(load), tangent(along), np.cross(along, load)
         spin = tangent(turn)
         reach, twist = np.einsum("ij,ij->i", along, normal), np.einsum("ij,ij->i", turn, normal)
-        p, p1, p2 = (np.ones_like(c), np.zeros_like(c)), (np.zeros_like(c), np.zeros_like(c)), (np.zeros_like(c), np.zeros_like(c))
+        p, p1, p2 = (
+            (np.ones_like(c), np.zeros_like(c)),
+            (np.zeros_like(c), np.zeros_like(c)),
+            (np.zeros_like(c), np.zeros_like(c)),
+        )
         u, s = np.zeros_like(normal), np.zeros_like(normal)
         for n, (ur, vr, sr, tr, ut, vt, st, tt, w, tw) in enumerate(self.rows):
             f = (2 * n + 1) / (4 * np.pi)
@@ -268,7 +282,12 @@ class BallSeries:
             u += (f * ur * p[0] * out + q * ut * p1[0] * reach)[:, None] * normal + vr * slope + vt * even + w * odd
             s += (f * sr * p[0] * out + q * st * p1[0] * reach)[:, None] * normal + tr * slope + tt * even + tw * odd
             p, p1, p2 = (
-                (((2 * n + 1) * c * now - (n + k) * before) / (n + 1 - k) if n >= k else np.full_like(c, (1.0, 1.0, 3.0)[k] * (n + 1 == k)), now)
+                (
+                    ((2 * n + 1) * c * now - (n + k) * before) / (n + 1 - k)
+                    if n >= k
+                    else np.full_like(c, (1.0, 1.0, 3.0)[k] * (n + 1 == k)),
+                    now,
+                )
                 for k, (now, before) in enumerate((p, p1, p2))
             )
         return u, s
@@ -288,7 +307,9 @@ def exact_on_ball(asked: Any, arrays: dict[str, Any], block: Floats, load: int) 
         direction = np.stack([tan_b, tan_a, np.ones_like(tan_a)], axis=1)
         size = np.linalg.norm(direction, axis=1)
         points.append(direction / size[:, None])
-        areas.append(np.outer(w, w).ravel() * np.ptp(angles[:, 0]) * np.ptp(angles[:, 1]) / 4.0 * (1 + tan_a**2) * (1 + tan_b**2) / size**3)
+        areas.append(
+            np.outer(w, w).ravel() * np.ptp(angles[:, 0]) * np.ptp(angles[:, 1]) / 4.0 * (1 + tan_a**2) * (1 + tan_b**2) / size**3
+        )
     place, area = np.concatenate(points), np.concatenate(areas)
     reference = np.array([0.0, 1.0, 0.0])
     force = area[:, None] * tool.frames(place, reference, str)[:, load]
@@ -350,7 +371,12 @@ def test_a_flat_pad_has_the_flat_kernel(tmp_path: Path) -> None:
         normal = np.tile([0.0, 0.0, 1.0], (25, 1))
         taxels = tool.Taxels([str(i) for i in range(25)], place, normal, np.full(25, depth), [list(reads)] * 25)
         asked = request(
-            taxels, surface=lambda taxels, axes: tool.Mesh(mesh, 1.0, taxels, axes), cells=(15, 15), elements=(12, 12, 3), margin=0.75e-3, edge=14e-3
+            taxels,
+            surface=lambda taxels, axes: tool.Mesh(mesh, 1.0, taxels, axes),
+            cells=(15, 15),
+            elements=(12, 12, 3),
+            margin=0.75e-3,
+            edge=14e-3,
         )
         found = tool.make_kernel(asked)
         assert np.allclose(found["F"], found["frames"] * 0.25e-6, atol=1e-16)
@@ -379,12 +405,18 @@ def test_a_cylinder_and_a_hole_are_spanned_too(tmp_path: Path) -> None:
     angle, length = (grid.ravel() for grid in np.meshgrid(np.linspace(-0.6, 0.6, 3), np.linspace(-8e-3, 8e-3, 3)))
     normal = np.stack([np.sin(angle), np.zeros(9), np.cos(angle)], axis=1)
     depth = 1e-3
-    taxels = tool.Taxels([str(i) for i in range(9)], on_cylinder(angle, length) - depth * normal, normal, np.full(9, depth), [OF] * 9)
-    asked = small(taxels=taxels, thickness=3e-3, surface=lambda taxels, axes: tool.Mesh(mesh, 1.0, taxels, axes), edge=5e-3, margin=1e-3)
+    taxels = tool.Taxels(
+        [str(i) for i in range(9)], on_cylinder(angle, length) - depth * normal, normal, np.full(9, depth), [OF] * 9
+    )
+    asked = small(
+        taxels=taxels, thickness=3e-3, surface=lambda taxels, axes: tool.Mesh(mesh, 1.0, taxels, axes), edge=5e-3, margin=1e-3
+    )
     arrays = tool.make_kernel(asked)
     place = arrays["vertices"]
     assert np.hypot(place[:, 0], place[:, 2]) == pytest.approx(8e-3, abs=2e-6)
-    assert np.ptp(place[:, 1]) == pytest.approx(18e-3) and np.ptp(np.arctan2(place[:, 0], place[:, 2])) == pytest.approx(1.2 + 2.0 / 8.0, rel=2e-3)
+    assert np.ptp(place[:, 1]) == pytest.approx(18e-3) and np.ptp(np.arctan2(place[:, 0], place[:, 2])) == pytest.approx(
+        1.2 + 2.0 / 8.0, rel=2e-3
+    )
     inward = taxels_on_ball(np.linspace(-0.1, 0.1, 3), 1.6e-3, [*OF])
     inward.place *= (R + 1.6e-3) / (R - 1.6e-3)
     inward.normal *= -1.0
@@ -405,7 +437,11 @@ def test_a_mean_over_a_taxel_is_the_mean_of_points() -> None:
     place = one.place + np.stack([z, y, np.zeros(16)], axis=1)  # e_z is the sensor's x here
     many = tool.Taxels([str(i) for i in range(16)], place, np.tile(one.normal, (16, 1)), np.full(16, 1.6e-3), [reads] * 16)
     pad, cells = tool.ranges(asked, ball()(one, tool.middle_frame(one, np.array([0.0, 1.0, 0.0]))))
-    places, _ = tool.places_of(dataclasses.replace(asked, taxels=many, width=0.0), pad, np.tile(tool.frames(one.normal, cells.reference, str), (16, 1, 1)))
+    places, _ = tool.places_of(
+        dataclasses.replace(asked, taxels=many, width=0.0),
+        pad,
+        np.tile(tool.frames(one.normal, cells.reference, str), (16, 1, 1)),
+    )
     a = pad.stiffness()
     solve = tool.factor(a, "superlu")[1]
     free = pad.unknown >= 0
@@ -448,8 +484,8 @@ def test_the_recorded_cap_is_solved_by_a_kernel_from_the_command(tmp_path: Path,
         tractions = (right.T @ (size / (size**2 + alpha**2) * (left.T @ readings))).reshape(3, -1)
         force = np.einsum("tk,kti->i", tractions, arrays["F"])
         moment = np.einsum("tk,kti->i", tractions, arrays["M"])
-        assert np.linalg.norm(force - true["force"]) < 0.03 * np.linalg.norm(true["force"])
-        assert np.linalg.norm(moment - true["moment"]) < 0.03 * R * np.linalg.norm(true["force"])
+        assert np.linalg.norm(force - true["force"]) < 0.02 * np.linalg.norm(true["force"])
+        assert np.linalg.norm(moment - true["moment"]) < 0.01 * R * np.linalg.norm(true["force"])
 
 
 @pytest.mark.parametrize("solver", ["pardiso", "cholmod"])
@@ -468,7 +504,18 @@ c,0,2.83010,28.2586,0,0.0996512,0.995022,1.6,stress_x
 
 def run(tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, *options: str) -> tuple[int, str]:
     (tmp_path / "t.csv").write_text(text)
-    given = ["--length-unit", "mm", "--thickness", "4", "--youngs-modulus", "0.25e6", "--poisson-ratio", "0.48", "--frame", "local"]
+    given = [
+        "--length-unit",
+        "mm",
+        "--thickness",
+        "4",
+        "--youngs-modulus",
+        "0.25e6",
+        "--poisson-ratio",
+        "0.48",
+        "--frame",
+        "local",
+    ]
     shape = [] if any(option.startswith(("--sphere", "--surface")) for option in options) else ["--sphere=0,0,0,30"]
     lattice = ["--elements", "4x4x1", "--cells", "2x2", "-q", "-o", str(tmp_path / "k.npz")]
     status = tool.main([str(tmp_path / "t.csv"), *given, *shape, *lattice, *options])
