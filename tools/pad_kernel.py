@@ -45,7 +45,7 @@ QUANTITIES = {
 COLUMNS = ("name", "x", "y", "z", "nx", "ny", "nz", "depth", "reads")
 MOST_POISSON = 0.4999
 MOST_UNKNOWNS = 1_000_000
-STEEPEST = np.radians(80.0)  # between a ray of the lattice and the middle one
+STEEPEST = np.radians(75.0)  # between a ray of the lattice and the middle one
 
 
 class Refusal(Exception):
@@ -484,11 +484,6 @@ class Pad:
         half = [
             np.interp(np.arange(n) / 2.0, np.arange(len(edges)), edges) for n, edges in zip(count, (self.u, self.v), strict=False)
         ]
-        if max(np.abs(self.surface.rays.curvature[k] * half[k]).max() for k in range(2)) > STEEPEST:
-            raise Refusal(
-                "the pad would reach around more than 160 degrees of its surface, where the lattice's rays miss it: make --edge or --margin less, "
-                "or give the taxels of one side at a time"
-            )
         top, normal = self.surface.at(*np.meshgrid(*half, indexing="ij"))
         for axis in (0, 1):
             bend = np.einsum("ijk,ijk->ij", np.diff(normal, axis=axis), np.diff(top, axis=axis))
@@ -843,7 +838,14 @@ def ranges(request: Request, surface: Surface) -> tuple[Pad, Cells]:
             "give the taxels of one side at a time"
         )
     margin = float(taxels.depth.max()) if request.margin is None else request.margin
-    edge = max(margin, 4.0 * h) if request.edge is None else request.edge
+    with np.errstate(divide="ignore"):
+        room = float((STEEPEST / np.abs(surface.rays.curvature) - np.abs(uv).max(axis=0)).min())
+    edge = max(margin, min(4.0 * h, room)) if request.edge is None else request.edge
+    if edge > room:
+        raise Refusal(
+            f"the pad would reach around more than {2 * np.degrees(STEEPEST):.0f} degrees of its surface, where the lattice's rays miss it: --edge may "
+            f"be {room:.3g} m at most, and --margin too; or give the taxels of one side at a time"
+        )
     if edge < margin:
         raise Refusal(
             f"--edge is {edge:g} m and --margin {margin:g} m: cells cannot reach beyond the pad's edge; make --margin less"
@@ -1076,7 +1078,9 @@ def parser() -> argparse.ArgumentParser:
     options.add_argument(
         "--margin", type=float, help="how far cells reach beyond the outermost taxels, along the surface (their largest depth)"
     )
-    options.add_argument("--edge", type=float, help="how far the pad itself does; its edges are free (4 thicknesses)")
+    options.add_argument(
+        "--edge", type=float, help="how far the pad itself does; its edges are free (4 thicknesses, less where it goes around)"
+    )
     options.add_argument(
         "--width",
         type=float,

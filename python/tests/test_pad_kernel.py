@@ -553,7 +553,7 @@ def test_units_in_headers_and_names_of_readings(tmp_path: Path, capsys: pytest.C
         (("", ""), ("--poisson-ratio", "0.5"), "give 0.4999 for rubber"),
         (("", ""), ("--youngs-modulus", "0"), "Young's modulus is 0 Pa"),
         (("", ""), ("--margin", "9", "--edge", "8"), "make --margin less"),
-        (("", ""), ("--edge", "60"), "more than 160 degrees"),
+        (("", ""), ("--edge", "60"), "more than 150 degrees of its surface, where the lattice's rays miss it: --edge may be 0.03"),
         (("", ""), ("--elements", "200x200x4"), "give fewer --elements"),
         (("", ""), ("--reference", "0,0,1"), "within 10 degrees of the normal"),
         (("", ""), ("--reference", "0,0,0"), "must be a direction"),
