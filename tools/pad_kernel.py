@@ -248,7 +248,7 @@ class Sphere:
         """Centre and radius by least squares of centre + R n = the surface above each taxel."""
         above, normal = taxels.above, taxels.normal
         a = np.concatenate([np.broadcast_to(np.eye(3), (len(above), 3, 3)), normal[:, :, None]], axis=2).reshape(-1, 4)
-        values, _, rank, _ = np.linalg.lstsq(a, above.ravel())
+        values, _, rank, _ = np.linalg.lstsq(a, above.ravel(), rcond=None)
         if rank < 4:
             raise Refusal(
                 "the taxels' normals are parallel, so that they determine no sphere: give --sphere=X,Y,Z,R, or --surface"
@@ -611,7 +611,7 @@ class Pad:
         for _ in range(40):
             at, slope = self.points(place)
             step = np.linalg.solve(slope, (points - at)[..., None])[..., 0]
-            place = place + np.clip(step, -1.0, 1.0)
+            place = np.clip(place + np.clip(step, -1.0, 1.0), -1.0, np.array(self.counts) + 1.0)
             if np.abs(step).max() < 1e-12:
                 break
         return place
@@ -768,6 +768,10 @@ def factor(a: sparse.csr_matrix, solver: str) -> tuple[str, Callable[[Array], Ar
             if solver != "auto":
                 package = {"pardiso": "pypardiso", "cholmod": "scikit-sparse, version 0.4"}[name]
                 raise Refusal(f"--solver {name} needs the package {package}: install it, or leave the option out") from None
+        except MemoryError:
+            raise
+        except Exception as error:  # each solver has its own
+            raise Refusal(f"{name} finds no factor ({error}): give another --solver, or fewer --elements") from None
     raise AssertionError("SciPy has SuperLU")
 
 
@@ -990,7 +994,7 @@ def write(path: Path, arrays: dict[str, Array]) -> None:
     partial = path.with_name(path.name + ".part")
     try:
         with partial.open("wb") as file:
-            np.savez(file, allow_pickle=False, **arrays)
+            np.savez(file, **arrays)  # numbers and text alone: nothing is pickled
         os.replace(partial, path)
     finally:
         partial.unlink(missing_ok=True)
@@ -1138,12 +1142,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise Refusal(f"{given.output}: there is no folder {given.output.parent}")
         arrays = make_kernel(request_of(given), tell)
         write(given.output, arrays)
-    except (Refusal, OSError) as error:
+    except (Refusal, OSError, csv.Error) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
     except UnicodeDecodeError as error:
         print(f"error: {given.taxels}: it is no text in UTF-8: {error.reason}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        return 130
     except MemoryError:
         print("error: there is not enough memory for so many elements: give fewer --elements", file=sys.stderr)
         return 1

@@ -561,6 +561,9 @@ def test_units_in_headers_and_names_of_readings(tmp_path: Path, capsys: pytest.C
         (("", ""), ("--surface", "nothing.obj"), "No such file"),
         (("c,0,2.83010,28.2586,0", "c,0,6.83010,28.2586,0"), ("--sphere",), "the taxels lie on no sphere"),
         ((GOOD[GOOD.index("b,") :], ""), ("--sphere",), "they determine no sphere"),
+        (("0.0996512,0,0.995022,1.6", "-0.01,0,0.99995,1.6"), ("--sphere",), "do not determine the sphere"),
+        (("", ""), ("--width", "40"), "taxel a lies outside of the pad, with half of --width"),
+        (("", ""), ("-o", "nowhere/k.npz"), "there is no folder nowhere"),
         ((GOOD, ""), (), "it is empty"),
     ],
 )  # fmt: skip
