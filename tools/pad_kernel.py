@@ -27,9 +27,14 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, Protocol
 
-import numpy as np
-from scipy import sparse
-from scipy.sparse import linalg
+try:
+    import numpy as np
+    from scipy import sparse
+    from scipy.sparse import linalg
+except ModuleNotFoundError as missing:
+    if __name__ != "__main__":
+        raise
+    sys.exit(f"error: {missing.name} is not installed: pip install numpy scipy")
 
 Array = np.ndarray[Any, np.dtype[Any]]
 
@@ -1054,7 +1059,9 @@ def parser() -> argparse.ArgumentParser:
     options.add_argument(
         "--thickness", type=float, required=True, help="of the pad, from its surface to the core along the normal"
     )
-    options.add_argument("--youngs-modulus", type=float, required=True, metavar="PA", help="[Pa]")
+    options.add_argument(
+        "--youngs-modulus", type=float, required=True, metavar="PA", help="of the pad [Pa], whatever --length-unit is"
+    )
     options.add_argument("--poisson-ratio", type=float, required=True, metavar="NU", help=f"0 to {MOST_POISSON}; 0.5 is refused")
     options.add_argument("--length-unit", choices=LENGTHS, default="m", help="of the files and of the options (m)")
     options.add_argument(
