@@ -96,6 +96,16 @@ class ContactPatch(Told):
     nothing presses."""
     torsion: Uncertain | None
     """Of skins. The moment about x through the centre of pressure, from y towards z [N m]."""
+    force: tuple[Uncertain, Uncertain, Uncertain]
+    """Of skins. Of a curved skin the force that acts on it, along the sensor's x, y and z [N/m, of a skin N]; absent:
+    it is flat."""
+    moment: tuple[Uncertain, Uncertain, Uncertain]
+    """Of skins. The moment of that force about the point that the scene names [N m]."""
+    centre_in_space: tuple[Uncertain, Uncertain, Uncertain]
+    """Of skins. The mean of the places of a curved skin that press, in the sensor's axes: it lies below a convex
+    surface [m]; absent: nothing presses."""
+    above: tuple[float, float, float]
+    """Of skins. The place of the surface above that [m]."""
     friction: Uncertain | None
     """Drag over force: the least friction that holds it; None: nothing drags."""
     slip_margin: Uncertain | None
