@@ -10,13 +10,14 @@ else in those of the scene; arrays are float64.
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
-from . import datasets, errors, plot
+from . import datasets, errors, plot, sensors
 from ._calibration import Calibration, FittedValue, NextPress, calibrate
 from ._check import Finding, ReadingsCheck
 from ._circuit import Certification, Relaxation, Survey
 from ._controller import ContactEstimate, ContactRow, Estimator, Plan
 from ._core import version as __version__
 from ._files import load
+from ._geometry import Frames, Geometry
 from ._optional import part
 from ._recording import Distribution, Recording, Solution
 from ._report import Report, report
@@ -47,6 +48,7 @@ from ._tables import (
 )
 from ._told import ContactPatch, Key, Told, Uncertain, keys
 from .errors import CutOffWarning, Diagnostic, FrameError, InputError, SimulatorError, UnsolvableError
+from .sensors import PointSet, SensorRecording
 
 if TYPE_CHECKING:
     from . import logs, mujoco
@@ -69,6 +71,8 @@ __all__ = [
     "Finding",
     "FittedValue",
     "FrameError",
+    "Frames",
+    "Geometry",
     "InputError",
     "Key",
     "Layer",
@@ -77,6 +81,7 @@ __all__ = [
     "NextPress",
     "Noise",
     "Plan",
+    "PointSet",
     "Punch",
     "ReadingsCheck",
     "Reconstruct",
@@ -87,6 +92,7 @@ __all__ = [
     "SampledTractions",
     "Scene",
     "Sensor",
+    "SensorRecording",
     "SimulatorError",
     "Sites",
     "Skin",
@@ -117,6 +123,7 @@ __all__ = [
     "plot",
     "report",
     "run",
+    "sensors",
     "sweep",
 ]
 

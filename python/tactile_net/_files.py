@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike, fspath
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, overload
 
 from ._optional import part
 from ._refusal import refused
@@ -14,10 +14,13 @@ from ._refusal import refused
 if TYPE_CHECKING:
     from numpy.typing import DTypeLike
 
+    from ._geometry import Geometry
     from ._judge import Units
     from ._layout import Layout
     from ._recording import Recording, Solution
     from ._scene import Scene
+    from .errors import InputError
+    from .sensors import SensorRecording
 
 _SUFFIXES = (".npy", ".npz", ".csv", ".nc", ".h5", ".hdf5", ".zarr", ".parquet", ".mcap")
 _STRANGERS = {
@@ -30,6 +33,7 @@ _STRANGERS = {
 }
 
 
+@overload
 def load(
     path: str | PathLike[str],
     *,
@@ -37,20 +41,62 @@ def load(
     units: Units | None = None,
     name: str | None = None,
     missing: bool = True,
-) -> Recording:
+) -> Recording: ...
+@overload
+def load(
+    path: str | PathLike[str],
+    *,
+    sensor: str | None = None,
+    model: str | None = None,
+    geometry: Geometry | str | PathLike[str] | None = None,
+    thickness: float | None = None,
+    youngs_modulus: float | None = None,
+    poisson_ratio: float | None = None,
+    base: str = "bonded",
+    depth: float | None = None,
+    reference: Sequence[float] = (0.0, 1.0, 0.0),
+    noise: float | None = None,
+    units: str | Mapping[str, str] | None = None,
+    name: str | None = None,
+    reads: str | None = None,
+    frame: str | None = None,
+    gain: float | Sequence[float] | None = None,
+    pitch: float | Sequence[float] | None = None,
+) -> SensorRecording: ...
+def load(
+    path: str | PathLike[str],
+    *,
+    scene: Scene | None = None,
+    units: Units | None = None,
+    name: str | None = None,
+    missing: bool = True,
+    **sensor: Any,
+) -> Recording | SensorRecording:
     """A recording from .npy, .npz, CSV, netCDF-4 or any HDF5, Zarr, Parquet, MCAP or a ROS bag: known by content, not by
-    name.
+    name; or a `SensorRecording` of a sensor's own files, where any of the names under **sensor is given.
 
     scene: of a file that says none, or in place of the one inside.
     units: of a file that says none: "kPa", {"stress_x": "kPa", "strain_x": "1"}, or "scene": as the scene says of its
     files of readings, with its calibration; None: "scene", where that has [units] or [calibration].
-    name: which of several recordings, arrays, datasets, columns or topics.
+    name: which of several recordings, arrays, datasets, columns, topics or sensors.
     missing: readings that are not finite are missing values, of which a note tells; False: they are refused.
+    sensor: `sensor` is one of `tn.sensors.names()`; None or left out: the only one whose file this looks like. Of the pad:
+    `thickness` [m], `youngs_modulus` [Pa] (not needed where forces or stresses are read), `poisson_ratio`, `base`, `depth` of
+    the taxels [m], `reference` (the direction that e_y follows), `noise` (one standard deviation of a reading, in SI).
+    Of the sensor: `geometry` (a `Geometry` or its CSV), and what `tn.sensors.Given` has: `model`, `reads`, `frame`, `gain`, `pitch`.
     Raises InputError, which says what is wrong and what to do; warns with CutOffWarning where only a part is whole.
     """
     from ._judge import as_it_says, judged
 
     where = fspath(path)
+    if sensor:
+        from . import sensors
+
+        if scene is not None or not missing:
+            raise TypeError("scene= and missing= are of recordings, and a sensor's file makes its own scene")
+        return sensors.load(where, units=units, name=name, **sensor)
+    if os.path.isdir(where) and scene is None and _sensors_of(where):
+        raise no_scene(where)
     if _is_log(where):
         recording: Recording = part("logs").read(where, topic=name, scene=scene, units=units, missing=missing)
         return recording
@@ -200,13 +246,26 @@ def _read(where: str, name: str | None) -> Layout | None:
     return plain.read_own_csv(where) if start.startswith(plain.CSV_MARK.encode()) else None
 
 
+def _sensors_of(where: str) -> dict[str, float]:
+    from . import sensors
+
+    return sensors.sniffed(where)
+
+
+def no_scene(where: str) -> InputError:
+    """The refusal of a file without a scene, which names the sensors whose file it looks like."""
+    found = _sensors_of(where)
+    like = "".join(f', or sensor="{name}", whose file it looks like' for name in found)
+    return refused(where, "says no scene that its readings are of", f"give scene={like}")
+
+
 def _stranger_csv(where: str, scene: Scene | None, units: Units | None, missing: bool) -> Recording:
     """By the library's reader, which knows columns by many names."""
     from ._judge import absent, in_si, rising
     from ._recording import Recording
 
     if scene is None:
-        raise refused(where, "says no scene that its readings are of", "give scene=")
+        raise no_scene(where)
     as_written = scene.replace({"units": {}, "calibration": None}).read(where, missing=missing)
     # Judges units=; the numbers themselves are calibrated by the reader.
     values, notes = in_si(where, as_written.readings, scene, units, None)

@@ -15,6 +15,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import Floats
+from ._files import no_scene
 from ._layout import Layout, scene_in, units_by_channel
 from ._recording import Recording
 from ._refusal import counted, refused
@@ -49,7 +50,7 @@ def as_it_says(where: str) -> Iterator[None]:
 def _judged(layout: Layout, where: str, scene: Scene | None, units: Units | None, missing: bool) -> Recording:
     if scene is None:
         if not layout.own:
-            raise refused(where, "says no scene that its readings are of", "give scene=")
+            raise no_scene(where)
         scene = scene_in(layout, where)
     held = layout.arrays["readings"]
     if layout.columns is not None:

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ._skin import Skin, Surface
+    from .sensors import PointSet, SensorRecording
 
 __all__ = ["COMPONENTS", "SkinSolution"]
 
@@ -39,6 +40,8 @@ class SkinSolution(Solution):
     """(T, rows, columns): the cells that a contact covers."""
     contacts: NDArray[np.int_]
     """(T,): how many contacts lie apart."""
+    sensor: SensorRecording | None = None
+    """The recording of a sensor that was solved; None: it was of a scene."""
 
     def _know(self, core: _core.SolvedRecording) -> None:
         self._take(core.fields(list(RESULTANT)))
@@ -218,6 +221,17 @@ class SkinSolution(Solution):
     @property
     def ellipse_deviation(self) -> Floats:
         return np.asarray(self._ellipse[:, 1::2])
+
+    def to_point_set(self, layout: str = "lerobot") -> PointSet:
+        """A force at each taxel along the sensor's axes, with its deviation: (T, N, 6) of dx, dy, dz, Fx, Fy, Fz [m, N]; of
+        layout "isaac" (T, N, 3) of Fx, Fy, Fz. Each taxel has the force of the cells nearest to it, so that their sum is the
+        resultant; displacements are nan where none are read. ValueError where no sensor's recording was solved.
+        """
+        from .sensors._point_set import point_set
+
+        if self.sensor is None:
+            raise ValueError("point sets are of a sensor's recording: tn.load(path, sensor=...).solve()")
+        return point_set(self, self.sensor, layout)
 
     def report(self, folder: str | PathLike[str], *, force: bool = False, name: str = "readings") -> str:
         """Writes the page that `tactile-net solve --out` writes, and returns the path of report.html.

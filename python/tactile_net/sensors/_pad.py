@@ -1,0 +1,229 @@
+"""A sensor's frames below a pad: as a scene of the library, and solved."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from collections.abc import Mapping
+from functools import cached_property
+from os import PathLike, fspath
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+
+from .._arrays import Floats
+from .._geometry import QUANTITIES, Frames, Geometry
+from .._layout import _unpacked
+from .._recording import Recording
+from .._refusal import refused
+from .._scene import Scene
+
+if TYPE_CHECKING:
+    from .._skin_solution import SkinSolution
+
+_DEPTHS = {"displacement": 0.15, "force": 1.0, "stress": 1.0}
+"""Of the thickness, where nobody says: markers lie below the skin, cells for force and pressure on the core."""
+_OF = {"m": "displacement", "N": "force", "Pa": "stress"}
+
+
+@dataclasses.dataclass(frozen=True, kw_only=True)
+class Pad:
+    """The soft layer over a sensor's taxels [m, Pa]."""
+
+    thickness: float
+    poisson_ratio: float
+    youngs_modulus: float | None = None
+    """None: readings are forces or stresses, which do not depend on it."""
+    base: str = "bonded"
+    depth: float | None = None
+    """Of all taxels below the surface, where their geometry does not say."""
+    reference: tuple[float, ...] = (0.0, 1.0, 0.0)
+    """The direction of the sensor's frame that e_y follows over the surface."""
+    noise: float | None = None
+    """One standard deviation of a reading [m, N or Pa]; None: what the file tells, or else found from the readings."""
+
+    @classmethod
+    def asked(cls, where: str, **values: Any) -> Pad:
+        """Raises InputError that names what is missing."""
+        missing = [name for name in ("thickness", "youngs_modulus", "poisson_ratio") if values[name] is None]
+        if missing not in ([], ["youngs_modulus"]):
+            raise refused(
+                where,
+                f"says nothing of the pad over its taxels: {', '.join(missing)} missing",
+                "give thickness= [m], youngs_modulus= [Pa] (not needed where forces or stresses are read) and "
+                "poisson_ratio= (rubber and gels: 0.48 to 0.5)",
+            )
+        return cls(**values)
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class SensorRecording:
+    """What a sensor's file says, with the pad over its taxels: `tn.load(path, sensor=...)`."""
+
+    sensor: str
+    path: str
+    geometry: Geometry
+    frames: Frames
+    pad: Pad
+
+    def __post_init__(self) -> None:
+        frames, geometry = self.frames, self.geometry
+        if frames.units not in _OF:
+            raise refused(
+                self.path,
+                "has counts of a converter" if frames.units == "count" else f"is in {frames.units}",
+                'give gain= and units= of one count, as in gain=0.02, units="N"',
+            )
+        if frames.readings.shape[1] != len(geometry):
+            raise refused(
+                self.path,
+                f"has readings of {frames.readings.shape[1]} taxels, and the geometry has {len(geometry)}",
+                "model= or geometry= of this sensor",
+            )
+        channels = frames.readings.shape[2]
+        if channels not in (1, 3) or (channels == 1 and frames.frame != "local"):
+            raise refused(
+                self.path, f"has {channels} channels along the axes of the {frames.frame}: 3, or 1 along the normal"
+            )
+        if self._kind == "displacement" and self.pad.youngs_modulus is None:
+            raise refused(
+                self.path,
+                "reads displacements, which say nothing of forces without a modulus",
+                "give youngs_modulus= [Pa]",
+            )
+
+    @property
+    def _kind(self) -> str:
+        return _OF[self.frames.units]
+
+    def __len__(self) -> int:
+        return len(self.frames)
+
+    def __repr__(self) -> str:
+        return f"<SensorRecording of {self.sensor}: {len(self)} frames of {len(self.geometry)} taxels in {self.frames.units}>"
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        """What was fitted, taken for granted or left out on the way."""
+        notes = [*self.geometry.notes, *self.frames.notes]
+        if self._depth[1]:
+            notes.append(self._depth[1])
+        if self.pad.youngs_modulus is None:
+            notes.append("no modulus was given, nor is one needed: stresses under a layer do not depend on it")
+        if self._kind == "force":
+            areas = self.geometry.areas
+            notes.append(
+                "forces are stresses times the area nearest to each taxel, which is "
+                f"{1e6 * areas.min():.3g} to {1e6 * areas.max():.3g} mm^2"
+            )
+        return tuple(notes)
+
+    @cached_property
+    def _depth(self) -> tuple[Floats, str]:
+        if self.pad.depth is not None:
+            return np.full(len(self.geometry), float(self.pad.depth)), ""
+        if self.geometry.depth is not None:
+            return self.geometry.depth, ""
+        share = _DEPTHS[self._kind]
+        where = "on the core" if share == 1.0 else f"{share:g} of the thickness below the surface"
+        return np.full(len(self.geometry), share * self.pad.thickness), f"taxels are taken to lie {where}: give depth="
+
+    @cached_property
+    def _readings(self) -> tuple[tuple[str, ...], Floats, bool, dict[str, float]]:
+        """Quantities, (T, N, C) as the library takes them, whether along the sensor's axes, and their noise."""
+        readings = self.frames.readings
+        flat = self.geometry.flat
+        sensors_axes = self.frames.frame == "sensor"
+        if sensors_axes and (flat or self._kind != "displacement"):
+            readings = np.einsum("nij,tnj->tni", self.geometry.local_frames(self.pad.reference), readings)
+            sensors_axes = False
+        noise = self.pad.noise if self.pad.noise is not None else self.frames.noise
+        kind = self._kind
+        if kind == "force":
+            areas = self.geometry.areas
+            readings = readings / areas[np.newaxis, :, np.newaxis]
+            noise = None if noise is None else noise / float(np.median(areas))
+            kind = "stress"
+        reads = QUANTITIES[kind][: readings.shape[2]]
+        return reads, readings, sensors_axes, {} if noise is None else dict.fromkeys(reads, noise)
+
+    @cached_property
+    def _taxels(self) -> str:
+        """The file of taxels: in space, or of a flat sensor in its own plane."""
+        reads = self._readings[0]
+        placed = self.geometry.replace(depth=self._depth[0], reads=reads)
+        if not placed.flat:
+            return placed.text()
+        _, e_y, e_z = self.flat_frame
+        places = zip(placed.names, placed.positions @ e_y, placed.positions @ e_z, self._depth[0])
+        rows = (f"{name},{float(y)!r},{float(z)!r},{float(d)!r},{' '.join(reads)}" for name, y, z, d in places)
+        return "\n".join(["name,y,z,depth,reads", *rows, ""])
+
+    @property
+    def flat_frame(self) -> Floats:
+        """(3, 3): rows x into the pad, e_y and e_z of a flat sensor, in the sensor's frame: those of the scene."""
+        return np.asarray(self.geometry.local_frames(self.pad.reference)[0])
+
+    def tables(self) -> dict[str, Any]:
+        """Of the scene, as `Scene.to_dict` has them; its taxels are the file taxels.csv beside it. All is in SI."""
+        reads, _, sensors_axes, noise = self._readings
+        pad = self.pad
+        sensor: dict[str, Any] = {"taxels": "taxels.csv"}
+        tables: dict[str, Any] = {
+            "title": f"{self.sensor}: {os.path.basename(os.path.normpath(self.path))}",
+            "units": {},
+            "sensor": sensor,
+            "material": {
+                "youngs_modulus": 1e5 if pad.youngs_modulus is None else pad.youngs_modulus,
+                "poisson_ratio": pad.poisson_ratio,
+                "layer": {"thickness": pad.thickness, "base": pad.base},
+            },
+        }
+        if not self.geometry.flat:
+            sensor["frame"] = "sensor" if sensors_axes else "local"
+            tables["surface"] = {"reference": [float(one) for one in pad.reference]}
+        if noise:
+            tables["noise"] = {"rms": noise}
+        return tables
+
+    def scene(self, changes: Mapping[str, Any] | None = None) -> Scene:
+        """The scene; its readings are as of `recording`. changes: as of `Scene.replace`. Raises InputError."""
+        from .._paths import replaced
+        from .._toml import text_of
+
+        folder = _unpacked((("taxels.csv", self._taxels),))
+        text = text_of(replaced(self.tables(), changes or {}))
+        return Scene.parse(text, file=os.path.join(folder, f"{self.sensor}.toml"))
+
+    def recording(self, changes: Mapping[str, Any] | None = None) -> Recording:
+        """The frames as readings of the scene, with its notes."""
+        scene = self.scene(changes)
+        reads, readings, _, _ = self._readings
+        column = {
+            f"{quantity}_{name}": readings[:, k, c]
+            for c, quantity in enumerate(reads)
+            for k, name in enumerate(self.geometry.names)
+        }
+        rows = np.stack([column[name] for name in scene.reading_names], axis=1)
+        return Recording(scene, scene._framed(rows), self.frames.t, None, self.notes)
+
+    def solve(self, changes: Mapping[str, Any] | None = None, **options: Any) -> SkinSolution:
+        """Tractions and forces of each frame, with their deviations: as `Skin.solve`. changes: of the scene."""
+        recording = self.recording(changes)
+        if np.isnan(recording.readings).any():
+            options.setdefault("missing", "estimate")
+        solution = cast("SkinSolution", recording.solve(**options))
+        solution.sensor = self
+        return solution
+
+    def save(self, folder: str | PathLike[str], changes: Mapping[str, Any] | None = None) -> None:
+        """Writes scene.toml, taxels.csv and readings.csv, which `tactile-net solve` reads. What stands there is replaced."""
+        from .._files import whole
+
+        where = fspath(folder)
+        os.makedirs(where, exist_ok=True)
+        recording = self.recording(changes)
+        for name, text in (("taxels.csv", self._taxels), ("scene.toml", recording.scene.text)):
+            with whole(os.path.join(where, name)) as to, open(to, "w", encoding="utf-8", newline="\n") as file:
+                file.write(text)
+        recording.save(os.path.join(where, "readings.csv"))

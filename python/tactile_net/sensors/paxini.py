@@ -1,0 +1,133 @@
+"""PaXini PX-6AX GEN3: a force of 0.1 N a count at each point. CSV of the maker's program, or of paxini-sdk's recorder.
+
+Points are those of the model in paxini-sdk: by `model=`, by the file, or by their number. Each point's z count is never below 0
+and presses along its normal. The directions of its x and y are in no file: frame="sensor" takes all three along the axes of the
+points, with z into the sensor; else z alone is read."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import numpy as np
+
+from .._arrays import Floats
+from .._geometry import QUANTITIES, Frames, Geometry, numbers_of, read_table
+from .._optional import optional
+from .._refusal import refused
+from . import Given
+from ._reading import gains, header_of, one_of, start_of
+
+name = "paxini"
+refusal = ""
+NEWTONS = 0.1
+_VENDOR = re.compile(r"(\d+-\d+)-NxN-([XYZ])\[(\d+)\]")
+_NATIVE = re.compile(r"(.+)_pt(\d+)_f([xyz])_lsb")
+_MOST = 1 << 30
+
+
+def sniff(path: str) -> float:
+    """Its column names."""
+    return 0.95 if any(_VENDOR.fullmatch(one) or _NATIVE.fullmatch(one) for one in header_of(path)) else 0.0
+
+
+def geometry(path: str, given: Given) -> Geometry:
+    """Points of the model; normals are fitted. Needs paxini-sdk."""
+    registry = optional("paxini_sdk.sensor_registry", "sensors")
+    module, columns = _columns(path, header_of(path), given)
+    count = len(columns)
+    said = given.model or _model_in(path)
+    notes: tuple[str, ...] = ()
+    found = registry.find_by_part_code(said) if said else registry.find_by_point_count(count)
+    known = {one.vendor_part_code: one.n_points for one in registry.list_sensors()}
+    listed = ", ".join(f"{code} ({points})" for code, points in known.items())
+    if found is None or (not said and list(known.values()).count(count) != 1):
+        wrong = f"is of no model {said!r}" if said else f"has {count} points in module {module}, as no single model has"
+        raise refused(path, wrong, f"model= one of (points): {listed}; or geometry=")
+    if found.n_points != count:
+        raise refused(
+            path,
+            f"has {count} points in module {module}, and {found.vendor_part_code} has {found.n_points}",
+            f"model= one of (points): {listed}",
+        )
+    if not said:
+        notes = (f"the model is taken to be {found.vendor_part_code}, the only one of {count} points",)
+    return Geometry(1e-3 * np.array(registry.load_points(found)), reads=_reads(given), notes=notes, file=path)
+
+
+def frames(path: str, given: Given) -> Frames:
+    """Forces on each point [N]."""
+    header, rows = read_table(path, _MOST)
+    _, columns = _columns(path, header, given)
+    column = {name: k for k, name in enumerate(header)}
+    axes = "XYZ" if given.frame == "sensor" else "Z"
+    counts = np.stack(
+        [
+            np.stack([numbers_of(path, one[axis], [row[column[one[axis]]] for row in rows]) for one in columns], axis=1)
+            for axis in axes
+        ],
+        axis=2,
+    )
+    newtons = NEWTONS * counts * gains(path, given, len(axes))
+    notes = ["z counts press along the normal; x and y, whose directions no file tells, are left out: frame="]
+    if given.frame == "sensor":
+        newtons[..., 2] = -newtons[..., 2]
+        notes = ["counts are taken along the axes of the model's points, z into the sensor: gain= turns a sign"]
+    noise = NEWTONS / np.sqrt(12.0)
+    return Frames(newtons, _times(path, header, rows), "N", given.frame or "local", noise, tuple(notes), path)
+
+
+def _reads(given: Given) -> tuple[str, ...]:
+    return QUANTITIES["force"] if given.frame == "sensor" else ("force_x",)
+
+
+def _model_in(path: str) -> str | None:
+    """What the native recorder wrote before the header."""
+    first = start_of(path, 1 << 16).partition(b"\n")[0]
+    if not first.startswith(b"# {"):
+        return None
+    try:
+        told = json.loads(first[2:])
+    except ValueError:
+        return None
+    said = told.get("sensor_part") if isinstance(told, dict) else None
+    return said if isinstance(said, str) else None
+
+
+def _columns(path: str, header: list[str], given: Given) -> tuple[str, list[dict[str, str]]]:
+    """The module that is meant, and of each of its points the columns of X, Y and Z."""
+    modules: dict[str, dict[int, dict[str, str]]] = {}
+    for name in header:
+        if vendor := _VENDOR.fullmatch(name):
+            module, axis, point = vendor[1], vendor[2], int(vendor[3])
+        elif native := _NATIVE.fullmatch(name):
+            module, axis, point = native[1], native[3].upper(), int(native[2])
+        else:
+            continue
+        modules.setdefault(module, {}).setdefault(point, {})[axis] = name
+    module = one_of(path, modules, given.name, "module")
+    points = modules[module]
+    if sorted(points) != list(range(len(points))) or any(set(one) != set("XYZ") for one in points.values()):
+        raise refused(
+            path, f"has not X, Y and Z of each point of module {module}", "record again, or restore the columns"
+        )
+    return module, [points[k] for k in range(len(points))]
+
+
+def _times(path: str, header: list[str], rows: list[list[str]]) -> Floats | None:
+    """Seconds: of the recorder's monotonic clock, or of the time of day, which goes on after midnight."""
+    if "timestamp_monotonic_s" in header:
+        k = header.index("timestamp_monotonic_s")
+        return numbers_of(path, header[k], [row[k] for row in rows])
+    if "Timestamp" not in header:
+        return None
+    k = header.index("Timestamp")
+    day = np.empty(len(rows))
+    for at, row in enumerate(rows):
+        parts = row[k].split(":")
+        try:
+            hours, minutes, seconds = map(float, parts)
+        except ValueError:
+            raise refused(path, f"has the time {row[k]!r} in row {at + 1}, not hours:minutes:seconds") from None
+        day[at] = 3600.0 * hours + 60.0 * minutes + seconds
+    return day + 86400.0 * np.cumsum(np.diff(day, prepend=day[0]) < -43200.0)
