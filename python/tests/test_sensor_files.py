@@ -319,8 +319,27 @@ def test_lerobot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 # Isaac: FlatBuffers with their schema in MCAP.
 
 
-def flatbuffers_schema(tables: dict[str, tuple[bool, int, list[tuple[str, int, int, int, int]]]], root: str) -> bytes:
-    """A .bfbs: tables and structs by name; fields (name, type, element, index of the table in the order of names, offset)."""
+Schema = dict[str, tuple[bool, int, list[tuple[str, int, int, int, int]]]]
+
+
+def vector_of(builder: Any, offsets: list[int]) -> int:
+    builder.StartVector(4, len(offsets), 4)
+    for one in reversed(offsets):
+        builder.PrependUOffsetTRelative(one)
+    return int(builder.EndVector())
+
+
+def type_of(builder: Any, base: int, element: int, index: int) -> int:
+    builder.StartObject(6)
+    builder.PrependInt8Slot(0, base, 0)
+    builder.PrependInt8Slot(1, element, 0)
+    builder.PrependInt32Slot(2, index, -1)
+    return int(builder.EndObject())
+
+
+def flatbuffers_schema(tables: Schema, root: str, union: int | None = None) -> bytes:
+    """A .bfbs, as flatc lays it out: tables and structs by name; fields (name, type, element, index of the table in the order
+    of names, offset); union: the table that the only union may be."""
     builder = pytest.importorskip("flatbuffers", reason="flatbuffers is not installed").Builder(1024)
     order = sorted(tables)
     objects = []
@@ -328,22 +347,14 @@ def flatbuffers_schema(tables: dict[str, tuple[bool, int, list[tuple[str, int, i
         is_struct, size, fields = tables[name]
         offsets = []
         for field_id, (field, kind, element, index, offset) in enumerate(fields):
-            text = builder.CreateString(field)
-            builder.StartObject(6)
-            builder.PrependInt8Slot(0, kind, 0)
-            builder.PrependInt8Slot(1, element, 0)
-            builder.PrependInt32Slot(2, index, -1)
-            of = builder.EndObject()
+            text, of = builder.CreateString(field), type_of(builder, kind, element, index)
             builder.StartObject(14)
             builder.PrependUOffsetTRelativeSlot(0, text, 0)
             builder.PrependUOffsetTRelativeSlot(1, of, 0)
             builder.PrependUint16Slot(2, field_id, 0)
             builder.PrependUint16Slot(3, offset, 0)
             offsets.append(builder.EndObject())
-        builder.StartVector(4, len(offsets), 4)
-        for one in reversed(offsets):
-            builder.PrependUOffsetTRelative(one)
-        listed, text = builder.EndVector(), builder.CreateString(name)
+        listed, text = vector_of(builder, offsets), builder.CreateString(name)
         builder.StartObject(8)
         builder.PrependUOffsetTRelativeSlot(0, text, 0)
         builder.PrependUOffsetTRelativeSlot(1, listed, 0)
@@ -351,24 +362,36 @@ def flatbuffers_schema(tables: dict[str, tuple[bool, int, list[tuple[str, int, i
         builder.PrependInt32Slot(3, 4, 0)
         builder.PrependInt32Slot(4, size, 0)
         objects.append(builder.EndObject())
-    builder.StartVector(4, len(objects), 4)
-    for one in reversed(objects):
-        builder.PrependUOffsetTRelative(one)
-    listed = builder.EndVector()
+    unions = []
+    if union is not None:
+        values = []
+        for value, index in ((0, -1), (1, union)):
+            of = type_of(builder, TABLE if index >= 0 else 0, 0, index)
+            builder.StartObject(6)
+            builder.PrependInt64Slot(1, value, 0)
+            builder.PrependUOffsetTRelativeSlot(3, of, 0)
+            values.append(builder.EndObject())
+        listed = vector_of(builder, values)
+        builder.StartObject(7)
+        builder.PrependUOffsetTRelativeSlot(1, listed, 0)
+        builder.PrependBoolSlot(2, True, False)
+        unions.append(builder.EndObject())
+    listed, enums = vector_of(builder, objects), vector_of(builder, unions)
     builder.StartObject(8)
     builder.PrependUOffsetTRelativeSlot(0, listed, 0)
+    builder.PrependUOffsetTRelativeSlot(1, enums, 0)
     builder.PrependUOffsetTRelativeSlot(4, objects[order.index(root)], 0)
     builder.Finish(builder.EndObject(), file_identifier=b"BFBS")
     return bytes(builder.Output())
 
 
-FLOAT, VECTOR, TABLE, LONG = 11, 14, 15, 9
+FLOAT, VECTOR, TABLE, UNION, TAG, LONG = 11, 14, 15, 16, 1, 9
 POINT = (True, 12, [("x", FLOAT, 0, -1, 0), ("y", FLOAT, 0, -1, 4), ("z", FLOAT, 0, -1, 8)])
 ROTATION = (True, 16, [(axis, FLOAT, 0, -1, 4 * k) for k, axis in enumerate("xyzw")])
 
 
 def forces_schema() -> bytes:
-    tables: dict[str, Any] = {
+    tables: Schema = {
         "core.DeviceDataTimestamp": (True, 16, [("device_time", LONG, 0, -1, 0), ("common_time", LONG, 0, -1, 8)]),
         "core.Point": POINT,
         "core.TactileDataArray": (False, 0, [("forces", VECTOR, TABLE, 1, 4)]),
@@ -378,17 +401,16 @@ def forces_schema() -> bytes:
 
 
 def layout_schema() -> bytes:
-    tables: dict[str, Any] = {
+    """The layout is a union in it."""
+    poses = [("segment_bind_poses", VECTOR, TABLE, 2, 4), ("taxel_bind_poses", VECTOR, TABLE, 2, 6)]
+    tables: Schema = {
+        "core.LBS": (False, 0, poses),
         "core.Point": POINT,
-        "core.Pose": (True, 28, [("position", TABLE, 0, 0, 0), ("orientation", TABLE, 0, 2, 12)]),
+        "core.Pose": (True, 28, [("position", TABLE, 0, 1, 0), ("orientation", TABLE, 0, 3, 12)]),
         "core.Quaternion": ROTATION,
-        "core.TactileMetadata": (
-            False,
-            0,
-            [("segment_bind_poses", VECTOR, TABLE, 1, 4), ("taxel_bind_poses", VECTOR, TABLE, 1, 6)],
-        ),
+        "core.TactileMetadata": (False, 0, [("mapping_type", TAG, 0, 0, 4), ("mapping", UNION, 0, 0, 6)]),
     }
-    return flatbuffers_schema(tables, "core.TactileMetadata")
+    return flatbuffers_schema(tables, "core.TactileMetadata", union=0)
 
 
 def struct_vector(builder: Any, rows: NDArray[Any]) -> int:
@@ -418,6 +440,10 @@ def layout(places: NDArray[Any]) -> bytes:
     builder.StartObject(2)
     builder.PrependUOffsetTRelativeSlot(0, joints, 0)
     builder.PrependUOffsetTRelativeSlot(1, taxels, 0)
+    mapping = builder.EndObject()
+    builder.StartObject(2)
+    builder.PrependUint8Slot(0, 1, 0)
+    builder.PrependUOffsetTRelativeSlot(1, mapping, 0)
     builder.Finish(builder.EndObject())
     return bytes(builder.Output())
 
@@ -463,15 +489,15 @@ def test_isaac(tmp_path: Path) -> None:
 @pytest.mark.parametrize("seed", range(30))
 def test_a_broken_flatbuffer_is_refused(seed: int) -> None:
     """Whatever a byte is changed to: numbers, or a ValueError; never memory beside the message."""
-    from tactile_net.sensors._flatbuffer import Schema
+    from tactile_net.sensors import _flatbuffer
 
     rng = np.random.default_rng(seed)
-    schema, message = bytearray(forces_schema()), bytearray(record(np.ones((5, 3))))
+    schema, message = bytearray(layout_schema()), bytearray(layout(np.ones((5, 3))))
     for data in (schema, message):
         for at in rng.integers(8, len(data), 3):
             data[at] = rng.integers(256)
     try:
-        for columns in Schema(bytes(schema)).arrays(bytes(message)).values():
+        for columns in _flatbuffer.Schema(bytes(schema)).arrays(bytes(message)).values():
             assert all(len(one) * 4 <= len(message) for one in columns.values())
     except (ValueError, UnicodeDecodeError, RecursionError):
         pass

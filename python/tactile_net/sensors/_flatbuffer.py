@@ -13,7 +13,7 @@ import numpy as np
 from .._arrays import Floats
 
 _NUMBERS = {"b": 1, "B": 1, "h": 2, "H": 2, "i": 4, "I": 4, "q": 8, "Q": 8, "f": 4, "d": 8}
-_FLOAT, _DOUBLE, _VECTOR, _TABLE = 11, 12, 14, 15
+_FLOAT, _DOUBLE, _VECTOR, _TABLE, _UNION = 11, 12, 14, 15, 16
 _WIDTH = {_FLOAT: "<f4", _DOUBLE: "<f8"}
 
 
@@ -81,23 +81,43 @@ class Schema:
         buffer = Buffer(data)
         self._buffer = buffer
         root = buffer.root()
-        at = buffer.field(root, 4)
-        start, count = buffer.vector(at, 4) if at is not None else (0, 0)
-        self.kinds = [self._kind(buffer.followed(start + 4 * k)) for k in range(count)]
+        self.kinds = [self._kind(one) for one in self._tables(root, 4)]
+        self.unions = [dict(map(self._member, self._tables(one, 6))) for one in self._tables(root, 6)]
         table = buffer.field(root, 12)
         if table is None:
             raise ValueError("the schema has no root")
         name = self._kind(buffer.followed(table)).name
         self.root = next((one for one in self.kinds if one.name == name), Kind(name, (), False, 0))
 
+    def _tables(self, table: int, offset: int) -> list[int]:
+        """Where the tables of a vector of them stand."""
+        buffer = self._buffer
+        at = buffer.field(table, offset)
+        start, count = buffer.vector(at, 4) if at is not None else (0, 0)
+        return [buffer.followed(start + 4 * k) for k in range(count)]
+
+    def _member(self, table: int) -> tuple[int, int]:
+        """Of an enumerator its value, and of a union's the table that it means; -1: none."""
+        value, kind = (self._buffer.field(table, offset) for offset in (6, 10))
+        of = -1 if kind is None else self._type(kind)[2]
+        return 0 if value is None else self._buffer.number("q", value), of
+
+    def _type(self, at: int | None) -> tuple[int, int, int]:
+        """Base, element and index."""
+        numbers = [0, 0, -1]
+        if at is not None:
+            table = self._buffer.followed(at)
+            for k, (form, offset) in enumerate((("b", 4), ("b", 6), ("i", 8))):
+                place = self._buffer.field(table, offset)
+                numbers[k] = numbers[k] if place is None else self._buffer.number(form, place)
+        return numbers[0], numbers[1], numbers[2]
+
     def _kind(self, table: int) -> Kind:
         buffer = self._buffer
-        name, fields, is_struct, size = (buffer.field(table, offset) for offset in (4, 6, 8, 12))
-        start, count = buffer.vector(fields, 4) if fields is not None else (0, 0)
-        found = [self._field(buffer.followed(start + 4 * k)) for k in range(count)]
+        name, is_struct, size = (buffer.field(table, offset) for offset in (4, 8, 12))
         return Kind(
             "" if name is None else buffer.text(name),
-            tuple(found),
+            tuple(map(self._field, self._tables(table, 6))),
             is_struct is not None and bool(buffer.number("B", is_struct)),
             0 if size is None else buffer.number("i", size),
         )
@@ -105,13 +125,7 @@ class Schema:
     def _field(self, table: int) -> Field:
         buffer = self._buffer
         name, kind, offset = (buffer.field(table, one) for one in (4, 6, 10))
-        numbers = [0, 0, -1]
-        if kind is not None:
-            of = buffer.followed(kind)
-            for k, (form, at) in enumerate((("b", 4), ("b", 6), ("i", 8))):
-                place = buffer.field(of, at)
-                numbers[k] = numbers[k] if place is None else buffer.number(form, place)
-        base, element, index = numbers
+        base, element, index = self._type(kind)
         called = "" if name is None else buffer.text(name)
         return Field(called, base, element, index, 0 if offset is None else buffer.number("H", offset))
 
@@ -134,10 +148,11 @@ class Schema:
     ) -> Iterator[tuple[str, dict[str, Floats]]]:
         for field in kind.fields if deep < 8 else ():
             at = buffer.field(table, field.offset)
-            if at is None or not 0 <= field.kind < len(self.kinds):
+            index = field.kind if field.base != _UNION else self._chosen(buffer, table, field)
+            if at is None or not 0 <= index < len(self.kinds):
                 continue
-            inner, path = self.kinds[field.kind], f"{before}{field.name}"
-            if field.base == _TABLE and not inner.is_struct:
+            inner, path = self.kinds[index], f"{before}{field.name}"
+            if field.base in (_TABLE, _UNION) and not inner.is_struct:
                 yield from self._arrays(buffer, buffer.followed(at), inner, f"{path}.", deep + 1)
             elif field.base == _VECTOR and field.element == _TABLE and inner.is_struct and inner.size > 0:
                 start, count = buffer.vector(at, inner.size)
@@ -145,3 +160,9 @@ class Schema:
                 form = np.dtype({"names": names, "offsets": offsets, "formats": types, "itemsize": inner.size})
                 rows = np.frombuffer(buffer.data, form, count, start)
                 yield path, {name: rows[name].astype(np.float64) for name in names}
+
+    def _chosen(self, buffer: Buffer, table: int, field: Field) -> int:
+        """Which table a union is: by the number in the field before it."""
+        tag = buffer.field(table, field.offset - 2) if field.offset >= 6 else None
+        known = self.unions[field.kind] if 0 <= field.kind < len(self.unions) else {}
+        return -1 if tag is None else known.get(buffer.number("B", tag), -1)
