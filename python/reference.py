@@ -22,8 +22,8 @@ what the words of a scene mean: [scene.md](scene.md), [skins.md](skins.md).
 
 
 def module(name: str) -> ast.Module:
-    folder = package.parent / name  # of a part that a wheel may lack
-    file = folder / "__init__.py" if name in ("logs", "mujoco") else package / f"{name}.py"
+    folder = (package.parent if name in ("logs", "mujoco") else package) / name  # two are parts that a wheel may lack
+    file = folder / "__init__.py" if folder.is_dir() else package / f"{name}.py"
     return ast.parse(file.read_text(encoding="utf-8"))
 
 
@@ -104,8 +104,8 @@ def inherited(node: ast.ClassDef, tree: ast.Module) -> list[str]:
     return [line for base in bases for line in fields(base) + members(base)]
 
 
-def entry(name: str, tree: ast.Module) -> list[str]:
-    """A name's heading, signature, docstring and members; nothing for what has no docstring."""
+def entry(name: str, tree: ast.Module, room: str = "") -> list[str]:
+    """A name's heading, signature, docstring and members; nothing for what has no docstring. room: the folder of the module."""
     for node in tree.body:
         if isinstance(node, ast.ClassDef) and node.name == name:
             bases = ", ".join(ast.unparse(base) for base in node.bases)
@@ -115,12 +115,16 @@ def entry(name: str, tree: ast.Module) -> list[str]:
         if isinstance(node, ast.FunctionDef) and node.name == name and "overload" not in decorators(node):
             return [f"### {name}", "", f"`{signature(name, node)}`", "", paragraph(node), ""]
     origin = origins(tree).get(name)
-    return entry(origin[1], module(origin[0])) if origin else []
+    if not origin:
+        return []
+    of = room + origin[0].replace(".", "/")
+    return entry(origin[1], module(of), f"{of}/" if (package / of).is_dir() else room)
 
 
 def text() -> str:
     lines = [introduction]
-    for title, name in (("tactile_net", "__init__"), ("tactile_net.datasets", "datasets"), ("tactile_net.plot", "plot"), ("tactile_net.logs", "logs"),
+    for title, name in (("tactile_net", "__init__"), ("tactile_net.datasets", "datasets"), ("tactile_net.plot", "plot"), ("tactile_net.sensors", "sensors"),
+                        ("tactile_net.logs", "logs"),
                         ("tactile_net.mujoco", "mujoco"), ("tactile_net.errors", "errors")):
         tree = module(name)
         own = {node.name for node in tree.body if isinstance(node, ast.ClassDef | ast.FunctionDef)}
@@ -129,7 +133,7 @@ def text() -> str:
         names = [one for one in exports(tree) or sorted(own) if not one.startswith("_")]
         lines += [f"## {title}", "", paragraph(tree), ""]
         for one in names:
-            lines += entry(one, tree)
+            lines += entry(one, tree, "sensors/" if name == "sensors" else "")
     return "\n".join(lines).rstrip() + "\n"
 
 

@@ -48,7 +48,6 @@ from ._tables import (
 )
 from ._told import ContactPatch, Key, Told, Uncertain, keys
 from .errors import CutOffWarning, Diagnostic, FrameError, InputError, SimulatorError, UnsolvableError
-from .sensors import PointSet, SensorRecording
 
 if TYPE_CHECKING:
     from . import logs, mujoco
@@ -81,7 +80,6 @@ __all__ = [
     "NextPress",
     "Noise",
     "Plan",
-    "PointSet",
     "Punch",
     "ReadingsCheck",
     "Reconstruct",
@@ -92,7 +90,6 @@ __all__ = [
     "SampledTractions",
     "Scene",
     "Sensor",
-    "SensorRecording",
     "SimulatorError",
     "Sites",
     "Skin",

@@ -73,7 +73,7 @@ def load(
     **sensor: Any,
 ) -> Recording | SensorRecording:
     """A recording from .npy, .npz, CSV, netCDF-4 or any HDF5, Zarr, Parquet, MCAP or a ROS bag: known by content, not by
-    name; or a `SensorRecording` of a sensor's own files, where any of the names under **sensor is given.
+    name; or a `sensors.SensorRecording` of a sensor's own files, where any of the names under **sensor is given.
 
     scene: of a file that says none, or in place of the one inside.
     units: of a file that says none: "kPa", {"stress_x": "kPa", "strain_x": "1"}, or "scene": as the scene says of its

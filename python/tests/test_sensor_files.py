@@ -232,7 +232,7 @@ def test_the_recordings_of_tac3d(pytac3d: Path) -> None:
     still = np.abs(taken.frames.readings).max(axis=(1, 2)) == 0.0
     frames = tn.Frames(taken.frames.readings[::16], units="m")
     force = (
-        tn.SensorRecording("tac3d", str(folder), taken.geometry, frames, taken.pad)
+        sensors.SensorRecording("tac3d", str(folder), taken.geometry, frames, taken.pad)
         .solve()
         .to_point_set("isaac")
         .values.sum(axis=1)

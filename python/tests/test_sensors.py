@@ -54,8 +54,8 @@ def pressed(skin: tn.Skin, reads: list[str]) -> tuple[tn.Skin, tn.Recording, Arr
     return on_layer, recording, np.column_stack([np.full(on_layer.count, 2e-3), on_layer.taxels])
 
 
-def sensor_recording(geometry: tn.Geometry, frames: tn.Frames, **pad: Any) -> tn.SensorRecording:
-    return tn.SensorRecording("points", "run", geometry, frames, sensors.Pad(**(PAD | pad)))
+def sensor_recording(geometry: tn.Geometry, frames: tn.Frames, **pad: Any) -> sensors.SensorRecording:
+    return sensors.SensorRecording("points", "run", geometry, frames, sensors.Pad(**(PAD | pad)))
 
 
 # Geometry.
@@ -447,7 +447,7 @@ def test_a_strange_file_is_refused_by_name(name: str, tmp_path: Path) -> None:
 # The curved pad of finite elements, as soon as the library solves curved skins.
 
 
-def curved() -> tn.SensorRecording:
+def curved() -> sensors.SensorRecording:
     units = {"displacement": "mm", "length": "mm"}
     return tn.load(CURVED / "cap.csv", sensor="points", frame="sensor", units=units, noise=1e-6, **PAD)
 

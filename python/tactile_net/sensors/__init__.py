@@ -131,7 +131,7 @@ def load(
             where, f"is of the sensor {name}: {one.refusal}", f"tn.sensors.frames(path, {name!r}) gives its readings"
         )
     said = Given(**given)
-    pad = Pad.asked(
+    pad = Pad._asked(
         where,
         thickness=thickness,
         youngs_modulus=youngs_modulus,

@@ -43,7 +43,7 @@ class Pad:
     """One standard deviation of a reading [m, N or Pa]; None: what the file tells, or else found from the readings."""
 
     @classmethod
-    def asked(cls, where: str, **values: Any) -> Pad:
+    def _asked(cls, where: str, **values: Any) -> Pad:
         """Raises InputError that names what is missing."""
         missing = [name for name in ("thickness", "youngs_modulus", "poisson_ratio") if values[name] is None]
         if missing not in ([], ["youngs_modulus"]):
