@@ -100,6 +100,7 @@ __all__ = [
     "Solver",
     "Sphere",
     "Study",
+    "Surface",
     "Survey",
     "SweepTable",
     "Timing",
