@@ -18,13 +18,14 @@ from hypothesis import settings
 import tactile_net as tn
 
 PROJECT = Path(__file__).resolve().parents[2]
-OTHERS = {"hands", "skins", "sweeps"}  # folders without scenes of line arrays
+OTHERS = {"hands", "skins", "sweeps", "curved-pad"}  # folders without scenes of line arrays
 SCENES = sorted(
     path
     for path in (PROJECT / "scenes").rglob("*.toml")
     if path.parent.name not in OTHERS and path.name != "hand.toml" and not path.name.startswith("skin-")
 )
 SKINS = sorted((PROJECT / "scenes/skins").glob("*.toml")) + sorted((PROJECT / "scenes/recorded").glob("skin-*.toml"))
+SKINS += sorted((PROJECT / "scenes/recorded/curved-pad").glob("*.toml"))
 
 settings.register_profile("suite", deadline=None, derandomize=True, max_examples=60)
 settings.load_profile("suite")

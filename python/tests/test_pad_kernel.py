@@ -480,7 +480,7 @@ def test_the_recorded_cap_is_solved_by_a_kernel_from_the_command(tmp_path: Path,
     left, size, right = np.linalg.svd(arrays["K"], full_matrices=False)
     alpha = 1e-3 * size[0]
     for frame, true in list(zip(frames, truth, strict=True))[1:7]:
-        readings = np.array([1e-3 * float(frame[f"d{name.split('_')[1]}_{name.split('_')[2]}"]) for name in arrays["readings"]])
+        readings = np.array([1e-3 * float(frame[name]) for name in arrays["readings"]])
         tractions = (right.T @ (size / (size**2 + alpha**2) * (left.T @ readings))).reshape(3, -1)
         force = np.einsum("tk,kti->i", tractions, arrays["F"])
         moment = np.einsum("tk,kti->i", tractions, arrays["M"])

@@ -59,7 +59,6 @@ bool is_lattice(const SkinArray& skin, const SurfaceGrid& grid) noexcept {
 void check_sampled(const SkinArray& skin, const Material& material, std::size_t components) {
   require(components == 1 || components == 3, "components", "be 1 or 3", components);
   check(skin, material);
-  require_flat(skin, "a sum over a lattice");
   for (std::size_t k = 0; k < components; ++k)
     for (const Quantity quantity : skin.reads)
       check_quantity(quantity, skin_tractions[k], material);

@@ -159,51 +159,159 @@ void add_given_kernel(const GivenKernel& given, LinearProblem& problem) {
 
 }  // namespace
 
-void add_curved_kernel(const SkinArray& skin, const Material& material, LinearProblem& problem) {
-  if (skin.curved->given) return add_given_kernel(*skin.curved->given, problem);
-  constexpr double least_depth_in_parts = 1.2;  // from there on a point serves for a part
-  const CurvedSkin& curved = *skin.curved;
-  const SurfaceGrid& grid = problem.grid;
-  const std::size_t cells = grid.count();
-  PlaceKernels kernels(material, curved);
-  std::map<std::size_t, LoadPlaces> loads;
-  std::vector<BallPlace> seen;
-  std::vector<std::vector<std::size_t>> rows(skin.taxels.size());
-  for (std::size_t row = 0; row < problem.sites.size(); ++row)
-    rows[problem.sites[row].taxel].push_back(row);
-  double error = 0.0;
-  for (std::size_t taxel = 0; taxel < rows.size(); ++taxel) {
-    const SurfacePlace& place = curved.above[taxel];
-    const double depth = skin.taxels[taxel].depth;
-    const double spacing = std::max(grid.spacing_y, grid.spacing_z);
-    const auto parts = static_cast<std::size_t>(
-        std::clamp(std::ceil(least_depth_in_parts * spacing / depth), 1.0, 16.0));
-    auto& load = loads[parts];
-    if (load.places.empty()) load = places_of(curved.surface, grid, parts);
-    seen.clear();
-    for (const SurfacePlace& from : load.places)
-      seen.push_back(surface_place(from.frame, place.frame,
-                                   combined(1.0, place.point, -1.0, from.point),
-                                   place.mean_curvature));
-    const PlaceKernel& kernel = kernels(place.mean_curvature, depth);
-    const double share = grid.area() / static_cast<double>(load.of_each);
-    for (const std::size_t row : rows[taxel]) {
-      const AxisShares read = shares_of(problem.sites[row].quantity, place.frame, curved.axes);
-      const double weight = problem.weights[row] * share;
-      for (std::size_t k = 0; k < read.count; ++k) {
-        error = std::hypot(error, weight * static_cast<double>(load.of_each) *
-                                      std::abs(read.shares[k]) *
-                                      kernel.error_bound(read.quantities[k]));
-        for (std::size_t i = 0; i < seen.size(); ++i) {
-          const std::array<double, 3> readings = kernel(read.quantities[k], seen[i]);
-          for (std::size_t u = 0; u < problem.components; ++u)
-            problem.kernel(row, u * cells + i / load.of_each) +=
-                weight * read.shares[k] * readings[u];
+struct CurvedReadings::Tables {
+  SkinArray skin;
+  std::vector<std::vector<std::size_t>> rows{};  // of each taxel
+  std::vector<AxisShares> read{};                // of each row
+  std::vector<const PlaceKernel*> kernels{};     // of each taxel; none: the kernel is given
+  PlaceKernels made;
+
+  /// Calls add(row, place, readings of a unit force there).
+  void visit(std::size_t taxel, std::span<const SurfacePlace> places, const auto& add) const {
+    const SurfacePlace& at = skin.curved->above[taxel];
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const BallPlace seen =
+          surface_place(places[i].frame, at.frame, combined(1.0, at.point, -1.0, places[i].point),
+                        at.mean_curvature);
+      for (const std::size_t row : rows[taxel]) {
+        std::array<double, 3> readings{};
+        for (std::size_t k = 0; k < read[row].count; ++k) {
+          const std::array<double, 3> one = (*kernels[taxel])(read[row].quantities[k], seen);
+          for (std::size_t u = 0; u < 3; ++u) readings[u] += read[row].shares[k] * one[u];
         }
+        add(row, i, readings);
       }
     }
   }
+};
+
+CurvedReadings::CurvedReadings(const SkinArray& skin, const Material& material) {
+  check(skin, material);
+  auto tables = std::make_unique<Tables>(Tables{.skin = skin, .made = {material, *skin.curved}});
+  tables->rows.resize(skin.taxels.size());
+  const CurvedSkin& curved = *skin.curved;
+  for (const Site& site : sites(skin)) {
+    tables->rows[site.taxel].push_back(tables->read.size());
+    tables->read.push_back(shares_of(site.quantity, curved.above[site.taxel].frame, curved.axes));
+  }
+  if (!curved.given)
+    for (std::size_t taxel = 0; taxel < skin.taxels.size(); ++taxel)
+      tables->kernels.push_back(
+          &tables->made(curved.above[taxel].mean_curvature, skin.taxels[taxel].depth));
+  tables_ = std::move(tables);
+}
+
+CurvedReadings::~CurvedReadings() = default;
+
+void CurvedReadings::add_kernel(LinearProblem& problem) const {
+  constexpr double least_depth_in_parts = 1.2;  // from there on a point serves for a part
+  const SkinArray& skin = tables_->skin;
+  if (skin.curved->given) return add_given_kernel(*skin.curved->given, problem);
+  const SurfaceGrid& grid = problem.grid;
+  const std::size_t cells = grid.count();
+  const double spacing = std::max(grid.spacing_y, grid.spacing_z);
+  std::map<std::size_t, LoadPlaces> loads;
+  double error = 0.0;
+  for (std::size_t taxel = 0; taxel < skin.taxels.size(); ++taxel) {
+    const auto parts = static_cast<std::size_t>(std::clamp(
+        std::ceil(least_depth_in_parts * spacing / skin.taxels[taxel].depth), 1.0, 16.0));
+    LoadPlaces& load = loads[parts];
+    if (load.places.empty()) load = places_of(skin.curved->surface, grid, parts);
+    const double share = grid.area() / static_cast<double>(load.of_each);
+    tables_->visit(taxel, load.places,
+                   [&](std::size_t row, std::size_t i, const std::array<double, 3>& readings) {
+                     for (std::size_t u = 0; u < problem.components; ++u)
+                       problem.kernel(row, u * cells + i / load.of_each) +=
+                           problem.weights[row] * share * readings[u];
+                   });
+    for (const std::size_t row : tables_->rows[taxel])
+      for (std::size_t k = 0; k < tables_->read[row].count; ++k)
+        error = std::hypot(
+            error, problem.weights[row] * grid.area() * std::abs(tables_->read[row].shares[k]) *
+                       tables_->kernels[taxel]->error_bound(tables_->read[row].quantities[k]));
+  }
   problem.kernel_error = error * std::sqrt(static_cast<double>(problem.kernel.columns));
+}
+
+Matrix CurvedReadings::kernel(const SurfaceGrid& grid, std::size_t components) const {
+  LinearProblem problem;
+  problem.sites = sites(tables_->skin);
+  problem.components = components;
+  problem.grid = grid;
+  problem.weights.assign(problem.sites.size(), 1.0);
+  problem.kernel.rows = problem.sites.size();
+  problem.kernel.columns = components * grid.count();
+  problem.kernel.values.resize(problem.kernel.rows * problem.kernel.columns);
+  add_kernel(problem);
+  return std::move(problem.kernel);
+}
+
+namespace {
+
+/// The smallest grid whose cells hold a load, of about that spacing; a patch's own cells are
+/// parted.
+SurfaceGrid grid_around(const SkinLoad& load, double spacing) {
+  const auto over = [&](double middle_y, double middle_z, double width_y, double width_z,
+                        std::size_t rows, std::size_t columns) {
+    const auto parts = [&](double width) {
+      return static_cast<std::size_t>(std::clamp(std::ceil(width / spacing), 1.0, 1024.0));
+    };
+    const std::size_t of_row = parts(width_y);
+    const std::size_t of_column = parts(width_z);
+    return SurfaceGrid{.rows = rows * of_row,
+                       .columns = columns * of_column,
+                       .spacing_y = width_y / static_cast<double>(of_row),
+                       .spacing_z = width_z / static_cast<double>(of_column),
+                       .centre_y = middle_y,
+                       .centre_z = middle_z};
+  };
+  if (const auto* patch = std::get_if<SampledPatch>(&load))
+    return over(patch->y, patch->z, patch->spacing_y, patch->spacing_z, patch->rows,
+                patch->columns);
+  const auto& contact = std::get<SkinContact>(load);
+  const double reach = std::max(contact.radius, contact.second_radius);
+  return over(contact.y, contact.z, 2.0 * reach, 2.0 * reach, 1, 1);
+}
+
+}  // namespace
+
+std::vector<double> CurvedReadings::readings(std::span<const SkinLoad> loads) const {
+  const SkinArray& skin = tables_->skin;
+  std::vector<double> all(tables_->read.size());
+  if (const auto& given = skin.curved->given) {
+    const SurfaceGrid grid = given_grid(skin);
+    const std::vector<double> means = cell_means(loads, grid);
+    for (std::size_t row = 0; row < all.size(); ++row)
+      for (std::size_t i = 0; i < means.size(); ++i)
+        all[row] +=
+            given->kernel(row, i) * means[i] * grid.area() / given->cells[i % grid.count()].area;
+    return all;
+  }
+  const double spacing = 0.25 * least_depth(skin);
+  for (const SkinLoad& load : loads) {
+    check(load);
+    for (const auto& [step, share] : {std::pair(spacing, -1.0 / 3.0), {0.5 * spacing, 4.0 / 3.0}}) {
+      SurfaceGrid grid = grid_around(load, step);
+      const std::vector<double> means = cell_means(std::span(&load, 1), grid);
+      std::vector<SurfacePlace> places;
+      std::vector<std::array<double, 3>> forces;
+      for (std::size_t i = 0; i < grid.count(); ++i) {
+        std::array<double, 3> force{};
+        for (std::size_t u = 0; u < 3; ++u)
+          force[u] = share * grid.area() * means[u * grid.count() + i];
+        if (force == std::array<double, 3>{}) continue;
+        places.push_back(
+            skin.curved->surface.at(grid.y(i / grid.columns), grid.z(i % grid.columns)));
+        forces.push_back(force);
+      }
+      for (std::size_t taxel = 0; taxel < skin.taxels.size(); ++taxel)
+        tables_->visit(taxel, places,
+                       [&](std::size_t row, std::size_t i, const std::array<double, 3>& readings) {
+                         for (std::size_t u = 0; u < 3; ++u) all[row] += forces[i][u] * readings[u];
+                       });
+    }
+  }
+  return all;
 }
 
 }  // namespace tactile_net

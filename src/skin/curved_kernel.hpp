@@ -2,6 +2,11 @@
 /// The kernel of a curved skin's problem. Private.
 #pragma once
 
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tactile_net/skin/load.hpp"
 #include "tactile_net/skin/problem.hpp"
 
 namespace tactile_net {
@@ -13,8 +18,32 @@ void check_curved(const SkinArray& skin, const Material& material);
 /// The grid of the chart of a skin whose kernel is given.
 [[nodiscard]] SurfaceGrid given_grid(const SkinArray& skin);
 
-/// Fills in W K and its error.
-/// @pre  the problem has cells, of this skin
-void add_curved_kernel(const SkinArray& skin, const Material& material, LinearProblem& problem);
+/// What tractions on a curved skin cause: the tables of every taxel, made once. Threads may share
+/// it.
+class CurvedReadings {
+ public:
+  /// @throw std::invalid_argument  as `check_curved`
+  CurvedReadings(const SkinArray& skin, const Material& material);
+  ~CurvedReadings();
+  CurvedReadings(const CurvedReadings&) = delete;
+  CurvedReadings& operator=(const CurvedReadings&) = delete;
+
+  /// Fills in W K and its error.
+  /// @pre  the problem's sites, weights, components and grid are this skin's
+  void add_kernel(LinearProblem& problem) const;
+
+  /// K of a grid of the chart, readings x (components x cells).
+  [[nodiscard]] Matrix kernel(const SurfaceGrid& grid, std::size_t components) const;
+
+  /// Readings under loads that lie on the chart, where their forces are exact: by cells of a grid
+  /// and of one half as fine, which together leave the fourth power of its spacing. Of a kernel
+  /// that is given, by its cells.
+  /// @throw std::invalid_argument  a load is out of range, or beyond the chart
+  [[nodiscard]] std::vector<double> readings(std::span<const SkinLoad> loads) const;
+
+ private:
+  struct Tables;
+  std::unique_ptr<const Tables> tables_;
+};
 
 }  // namespace tactile_net

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "elasticity/space/reading_size.hpp"
+#include "skin/curved_kernel.hpp"
 #include "skin/load_part.hpp"
 #include "skin/part_quadrature.hpp"
 #include "skin/patch.hpp"
@@ -128,7 +129,10 @@ class ExactSkinModel::Summation {
 ExactSkinModel::ExactSkinModel(const SkinArray& skin, const Material& material)
     : skin_(skin), material_(material) {
   check(skin, material);
-  require_flat(skin, "a simulated contact");
+  if (skin.curved) {
+    curved_ = std::make_shared<const CurvedReadings>(skin, material);
+    return;
+  }
   std::map<double, std::size_t> depths;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> places;  // by depth and taxel
   for (std::size_t reading = 0; const Site& site : sites(skin)) {
@@ -149,6 +153,7 @@ std::vector<double> ExactSkinModel::readings(std::span<const SkinLoad> loads) co
       if (has_traction(load, component))
         for (const Quantity quantity : skin_.reads) check_quantity(quantity, component, material_);
   }
+  if (curved_) return curved_->readings(loads);
   std::vector<double> all(reading_count(skin_));
   for (const Depth& depth : depths_) {
     Summation sum(*this, depth, all);

@@ -135,7 +135,7 @@ LinearProblem make_problem(const SkinArray& skin, const Material& material,
   const std::size_t columns = problem.components * problem.grid.count();
   problem.kernel = make_kernel(rows, columns);
   if (skin.curved)
-    add_curved_kernel(skin, material, problem);
+    CurvedReadings(skin, material).add_kernel(problem);
   else
     add_flat_kernel(skin, material, problem);
   require(

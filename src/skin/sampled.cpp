@@ -3,6 +3,7 @@
 
 #include "numeric/require.hpp"
 #include "skin/cell_kernel.hpp"
+#include "skin/curved_kernel.hpp"
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tactile_net/skin/problem.hpp"
@@ -48,6 +49,11 @@ SampledSkinModel::SampledSkinModel(const SkinArray& skin, const Material& materi
                                    const SurfaceGrid& grid, std::size_t components) {
   check_sampled(skin, material, components);
   Kernels made{.skin = skin, .grid = grid, .components = components};
+  if (skin.curved) {
+    made.places = CurvedReadings(skin, material).kernel(grid, components);
+    kernels_ = std::make_shared<const Kernels>(std::move(made));
+    return;
+  }
   CellKernels kernels(material, grid);
   if (is_lattice(skin, grid)) {
     for (const Channel& channel : channels(skin))

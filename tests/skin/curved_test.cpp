@@ -9,6 +9,7 @@
 #include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
 #include "tactile_net/skin/curved_skin.hpp"
+#include "tactile_net/skin/forward.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tactile_net/skin/resultant.hpp"
 #include "tactile_net/skin/space_wrench.hpp"
@@ -343,4 +344,33 @@ TEST_CASE("what is no curved skin is refused with the rule", "[skin][curved]") {
   CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("bonded"));
   material.layer = Layer{16e-3, Base::bonded};
   CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("radius of curvature"));
+}
+
+TEST_CASE("readings of loads on a curved skin are those of its problem's cells, and converge",
+          "[skin][curved][property]") {
+  const SkinArray skin = curved_skin(ball_taxels(15e-3), {.axes = ReadingAxes::sensor});
+  const std::vector<SkinLoad> loads = {
+      SkinContact{.y = 0.7e-3,
+                  .z = -0.4e-3,
+                  .radius = 2e-3,
+                  .force = 0.3,
+                  .friction = 0.4,
+                  .direction = 1.0},
+      SkinContact{.y = -2e-3, .z = 1e-3, .radius = 1.5e-3, .force = 0.1, .torsion = 2e-5}};
+  const std::vector<double> exact = exact_readings(skin, skin_on_core, loads);
+  const SkinProblemOptions fine{.grid = {.spacing = 0.1e-3}};
+  const LinearProblem problem = make_problem(skin, skin_on_core, fine);
+  const std::vector<double> sampled = product(problem.kernel, cell_means(loads, problem.grid));
+  CHECK(distance(exact, sampled) <= 1e-3 * norm(exact));
+  CHECK(
+      distance(sampled_readings(skin, skin_on_core, problem.grid, cell_means(loads, problem.grid)),
+               sampled) <= 1e-12 * norm(exact));
+  // Cells of half a spacing leave a quarter of the error: what is left of both together is far
+  // less.
+  const LinearProblem coarse = make_problem(skin, skin_on_core, {.grid = {.spacing = 0.2e-3}});
+  const std::vector<double> two = product(coarse.kernel, cell_means(loads, coarse.grid));
+  std::vector<double> both(exact.size());
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] = sampled[i] + (sampled[i] - two[i]) / 3.0;
+  CHECK(distance(exact, both) <= 1e-4 * norm(exact));
+  CHECK(norm(exact_readings(skin, skin_on_core, {})) == 0.0);
 }

@@ -19,6 +19,8 @@
 
 namespace tactile_net {
 
+class CurvedReadings;
+
 /// The forward model without discretisation: a test that uses it commits no inverse crime.
 ///
 /// Contacts are read to 1e-10 of about the largest reading of their kind at that depth: of
@@ -35,6 +37,9 @@ namespace tactile_net {
 /// some thousand where the distance to the nearest singularity, the depth, or of the base 2
 /// thickness - depth, is about a radius, and radius / distance times as many where it is less;
 /// depths of 1e-4 radii are refused. Patches are sums of `SkinKernel`'s rectangles.
+///
+/// Of a curved skin loads lie on its chart, where their forces are exact, and readings are sums
+/// over cells of two spacings, whose fourth power is left: some 1e-4 of the largest reading.
 class ExactSkinModel {
  public:
   /// Makes the model; in a layer that takes some milliseconds for each depth, and 0.1 s once in a
@@ -70,6 +75,7 @@ class ExactSkinModel {
   SkinArray skin_;
   Material material_;
   std::vector<Depth> depths_;
+  std::shared_ptr<const CurvedReadings> curved_{};  // null: the skin is flat
 };
 
 /// Readings by an `ExactSkinModel` that is made for this call alone.

@@ -95,6 +95,8 @@ def _surface(sensor: SensorRecording) -> Floats:
 def _cells(solution: SkinSolution, sensor: SensorRecording) -> tuple[Floats, Floats]:
     """(cells, 3) middles, and (cells, 3, 3): what a traction of 1 along x, e_y and e_z of a cell presses with, [m^2] along the
     sensor's axes."""
+    if solution.surface is not None:
+        return solution.surface.middles, solution.surface.forces
     frame = sensor.flat_frame
     above = _surface(sensor)
     height = float((above @ frame[0]).mean())
