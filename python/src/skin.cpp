@@ -56,8 +56,8 @@ std::tuple<Array, Array, std::pair<double, double>> cell_places(const SharedSkin
   return {owned(std::move(y)), owned(std::move(z)), {cells.spacing_y, cells.spacing_z}};
 }
 
-/// Of a curved skin's cells middles, frames, areas, and what 1 Pa along each frame's axis amounts to:
-/// (N, 3), (N, 3, 3), (N,), (N, 3, 3); of a flat one nothing.
+/// Of a curved skin's cells middles, frames, areas, and what 1 Pa along each frame's axis amounts
+/// to: (N, 3), (N, 3, 3), (N,), (N, 3, 3); of a flat one nothing.
 std::optional<std::tuple<Array, Array, Array, Array>> surface_of(const SharedSkin& self) {
   const SkinScene& scene = self.scene();
   if (!scene.sensor.curved) return std::nullopt;
@@ -79,7 +79,8 @@ std::optional<std::tuple<Array, Array, Array, Array>> surface_of(const SharedSki
                     owned(std::move(areas)), owned(std::move(forces), {count, 3, 3})};
 }
 
-/// Of a curved skin where each taxel's place on the surface is, and the outward normal: (N, 3) each.
+/// Of a curved skin where each taxel's place on the surface is, and the outward normal: (N, 3)
+/// each.
 std::optional<std::tuple<Array, Array>> places_of(const SharedSkin& self) {
   const SkinArray& skin = self.scene().sensor;
   if (!skin.curved) return std::nullopt;

@@ -48,8 +48,9 @@ MirroredReadings mirrored_readings(const LinearProblem& problem, Axis along) {
 
 MirroredReadings exchanged_readings(const LinearProblem& problem) {
   const SurfaceGrid& grid = problem.grid;
-  if (problem.is_line || problem.cells || grid.rows != grid.columns || grid.spacing_y != grid.spacing_z ||
-      grid.margin_rows != grid.margin_columns || grid.boundary_y != grid.boundary_z)
+  if (problem.is_line || problem.cells || grid.rows != grid.columns ||
+      grid.spacing_y != grid.spacing_z || grid.margin_rows != grid.margin_columns ||
+      grid.boundary_y != grid.boundary_z)
     return std::nullopt;
   const double rounding =
       1e-12 * (std::abs(grid.centre_y) + std::abs(grid.centre_z) + grid.spacing_y);

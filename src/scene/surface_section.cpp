@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "numeric/decompositions.hpp"
 #include "numeric/require.hpp"
-#include "sensing/array_parts.hpp"
 
 namespace tactile_net {
 namespace {
@@ -22,7 +21,7 @@ SpaceVector unit(const SpaceVector& one) noexcept {
 SpaceVector mean(std::span<const SpaceVector> all) noexcept {
   SpaceVector total{};
   for (const SpaceVector& one : all) total = combined(1.0, total, 1.0, one);
-  const double count = static_cast<double>(all.size());
+  const auto count = static_cast<double>(all.size());
   return {total[0] / count, total[1] / count, total[2] / count};
 }
 
