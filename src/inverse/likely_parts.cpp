@@ -29,48 +29,51 @@ class LikelyParts {
   /// @param least  q is not less
   LikelyParts(const LoadPrior::Tables& tables, const Eigen::VectorXd& g, double known, double least)
       : tables_(tables),
-        g_(g),
         square_(g.squaredNorm()),
         known_(known),
         degrees_(known + static_cast<double>(tables.weighting.rows())),
-        least_(least) {}
+        least_(least) {
+    for (const LoadPrior::Tables::Reflection& by : tables_.reflections)
+      reflected_.emplace_back(by.signs.cwiseProduct(g(by.readings)));
+  }
 
   /// Probabilities that sum to 1, window after window.
   [[nodiscard]] std::vector<LoadPrior::Part> found() {
-    for (const LoadPrior::Tables::Reflection& by : tables_.reflections)
-      reflected_.emplace_back(by.signs.cwiseProduct(g_(by.readings)));
     std::vector<Look> looks(tables_.windows.size());
-    for (const LoadPrior::Tables::Shape& shape : tables_.shapes)
-      for (const std::size_t w : shape.windows) looks[w] = look_at(w);
+    for (const LoadPrior::Tables::Shape& shape : tables_.shapes) look_at(shape, looks);
     std::vector<std::size_t> order(looks.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return looks[a].most > looks[b].most; });
     for (const std::size_t w : order) {
       if (!(looks[w].most > best_ + std::log(never_counted))) break;
-      look_closely(std::move(looks[w]));
+      look_closely(w, std::move(looks[w]));
     }
     return likely();
   }
 
  private:
+  /// A window's readings onto what its tractions make of them.
   struct Look {
-    std::size_t window = 0;
+    // By an entry, or by an outline: of each class before its matrix rotates them, and then.
     Eigen::VectorXd beta{}, square{};
+    std::vector<Eigen::MatrixXd> classes{}, rotated{};
     double outside = 0.0;    // what of |g|^2 no traction in the window explains
     Eigen::VectorXd left{};  // q of each alpha, or less
     double most = 0.0;       // of log p
   };
   struct Found {
-    std::size_t window = 0;
-    const LoadPrior::Tables::Entry* entry = nullptr;
+    std::size_t window = 0, entry = 0;
     Eigen::VectorXd beta{};
     std::vector<Index> alphas{};
     std::vector<double> left{}, log{};
   };
 
-  void project(const LoadPrior::Tables::Entry& entry, Look& look) const {
-    const Eigen::VectorXd& g = reflected_[tables_.windows[look.window].reflection];
+  [[nodiscard]] const Eigen::VectorXd& readings(std::size_t window) const {
+    return reflected_[tables_.windows[window].reflection];
+  }
+  void project(const LoadPrior::Tables::Entry& entry, std::size_t window, Look& look) const {
+    const Eigen::VectorXd& g = readings(window);
     look.beta = entry.u.transpose() * g;
     look.square = look.beta.cwiseAbs2();
     look.outside = square_ - look.square.sum();
@@ -78,52 +81,82 @@ class LikelyParts {
     if (look.outside < least_outside * square_)
       look.outside = (g - entry.u * look.beta).squaredNorm();
   }
-  [[nodiscard]] double left(const LoadPrior::Tables::Entry& entry, const Look& look,
-                            Index a) const {
+  [[nodiscard]] double left(std::size_t entry, const Look& look, Index a) const {
     const double alpha = tables_.alphas(a);
-    return std::max(
-        least_,
-        look.outside + (alpha * look.square.array() / (entry.gamma2.array() + alpha)).sum());
+    const auto inside = [&] {
+      if (tables_.is_long()) return tables_.outline(entry).left(look.rotated, alpha)(0);
+      return (alpha * look.square.array() / (tables_.entry(entry).gamma2.array() + alpha)).sum();
+    };
+    return std::max(least_, look.outside + inside());
   }
   [[nodiscard]] double log_likelihood(double q) const {
     return std::isinf(known_) ? -0.5 * q : -0.5 * degrees_ * std::log(known_ + q);
   }
 
-  [[nodiscard]] Look look_at(std::size_t w) const {
-    const LoadPrior::Tables::Shape& shape = tables_.shapes[tables_.windows[w].shape];
-    const LoadPrior::Tables::Entry& entry = tables_.entries[shape.first];
-    Look look{.window = w};
-    project(entry, look);
-    look.left.resize(tables_.alphas.size());
-    look.left(0) = left(entry, look, 0);
-    for (Index a = alphas_apart; a < tables_.alphas.size(); a += alphas_apart) {
-      look.left(a) = left(entry, look, a);
-      for (Index i = a - alphas_apart + 1; i < a; ++i) {
-        const double share = (tables_.alphas(i) - tables_.alphas(a)) /
-                             (tables_.alphas(a - alphas_apart) - tables_.alphas(a));
-        look.left(i) = (1.0 - share) * look.left(a) + share * look.left(a - alphas_apart);
+  /// At all windows of a shape.
+  void look_at(const LoadPrior::Tables::Shape& shape, std::vector<Look>& looks) const {
+    const Index count = tables_.alphas.size();
+    if (tables_.is_long()) {
+      Eigen::MatrixXd g(reflected_.front().size(), std::ssize(shape.windows));
+      for (Index k = 0; k < g.cols(); ++k)
+        g.col(k) = readings(shape.windows[static_cast<std::size_t>(k)]);
+      const auto within = shape.range->coordinates(g);
+      const auto rotated = tables_.outline(shape.first).rotated(within.classes);
+      for (Index k = 0; k < g.cols(); ++k) {
+        Look& look = looks[shape.windows[static_cast<std::size_t>(k)]];
+        look.outside = within.outside(k);
+        for (std::size_t c = 0; c < rotated.size(); ++c) {
+          look.classes.emplace_back(within.classes[c].col(k));
+          look.rotated.emplace_back(rotated[c].col(k));
+        }
+        look.left.resize(count);
+      }
+      for (Index a = 0; a < count; a += alphas_apart) {
+        const Eigen::RowVectorXd all =
+            tables_.outline(shape.first).left(rotated, tables_.alphas(a)) + within.outside;
+        for (Index k = 0; k < g.cols(); ++k)
+          looks[shape.windows[static_cast<std::size_t>(k)]].left(a) = std::max(least_, all(k));
+      }
+    } else {
+      for (const std::size_t w : shape.windows) {
+        project(tables_.entry(shape.first), w, looks[w]);
+        looks[w].left.resize(count);
+        for (Index a = 0; a < count; a += alphas_apart)
+          looks[w].left(a) = left(shape.first, looks[w], a);
       }
     }
-    look.most = -std::numeric_limits<double>::infinity();
-    for (Index a = 0; a < tables_.alphas.size(); ++a)
-      look.most = std::max(look.most, shape.most_log_prior(a) + log_likelihood(look.left(a)));
-    return look;
+    for (const std::size_t w : shape.windows) {
+      Look& look = looks[w];
+      for (Index a = alphas_apart; a < count; a += alphas_apart)
+        for (Index i = a - alphas_apart + 1; i < a; ++i) {
+          const double share = (tables_.alphas(i) - tables_.alphas(a)) /
+                               (tables_.alphas(a - alphas_apart) - tables_.alphas(a));
+          look.left(i) = (1.0 - share) * look.left(a) + share * look.left(a - alphas_apart);
+        }
+      look.most = -std::numeric_limits<double>::infinity();
+      for (Index a = 0; a < count; ++a)
+        look.most = std::max(look.most, shape.most_log_prior(a) + log_likelihood(look.left(a)));
+    }
   }
 
-  void look_closely(Look look) {
-    const LoadPrior::Tables::Shape& shape = tables_.shapes[tables_.windows[look.window].shape];
+  void look_closely(std::size_t w, Look look) {
+    const LoadPrior::Tables::Shape& shape = tables_.shapes[tables_.windows[w].shape];
     for (std::size_t i = 0; i < tables_.tangential_weights.size(); ++i) {
-      const LoadPrior::Tables::Entry& entry = tables_.entries[shape.first + i];
-      Found found{.window = look.window, .entry = &entry};
+      const std::size_t entry = shape.first + i;
+      const Eigen::VectorXd& log_prior = tables_.log_prior(entry);
+      Found found{.window = w, .entry = entry};
       for (Index a = 0; a < tables_.alphas.size(); ++a)
-        if (entry.log_prior(a) + log_likelihood(look.left(a)) > best_ + std::log(never_counted))
+        if (log_prior(a) + log_likelihood(look.left(a)) > best_ + std::log(never_counted))
           found.alphas.push_back(a);
       if (found.alphas.empty()) continue;
-      if (i > 0) project(entry, look);
+      if (i > 0 && tables_.is_long())
+        look.rotated = tables_.outline(entry).rotated(look.classes);
+      else if (i > 0)
+        project(tables_.entry(entry), w, look);
       for (const Index a : found.alphas) {
         look.left(a) = left(entry, look, a);
         found.left.push_back(look.left(a));
-        found.log.push_back(entry.log_prior(a) + log_likelihood(look.left(a)));
+        found.log.push_back(log_prior(a) + log_likelihood(look.left(a)));
         best_ = std::max(best_, found.log.back());
       }
       found.beta = look.beta;
@@ -143,22 +176,24 @@ class LikelyParts {
         if (p > unlikely * all) kept += p;
     std::vector<LoadPrior::Part> parts;
     for (Found& found : found_) {
-      LoadPrior::Part part{.entry = found.entry,
-                           .window = &tables_.windows[found.window],
-                           .beta = std::move(found.beta)};
+      LoadPrior::Part part{.window = &tables_.windows[found.window]};
       for (std::size_t i = 0; i < found.log.size(); ++i)
         if (found.log[i] > unlikely * all)
           part.sizes.push_back(
               {.alpha = tables_.alphas(found.alphas[i]),
                .probability = found.log[i] / kept,
                .scale2 = std::isinf(known_) ? 1.0 : (known_ + found.left[i]) / degrees_});
-      if (!part.sizes.empty()) parts.push_back(std::move(part));
+      if (part.sizes.empty()) continue;
+      part.entry = &tables_.entry(found.entry);
+      part.beta = tables_.is_long()
+                      ? Eigen::VectorXd(part.entry->u.transpose() * readings(found.window))
+                      : std::move(found.beta);
+      parts.push_back(std::move(part));
     }
     return parts;
   }
 
   const LoadPrior::Tables& tables_;
-  const Eigen::VectorXd& g_;
   double square_;
   double known_;
   double degrees_;

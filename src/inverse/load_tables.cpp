@@ -40,6 +40,18 @@ constexpr std::array skin_weights = {0.5, 2.0, 8.0};
 constexpr double least_entry = 1e-15;      // over the largest entry of T'K'
 constexpr double least_difference = 1e-5;  // of two squares, over the larger one
 
+/// No more rows than columns say the same.
+Eigen::MatrixXd reduced(const Eigen::MatrixXd& x) {
+  if (x.rows() > x.cols()) return HouseholderQr(x).triangle();
+  return x;
+}
+
+Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd both(a.rows() + b.rows(), a.cols());
+  both << a, b;
+  return both;
+}
+
 }  // namespace
 
 WindowCoordinates::WindowCoordinates(const LinearProblem& problem, const WindowPlace& place,
@@ -111,7 +123,8 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
       components(static_cast<Index>(problem.components)),
       block(static_cast<Index>(problem.grid.count())),
       kernel_(as_eigen(problem.kernel)),
-      least_parted_(least_parted) {
+      prior_power_(options.prior_power),
+      is_long_(problem.kernel.rows >= least_parted) {
   if (problem.components == 1)
     tangential_weights = {1.0};
   else if (problem.is_line)
@@ -120,11 +133,12 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
     tangential_weights.assign(skin_weights.begin(), skin_weights.end());
   find_reflections(problem);
   add_windows(problem, options);
-  entries.resize(shapes.size() * tangential_weights.size());
+  entries_.resize(shapes.size() * tangential_weights.size());
+  made_ = std::make_unique<std::once_flag[]>(entries_.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i].first = i * tangential_weights.size();
-  decompose_all(options.prior_power, options.threads);
-  kept_.resize(entries.size());
-  asked_.resize(entries.size());
+  kept_.resize(entries_.size());
+  asked_.resize(entries_.size());
+  prepare(options.threads);
 }
 
 WindowPlace LoadPrior::Tables::Reflection::image(const WindowPlace& place,
@@ -232,14 +246,35 @@ std::vector<Index> LoadPrior::Tables::columns_of(const LinearProblem& problem,
 }
 
 /// The whole surface, which sizes alphas, and then shape after shape by whoever is free.
-void LoadPrior::Tables::decompose_all(double prior_power, std::size_t threads) {
-  decompose(shapes.front(), prior_power);
-  std::atomic<std::size_t> next = 1;
+void LoadPrior::Tables::prepare(std::size_t threads) {
+  std::call_once(made_[0], [&] {
+    entries_[0] = decomposed(0);
+    const double largest = entries_[0].gamma(0);
+    if (!(largest > 0.0)) throw std::invalid_argument(nothing_is_read);
+    alphas.resize(mixture_alphas);
+    for (Index a = 0; a < mixture_alphas; ++a)
+      alphas(a) = largest * largest * most_alpha * std::ldexp(1.0, -static_cast<int>(a));
+    weigh(entries_[0]);
+  });
+  const auto sum_up = [&](Shape& shape) {
+    shape.most_log_prior = log_prior(shape.first);
+    for (std::size_t i = 1; i < tangential_weights.size(); ++i)
+      shape.most_log_prior = shape.most_log_prior.cwiseMax(log_prior(shape.first + i));
+  };
+  if (!is_long_) {
+    for (Shape& shape : shapes) sum_up(shape);
+    return;
+  }
+  outlines_.resize(entries_.size());
+  std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
   const auto work = [&] {
     try {
-      for (std::size_t i = next++; i < shapes.size(); i = next++) decompose(shapes[i], prior_power);
+      for (std::size_t i = next++; i < shapes.size(); i = next++) {
+        outline_all(i);
+        sum_up(shapes[i]);
+      }
     } catch (...) {
       const std::lock_guard lock(mutex);
       failure = std::current_exception();
@@ -247,8 +282,7 @@ void LoadPrior::Tables::decompose_all(double prior_power, std::size_t threads) {
   };
   {
     Threads others;
-    const bool is_long = static_cast<std::size_t>(kernel_.rows()) >= least_parted_;
-    const std::size_t most = !is_long ? 1 : threads == 0 ? processors() : threads;
+    const std::size_t most = threads == 0 ? processors() : threads;
     try {
       for (std::size_t k = 1; k < std::min(most, shapes.size()); ++k) others.start(work);
     } catch (const std::system_error&) {  // what has no thread is worked out here
@@ -258,11 +292,19 @@ void LoadPrior::Tables::decompose_all(double prior_power, std::size_t threads) {
   if (failure) std::rethrow_exception(failure);
 }
 
+const LoadPrior::Tables::Entry& LoadPrior::Tables::entry(std::size_t at) const {
+  std::call_once(made_[at], [&] {
+    entries_[at] = decomposed(at);
+    weigh(entries_[at]);
+  });
+  return entries_[at];
+}
+
 /// Of y and of z with both, or of one exchange: those that undo themselves and one another.
 std::vector<const LoadPrior::Tables::Reflection*> LoadPrior::Tables::classifying(
     const Shape& shape) const {
   std::vector<const Reflection*> by;
-  if (static_cast<std::size_t>(kernel_.rows()) < least_parted_) return by;
+  if (!is_long_) return by;
   for (const std::size_t k : shape.own)
     if (!reflections[k].exchanged) by.push_back(&reflections[k]);
   for (const std::size_t k : shape.own)
@@ -308,24 +350,18 @@ std::vector<Eigen::SparseMatrix<double>> LoadPrior::Tables::classes_by(
   return classes;
 }
 
-void LoadPrior::Tables::decompose(Shape& shape, double prior_power) {
-  const Index rows = kernel_.rows();
+LoadPrior::Tables::Shown LoadPrior::Tables::shown(const Shape& shape) const {
   const Index own = shape.coordinates.count();
   Eigen::MatrixXd seen = kernel_(Eigen::indexing::all, shape.columns).transpose();
   for (Index u = 0; u < components; ++u)  // T'K' of weight 1
     seen.middleRows(u * own, own) = shape.coordinates.sums(seen.middleRows(u * own, own));
   int exponent = 0;  // a power of two scales without a rounding, and squares stay numbers
   std::frexp(seen.cwiseAbs().maxCoeff(), &exponent);
-  const double size = std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
-  seen /= size;
-  // No more rows than columns say the same: of the normal traction, and of the tangential ones.
-  const auto reduced = [](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
-    if (x.rows() > x.cols()) return HouseholderQr(x).triangle();
-    return x;
-  };
+  Shown made{.size = std::ldexp(1.0, std::clamp(exponent, -1000, 1000))};
+  seen /= made.size;
   const std::vector<const Reflection*> by = classifying(shape);
   if (!by.empty() && by.front()->exchanged) shape.coordinates.part_exchanged(seen);
-  const std::vector<Eigen::SparseMatrix<double>> classes = classes_by(by);
+  made.classes = classes_by(by);
   // Half of a class's rows, or three quarters, are nothing but rounding.
   const auto own_rows = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
     if (by.empty()) return reduced(x);
@@ -334,62 +370,159 @@ void LoadPrior::Tables::decompose(Shape& shape, double prior_power) {
       if (x.row(i).cwiseAbs().maxCoeff() > least_entry) kept.push_back(i);
     return reduced(x(kept, Eigen::indexing::all));
   };
-  std::vector<Eigen::MatrixXd> normal, tangential;
-  for (const Eigen::SparseMatrix<double>& one : classes) {
-    const Eigen::MatrixXd of_class = seen * one;
-    normal.push_back(own_rows(of_class.topRows(own)));
-    tangential.push_back(own_rows(of_class.bottomRows(seen.rows() - own)));
+  for (const Eigen::SparseMatrix<double>& one : made.classes) {
+    const Eigen::MatrixXd of_class = by.empty() ? seen : Eigen::MatrixXd(seen * one);
+    made.normal.push_back(own_rows(of_class.topRows(own)));
+    made.tangential.push_back(own_rows(of_class.bottomRows(seen.rows() - own)));
   }
+  return made;
+}
+
+LoadPrior::Tables::Entry LoadPrior::Tables::decomposed(std::size_t at) const {
+  const std::size_t of = at / tangential_weights.size();
+  const double weight = tangential_weights[at % tangential_weights.size()];
+  const Shown shown = this->shown(shapes[of]);
   struct Value {
     double gamma = 0.0;  // over size
     std::size_t of = 0;  // class
     Index column = 0;
   };
-  shape.most_log_prior =
-      Eigen::VectorXd::Constant(mixture_alphas, -std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < tangential_weights.size(); ++i) {
-    std::vector<Svd> parts;
-    std::vector<Value> values;
-    for (std::size_t c = 0; c < classes.size(); ++c) {
-      Eigen::MatrixXd both(normal[c].rows() + tangential[c].rows(), classes[c].cols());
-      both << normal[c], tangential[c] / tangential_weights[i];
-      both = reduced(both);
-      parts.push_back(both.rows() == both.cols() ? singular_value_decomposition(both)
-                                                 : long_singular_value_decomposition(both));
-      for (Index k = 0; k < parts[c].values.size(); ++k)
-        values.push_back({.gamma = parts[c].values(k), .of = c, .column = k});
-    }
-    std::stable_sort(values.begin(), values.end(),
-                     [](const Value& a, const Value& b) { return a.gamma > b.gamma; });
-    if (alphas.size() == 0) {
-      const double largest = size * values.front().gamma;
-      if (!(largest > 0.0)) throw std::invalid_argument(nothing_is_read);
-      alphas.resize(mixture_alphas);
-      for (Index a = 0; a < mixture_alphas; ++a)
-        alphas(a) = largest * largest * most_alpha * std::ldexp(1.0, -static_cast<int>(a));
-    }
-    const double least = std::sqrt(least_gamma2 * alphas(mixture_alphas - 1));
-    std::erase_if(values, [&](const Value& one) { return !(size * one.gamma > least); });
-    Entry& entry = entries[shape.first + i];
-    entry.shape = static_cast<std::size_t>(&shape - shapes.data());
-    entry.tangential_weight = tangential_weights[i];
-    entry.u.resize(rows, std::ssize(values));
-    entry.gamma.resize(std::ssize(values));
-    for (Index k = 0; k < entry.gamma.size(); ++k) {
-      const Value& one = values[static_cast<std::size_t>(k)];
-      entry.u.col(k) = classes[one.of] * parts[one.of].v.col(one.column);
-      entry.gamma(k) = size * one.gamma;
-    }
-    entry.gamma2 = entry.gamma.cwiseAbs2();
-    entry.log_prior = Eigen::VectorXd::Constant(
-        mixture_alphas, components == 1
-                            ? shape.log_prior
-                            : shape.log_prior - negative_log_prior(tangential_weights[i]));
-    for (Index a = 0; a < mixture_alphas; ++a)
-      entry.log_prior(a) += 0.5 * (alphas(a) / (entry.gamma2.array() + alphas(a))).log().sum() -
-                            prior_power * std::log(2.0) * static_cast<double>(a);
-    shape.most_log_prior = shape.most_log_prior.cwiseMax(entry.log_prior);
+  std::vector<Svd> parts;
+  std::vector<Value> values;
+  for (std::size_t c = 0; c < shown.classes.size(); ++c) {
+    const Eigen::MatrixXd both = reduced(stacked(shown.normal[c], shown.tangential[c] / weight));
+    parts.push_back(both.rows() == both.cols() ? singular_value_decomposition(both)
+                                               : long_singular_value_decomposition(both));
+    for (Index k = 0; k < parts[c].values.size(); ++k)
+      values.push_back({.gamma = parts[c].values(k), .of = c, .column = k});
   }
+  std::stable_sort(values.begin(), values.end(),
+                   [](const Value& a, const Value& b) { return a.gamma > b.gamma; });
+  Entry entry{.shape = of, .tangential_weight = weight};
+  entry.u.resize(kernel_.rows(), std::ssize(values));
+  entry.gamma.resize(std::ssize(values));
+  for (Index k = 0; k < entry.gamma.size(); ++k) {
+    const Value& one = values[static_cast<std::size_t>(k)];
+    entry.u.col(k) = shown.classes[one.of] * parts[one.of].v.col(one.column);
+    entry.gamma(k) = shown.size * one.gamma;
+  }
+  return entry;
+}
+
+double LoadPrior::Tables::log_prior(const Shape& shape, double tangential_weight, Index a) const {
+  return shape.log_prior - (components == 1 ? 0.0 : negative_log_prior(tangential_weight)) -
+         prior_power_ * std::log(2.0) * static_cast<double>(a);
+}
+
+void LoadPrior::Tables::weigh(Entry& entry) const {
+  const double least = std::sqrt(least_gamma2 * alphas(mixture_alphas - 1));
+  const Index seen = (entry.gamma.array() > least).count();
+  entry.u.conservativeResize(Eigen::NoChange, seen);
+  entry.gamma.conservativeResize(seen);
+  entry.gamma2 = entry.gamma.cwiseAbs2();
+  entry.log_prior.resize(mixture_alphas);
+  for (Index a = 0; a < mixture_alphas; ++a)
+    entry.log_prior(a) = log_prior(shapes[entry.shape], entry.tangential_weight, a) +
+                         0.5 * (alphas(a) / (entry.gamma2.array() + alphas(a))).log().sum();
+}
+
+/// Of a class with fewer values than readings the QR is the shape's: what a weight changes are
+/// rows of its triangle.
+void LoadPrior::Tables::outline_all(std::size_t of) {
+  Shape& shape = shapes[of];
+  const Shown shown = this->shown(shape);
+  Range range{.classes = classifying(shape).empty() ? decltype(shown.classes){} : shown.classes};
+  std::vector<Eigen::MatrixXd> transposed;  // where there is a QR, its triangle
+  for (std::size_t c = 0; c < shown.classes.size(); ++c) {
+    const Eigen::MatrixXd both = stacked(shown.normal[c], shown.tangential[c]);
+    if (both.rows() < both.cols()) {
+      range.within.emplace_back(std::in_place, Eigen::MatrixXd(both.transpose()));
+      transposed.push_back(range.within.back()->triangle());
+    } else {
+      range.within.emplace_back();
+      transposed.emplace_back(both.transpose());
+    }
+  }
+  for (std::size_t i = 0; i < tangential_weights.size(); ++i) {
+    const double weight = tangential_weights[i];
+    Outline& outline = outlines_[shape.first + i];
+    outline.size = shown.size;
+    for (std::size_t c = 0; c < transposed.size(); ++c) {
+      Eigen::MatrixXd weighted = transposed[c];
+      weighted.rightCols(shown.tangential[c].rows()) /= weight;
+      if (weighted.rows() < weighted.cols())
+        weighted = reduced(weighted.transpose()).transpose().eval();
+      outline.classes.emplace_back(weighted);
+    }
+    outline.log_prior.resize(mixture_alphas);
+    for (Index a = 0; a < mixture_alphas; ++a) {
+      outline.log_prior(a) = log_prior(shape, weight, a);
+      for (std::size_t c = 0; c < outline.classes.size(); ++c)
+        outline.log_prior(a) -=
+            0.5 *
+            (outline.triangle(c, alphas(a)).diagonal.array().square() / alphas(a)).log().sum();
+    }
+  }
+  shape.range = std::make_shared<const Range>(std::move(range));
+}
+
+LoadPrior::Tables::Range::Coordinates LoadPrior::Tables::Range::coordinates(
+    const Eigen::MatrixXd& readings) const {
+  Coordinates made{.outside = Eigen::RowVectorXd::Zero(readings.cols())};
+  for (std::size_t c = 0; c < within.size(); ++c) {
+    Eigen::MatrixXd own =
+        classes.empty() ? readings : Eigen::MatrixXd(classes[c].transpose() * readings);
+    if (within[c]) {
+      own = within[c]->rotate(own);
+      const Index shown = within[c]->columns();
+      made.outside += own.bottomRows(own.rows() - shown).colwise().squaredNorm();
+      own.conservativeResize(shown, Eigen::NoChange);
+    }
+    made.classes.push_back(std::move(own));
+  }
+  return made;
+}
+
+std::vector<Eigen::MatrixXd> LoadPrior::Tables::Outline::rotated(
+    const std::vector<Eigen::MatrixXd>& x) const {
+  std::vector<Eigen::MatrixXd> all;
+  for (std::size_t c = 0; c < classes.size(); ++c) all.push_back(classes[c].rotate(x[c]));
+  return all;
+}
+
+/// From the last row on: sqrt(alpha) is rotated into the diagonal, and what that leaves of the
+/// number above it into the next one's sqrt(alpha).
+LoadPrior::Tables::Outline::Triangle LoadPrior::Tables::Outline::triangle(std::size_t of,
+                                                                          double alpha) const {
+  const Eigen::VectorXd& d = classes[of].diagonal();
+  const Eigen::VectorXd& e = classes[of].above();
+  Triangle made{.diagonal = Eigen::VectorXd(d.size()), .above = Eigen::VectorXd(e.size())};
+  double damped = alpha;  // the square of what is to be rotated
+  for (Index i = d.size(); i-- > 0;) {
+    const double value = size * d(i);
+    const double r2 = value * value + damped;
+    made.diagonal(i) = std::sqrt(r2);
+    if (i == 0) break;
+    const double beside = size * e(i - 1);
+    made.above(i - 1) = beside * value / made.diagonal(i);
+    damped = alpha + beside * beside * (damped / r2);
+  }
+  return made;
+}
+
+Eigen::RowVectorXd LoadPrior::Tables::Outline::left(const std::vector<Eigen::MatrixXd>& rotated,
+                                                    double alpha) const {
+  Eigen::RowVectorXd all = Eigen::RowVectorXd::Zero(rotated.front().cols());
+  for (std::size_t c = 0; c < rotated.size(); ++c) {
+    const Triangle r = triangle(c, alpha);
+    Eigen::RowVectorXd y = Eigen::RowVectorXd::Zero(all.size());
+    for (Index i = r.diagonal.size(); i-- > 0;) {
+      const double above = i + 1 < r.diagonal.size() ? r.above(i) : 0.0;
+      y = (rotated[c].row(i) - above * y) / r.diagonal(i);
+      all += y.cwiseAbs2();
+    }
+  }
+  return alpha * all;
 }
 
 Eigen::MatrixXd LoadPrior::Tables::tractions(const Entry& entry, const Eigen::MatrixXd& c) const {
@@ -465,7 +598,7 @@ LoadPrior::Tables::Details LoadPrior::Tables::make(const Entry& entry) const {
 
 std::shared_ptr<const LoadPrior::Tables::Details> LoadPrior::Tables::details(
     const Entry& entry) const {
-  const auto at = static_cast<std::size_t>(&entry - entries.data());
+  const auto at = static_cast<std::size_t>(&entry - entries_.data());
   {
     const std::lock_guard lock(mutex_);
     asked_[at] = ++asks_;

@@ -6,18 +6,25 @@
 /// the two exchanged, one is decomposed: for the others the readings are reflected instead. A
 /// window that is its own image is decomposed class by class. What only answers need is made when a
 /// frame finds a window likely.
+///
+/// Of many readings a window's singular vectors are worked out when a frame finds it likely: what
+/// tells that, q and the determinant, a bidiagonal matrix gives as exactly, at a fifth of the time.
+/// No answer depends on what was worked out before.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "inverse/mirror_classes.hpp"
 #include "inverse/weighting.hpp"
 #include "inverse/window_places.hpp"
+#include "numeric/bidiagonalisation.hpp"
+#include "numeric/decompositions.hpp"
 #include "tactile_net/inverse/load_mixture.hpp"
 
 namespace tactile_net {
@@ -57,6 +64,7 @@ struct LoadPrior::Tables {
 
     [[nodiscard]] WindowPlace image(const WindowPlace& place, const SurfaceGrid& grid) const;
   };
+  struct Range;
   /// One of the windows that are each other's images.
   struct Shape {
     WindowCoordinates coordinates;
@@ -66,6 +74,7 @@ struct LoadPrior::Tables {
     std::size_t first = 0;                // entry of the least weight, those of the others follow
     Eigen::VectorXd most_log_prior{};     // of the entries, of each alpha
     std::vector<std::size_t> windows{};
+    std::shared_ptr<const Range> range{};  // where there are outlines
   };
   /// Where a load may lie, with whatever tangential weight.
   struct Window {
@@ -81,6 +90,35 @@ struct LoadPrior::Tables {
     Eigen::VectorXd gamma{}, gamma2{};
     Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
   };
+  /// The readings that a shape shows in, class by class: orthonormal columns.
+  struct Range {
+    std::vector<Eigen::SparseMatrix<double>> classes{};  // none: all of them
+    /// Of each class, where fewer values than readings are in it; of the shape, not of a weight.
+    std::vector<std::optional<HouseholderQr>> within{};
+    struct Coordinates {
+      std::vector<Eigen::MatrixXd> classes{};
+      Eigen::RowVectorXd outside{};  // the squares of what no traction explains
+    };
+    /// @param readings  a column a frame
+    [[nodiscard]] Coordinates coordinates(const Eigen::MatrixXd& readings) const;
+  };
+  /// Of a shape and a weight, by a bidiagonal matrix of each class: K C K' = U B B' U'.
+  struct Outline {
+    std::vector<Bidiagonalisation> classes{};
+    double size = 1.0;            // B is over it
+    Eigen::VectorXd log_prior{};  // as an entry's
+
+    /// R upper bidiagonal of a class: B B' + alpha = R R', without a square.
+    struct Triangle {
+      Eigen::VectorXd diagonal, above;
+    };
+    [[nodiscard]] Triangle triangle(std::size_t of, double alpha) const;
+    /// U'x of each class.
+    [[nodiscard]] std::vector<Eigen::MatrixXd> rotated(const std::vector<Eigen::MatrixXd>& x) const;
+    /// alpha c'(B B' + alpha)^-1 c of each column. @param rotated  c of each class
+    [[nodiscard]] Eigen::RowVectorXd left(const std::vector<Eigen::MatrixXd>& rotated,
+                                          double alpha) const;
+  };
   /// What answers need of an entry.
   struct Details {
     Eigen::MatrixXd v{};
@@ -89,9 +127,21 @@ struct LoadPrior::Tables {
   };
 
   /// @param least_parted  readings: of fewer a decomposition takes a millisecond, as a thread does,
-  ///                      and is neither parted into classes nor given one
+  ///                      and is neither parted into classes nor given one, nor put off
   Tables(const LinearProblem& problem, const LoadPriorOptions& options,
          std::size_t least_parted = 128);
+
+  [[nodiscard]] std::size_t entries_count() const noexcept { return entries_.size(); }
+  /// Decomposed when it is asked for first. Several threads may ask.
+  [[nodiscard]] const Entry& entry(std::size_t at) const;
+  /// Whether entries are decomposed when they are asked for, and there are outlines.
+  [[nodiscard]] bool is_long() const noexcept { return is_long_; }
+  /// @pre  is_long()
+  [[nodiscard]] const Outline& outline(std::size_t at) const { return outlines_[at]; }
+  /// Of the log of an entry's probability, what no reading changes. @pre  it is made, or is_long()
+  [[nodiscard]] const Eigen::VectorXd& log_prior(std::size_t at) const {
+    return is_long_ ? outlines_[at].log_prior : entry(at).log_prior;
+  }
 
   /// Kept as long as there is room: those that were asked for longest ago go. Several threads may
   /// ask.
@@ -123,8 +173,7 @@ struct LoadPrior::Tables {
   std::vector<double> tangential_weights{};  // ascending
   std::vector<Reflection> reflections{};     // none first
   std::vector<Shape> shapes{};
-  std::vector<Window> windows{};  // the whole surface first
-  std::vector<Entry> entries{};
+  std::vector<Window> windows{};             // the whole surface first
   std::size_t room = std::size_t{12} << 20;  // numbers of details: 96 MB
 
  private:
@@ -134,8 +183,21 @@ struct LoadPrior::Tables {
   [[nodiscard]] std::vector<Eigen::Index> columns_of(const LinearProblem& problem,
                                                      const WindowPlace& place,
                                                      const Reflection& by) const;
-  void decompose_all(double prior_power, std::size_t threads);
-  void decompose(Shape& shape, double prior_power);
+  /// All entries, or of many readings their outlines.
+  void prepare(std::size_t threads);
+  /// A shape's values as the readings show them, of weight 1, over a power of two.
+  struct Shown {
+    double size = 1.0;
+    std::vector<Eigen::SparseMatrix<double>> classes{};
+    std::vector<Eigen::MatrixXd> normal{}, tangential{};  // of each class, a column a reading
+  };
+  [[nodiscard]] Shown shown(const Shape& shape) const;
+  [[nodiscard]] Entry decomposed(std::size_t at) const;
+  void outline_all(std::size_t shape);
+  /// Leaves out what no reading shows, and adds what is known of it before anything is read.
+  void weigh(Entry& entry) const;
+  [[nodiscard]] double log_prior(const Shape& shape, double tangential_weight,
+                                 Eigen::Index a) const;
   /// Of the reflections that leave a shape where it is those by which it is parted into classes.
   [[nodiscard]] std::vector<const Reflection*> classifying(const Shape& shape) const;
   /// Combinations of readings, orthonormal columns: no traction of the shape mixes two classes.
@@ -147,7 +209,11 @@ struct LoadPrior::Tables {
                                               auto map) const;
 
   Eigen::MatrixXd kernel_;
-  std::size_t least_parted_;
+  double prior_power_;
+  bool is_long_;
+  std::vector<Outline> outlines_{};  // of each entry; of few readings none
+  mutable std::vector<Entry> entries_{};
+  mutable std::unique_ptr<std::once_flag[]> made_{};  // of each entry
   mutable std::mutex mutex_{};
   mutable std::vector<std::shared_ptr<const Details>> kept_{};  // of each entry
   mutable std::vector<std::size_t> asked_{};                    // when it was asked for

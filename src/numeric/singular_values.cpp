@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "numeric/bidiagonalisation.hpp"
 #include "numeric/decompositions.hpp"
 
 namespace tactile_net {
@@ -71,6 +72,24 @@ Svd long_singular_value_decomposition(const Eigen::MatrixXd& a) {
   u.topRows(a.cols()) = svd.u;
   svd.u = qr.rotate_back(u);
   return svd;
+}
+
+struct Bidiagonalisation::Factors : Eigen::internal::UpperBidiagonalization<Eigen::MatrixXd> {
+  using UpperBidiagonalization::UpperBidiagonalization;
+};
+
+Bidiagonalisation::Bidiagonalisation(const Eigen::MatrixXd& a)
+    : factors_(std::make_unique<const Factors>(a)) {
+  const Eigen::MatrixXd b = factors_->bidiagonal().toDenseMatrix();
+  diagonal_ = b.diagonal();
+  above_ = b.diagonal<1>();
+}
+Bidiagonalisation::Bidiagonalisation(Bidiagonalisation&&) noexcept = default;
+Bidiagonalisation& Bidiagonalisation::operator=(Bidiagonalisation&&) noexcept = default;
+Bidiagonalisation::~Bidiagonalisation() = default;
+
+Eigen::MatrixXd Bidiagonalisation::rotate(const Eigen::MatrixXd& x) const {
+  return factors_->householderU().adjoint() * x;
 }
 
 /// Of the bidiagonal matrix B of A: the eigenvalues of [0 B'; B 0], a tridiagonal matrix in the
