@@ -72,7 +72,6 @@ double unit_of_repair(CircuitRemark::Kind kind, const ScaleUnits& units) {
     case Kind::not_for_sale:
       return units.siemens.to_si(1.0);
     case Kind::capacitance_at_outputs:
-    case Kind::loaded_outputs:
     case Kind::outputs_without_load:
     case Kind::capacitance_at_one_frequency:
     case Kind::divider_rings:

@@ -331,7 +331,7 @@ Workload workload(const SkinScene& scene, const WorkloadRequest& request) {
 }
 
 bool calls_for_certificate(const NetworkOptions& options) noexcept {
-  return !options.parts.opamp.is_nullor() || options.parts.node_capacitance || options.tolerance ||
+  return !options.parts.opamp.is_nullor() || options.parts.has_capacitance() || options.tolerance ||
          options.settling_accuracy;
 }
 

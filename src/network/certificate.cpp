@@ -25,18 +25,11 @@ double largest_divider(const OpAmp& o) {
   return x / (angular_frequency(*o.bandwidth) * *o.input_capacitance);
 }
 
-/// Whether the nodes that `node_capacitance` is stated of are op-amps' outputs.
-bool has_nodes_at_outputs(const NetworkCircuit& circuit) {
-  const RealizationTraits& one = traits(circuit.realization());
-  return one.drives_nodes && !one.passive_residuals &&
-         !has_ladder(one.realization, circuit.options());
-}
-
-/// Whether capacitance is stated that no equations here have.
+/// Whether capacitance is stated at op-amps' outputs.
 bool has_loaded_outputs(const NetworkCircuit& circuit) {
   const RealizationOptions& options = circuit.options();
-  return options.opamp.output_resistance && options.node_capacitance &&
-         has_nodes_at_outputs(circuit);
+  return options.opamp.load_capacitance ||
+         (options.node_capacitance && has_nodes_at_outputs(circuit.realization(), options));
 }
 
 /// 0: nothing takes a time that is modelled.
@@ -46,7 +39,6 @@ std::size_t states_of(const NetworkCircuit& circuit) {
 
 /// Whether the state space is the circuit's own, with everything that is stated, and is decomposed.
 bool has_poles(const NetworkCircuit& circuit) {
-  if (has_loaded_outputs(circuit)) return false;
   const std::size_t states = states_of(circuit);
   return states > 0 && states <= most_states;
 }
@@ -67,30 +59,33 @@ bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool defi
   const RealizationOptions& options = circuit.options();
   const OpAmp& o = options.opamp;
   const double ratio = options.main_bandwidth(circuit.realization());
+  const bool at_inputs = o.input_capacitance || o.differential_capacitance;
   switch (condition) {
     case TheoremCondition::definite:
       return definite;
     case TheoremCondition::no_input_capacitance:
     case TheoremCondition::no_inverter_input_capacitance:
-      return !o.input_capacitance;
+      return !at_inputs;
+    case TheoremCondition::no_resistor_capacitance:
+      return !options.resistor_capacitance;
     case TheoremCondition::no_second_pole:
       return !o.second_pole;
     case TheoremCondition::divider_fast_enough:
-      return !o.input_capacitance ||
-             (o.bandwidth && !o.second_pole && options.divider <= largest_divider(o));
+      return !at_inputs || (o.bandwidth && !o.second_pole && !o.differential_capacitance &&
+                            options.divider <= largest_divider(o));
     case TheoremCondition::second_pole_beyond_bandwidth:
-      return !o.second_pole || !o.input_capacitance || *o.second_pole >= ratio * *o.bandwidth;
+      return !o.second_pole || !at_inputs || *o.second_pole >= ratio * *o.bandwidth;
     case TheoremCondition::second_pole_beyond_twice_bandwidth:
-      return !o.second_pole || !o.input_capacitance || *o.second_pole >= 2.0 * ratio * *o.bandwidth;
+      return !o.second_pole || !at_inputs || *o.second_pole >= 2.0 * ratio * *o.bandwidth;
     case TheoremCondition::lag_within_bound:
-      if (!o.input_capacitance && !o.second_pole &&
+      if (!at_inputs && !o.second_pole &&
           !(options.node_capacitance && has_ladder(circuit.realization(), options)))
         return true;
       if (!o.bandwidth) return false;
       unmet.lag = lag_bound(circuit);
       return unmet.lag.number < 1.0;
     case TheoremCondition::one_lag:
-      return !options.node_capacitance || (!o.second_pole && !o.input_capacitance);
+      return !options.node_capacitance || (!o.second_pole && !at_inputs);
     case TheoremCondition::complementary_outputs:
       return !options.inverters;
     case TheoremCondition::main_at_most_half_of_inverters:
@@ -234,18 +229,17 @@ void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equa
                          .value = c.largest_voltage,
                          .limit = reach,
                          .repair = 0.8 * reach / c.largest_voltage * options.scale.volts});
-  if (has_nodes_at_outputs(circuit) && options.node_capacitance)
+  if (realization.uses_opamps && has_loaded_outputs(circuit) != o.output_resistance.has_value())
     c.remarks.push_back(
-        {.kind = o.output_resistance ? Kind::loaded_outputs : Kind::capacitance_at_outputs});
-  else if (realization.uses_opamps && o.output_resistance)
-    c.remarks.push_back({.kind = Kind::outputs_without_load});
+        {.kind = o.output_resistance ? Kind::outputs_without_load : Kind::capacitance_at_outputs});
   if (c.theorem.unmet && c.theorem.unmet->lag.number > 0.0)
     c.remarks.push_back({.kind = c.theorem.unmet->lag.of_nodes ? Kind::node_lag : Kind::summing_lag,
                          .value = c.theorem.unmet->lag.number,
                          .limit = c.theorem.unmet->lag.bandwidth_ratio,
                          .repair = c.theorem.unmet->lag.siemens});
-  if (!o.input_capacitance || !o.bandwidth) return;
-  if (circuit.flat().had_subcircuits() && options.divider > largest_divider(o))
+  if (!o.bandwidth || !(o.input_capacitance || o.differential_capacitance)) return;
+  if (o.input_capacitance && circuit.flat().had_subcircuits() &&
+      options.divider > largest_divider(o))
     c.remarks.push_back({.kind = Kind::divider_rings,
                          .value = options.divider,
                          .limit = largest_divider(o),
@@ -254,7 +248,10 @@ void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equa
     const double least = *std::min_element(
         equations.total.begin() + static_cast<std::ptrdiff_t>(circuit.reduction().outputs()),
         equations.total.end());
-    const double farad = std::max(*o.input_capacitance, *options.node_capacitance);
+    // Between the inputs it counts twice: half of their difference lies across it.
+    const double farad =
+        std::max(o.input_capacitance.value_or(0.0) + 2.0 * o.differential_capacitance.value_or(0.0),
+                 *options.node_capacitance);
     const double value = angular_frequency(*o.bandwidth) * farad / least;
     const double limit = floating_capacitance_limit(o);
     if (value > limit)
@@ -299,6 +296,7 @@ void add_equations(Certificate& c, const NetworkCircuit& circuit) {
   // margin is proven then.
   const bool floating = traits(c.realization).passive_residuals;
   const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance &&
+                        !options.opamp.differential_capacitance &&
                         !(floating && options.node_capacitance);
   if (c.theorem.holds() && !c.ladder && (one_pole || !has_amplifiers(c.realization)))
     c.tolerance_margin = margin_of(reduction, equations);
@@ -357,8 +355,6 @@ StabilityVerdict verdict_of(const NetworkCircuit& circuit, const Theorem& theore
   if (!definite) return {Stability::not_definite};
   if (traits(circuit.realization()).parts == RealizationTraits::Parts::lossless)
     return {Stability::lossless};
-  if (has_loaded_outputs(circuit))
-    return {Stability::not_modelled, UnknownStability::loaded_outputs};
   if (has_poles(circuit))
     return {circuit.poles().front().real() < 0.0 ? Stability::stable : Stability::unstable};
   if (theorem.holds()) return {Stability::stable};
@@ -413,7 +409,7 @@ Certificate certify(const NetworkCircuit& circuit, double accuracy) {
   c.stability = verdict.stability;
   c.unknown = verdict.unknown;
   if (realization.parts == RealizationTraits::Parts::lossless) {
-    if (circuit.options().node_capacitance)
+    if (circuit.options().node_capacitance || circuit.options().resistor_capacitance)
       c.remarks.push_back({.kind = CircuitRemark::Kind::capacitance_at_one_frequency});
     return c;
   }

@@ -100,7 +100,10 @@ LagBound lag_bound(const NetworkCircuit& circuit) {
   const double fastest =
       (1.0 + 1.0 / o.dc_gain()) * std::max(1.0, ratio) * angular_frequency(*o.bandwidth);
   const Loop loop = loop_of(circuit);
-  const double of_capacitance = o.input_capacitance.value_or(0.0) / loop.least_total;
+  // Every '+' is grounded here, so what lies between the inputs lies at the summing node.
+  const double of_capacitance =
+      (o.input_capacitance.value_or(0.0) + o.differential_capacitance.value_or(0.0)) /
+      loop.least_total;
   const double of_second_pole = o.second_pole ? 1.0 / angular_frequency(*o.second_pole) : 0.0;
   const double tau = of_capacitance + of_second_pole;
 

@@ -6,12 +6,17 @@
 
 namespace tactile_net {
 
-std::vector<Node> inputs_with_capacitance(const FlatCircuit::Amplifier& x, const OpAmp& opamp) {
-  std::vector<Node> inputs;
-  if (!opamp.input_capacitance) return inputs;
-  if (x.minus != 0) inputs.push_back(x.minus);
-  if (x.inverse != 0 && x.plus != 0) inputs.push_back(x.plus);
-  return inputs;
+std::vector<Capacitor> pin_capacitors(const FlatCircuit::Amplifier& x, const OpAmp& opamp) {
+  std::vector<Capacitor> all;
+  const auto add = [&](Node from, Node to, const std::optional<double>& farad) {
+    if (farad && from != to) all.push_back({{}, from, to, *farad});
+  };
+  add(x.minus, 0, opamp.input_capacitance);
+  if (x.inverse != 0) add(x.plus, 0, opamp.input_capacitance);
+  add(x.plus, x.minus, opamp.differential_capacitance);
+  add(x.out, 0, opamp.load_capacitance);
+  add(x.inverse, 0, opamp.load_capacitance);
+  return all;
 }
 
 /// Which unknowns are which.
@@ -55,8 +60,7 @@ struct NodalEquations::Numbering {
       const OpAmp& opamp = amplifiers[k].opamp;
       if (!opamp.output_resistance) origins[x.out] = {x.out, 1.0, k};
       if (x.inverse != 0) origins[x.inverse] = {x.out, -1.0, opamp.output_resistance ? none : k};
-      for (const Node input : inputs_with_capacitance(x, opamp))
-        capacitors.push_back({{}, input, 0, *opamp.input_capacitance});
+      for (Capacitor& one : pin_capacitors(x, opamp)) capacitors.push_back(std::move(one));
     }
     find_groups();
   }

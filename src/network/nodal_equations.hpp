@@ -135,9 +135,10 @@ class NodalEquations {
   Once<SparseLu> at_rest_;
 };
 
-/// The inputs that a capacitor to ground stands at: the inverting one, and both of an amplifier
-/// whose outputs are complementary.
-[[nodiscard]] std::vector<Node> inputs_with_capacitance(const FlatCircuit::Amplifier& x,
-                                                        const OpAmp& opamp);
+/// The capacitors at an amplifier's pins, without names: from the inverting input to ground and
+/// from both of an amplifier whose outputs are complementary, between the inputs, and from each
+/// output to ground.
+[[nodiscard]] std::vector<Capacitor> pin_capacitors(const FlatCircuit::Amplifier& x,
+                                                    const OpAmp& opamp);
 
 }  // namespace tactile_net

@@ -103,6 +103,8 @@ void check(const OpAmp& opamp) {
   check(opamp.second_pole, "second pole");
   check(opamp.rail, "rail");
   check(opamp.input_capacitance, "input capacitance");
+  check(opamp.differential_capacitance, "differential capacitance");
+  check(opamp.load_capacitance, "load capacitance");
   check(opamp.noise_voltage, "noise voltage");
   check(opamp.noise_corner, "noise corner");
   check(opamp.noise_current, "noise current");
@@ -240,6 +242,12 @@ std::string subcircuit_text(const AmplifierModel& model) {
     const std::string value = shortest(*o.input_capacitance) + '\n';
     text += "Cn n 0 " + value;
     if (both) text += "Cp p 0 " + value;
+  }
+  if (o.differential_capacitance) text += "Cd p n " + shortest(*o.differential_capacitance) + '\n';
+  if (o.load_capacitance) {
+    const std::string value = shortest(*o.load_capacitance) + '\n';
+    text += "Cl out 0 " + value;
+    if (both) text += "Ci inv 0 " + value;
   }
   if (both) text += o.output_resistance ? "E2 i 0 0 out 1\nVi i inv 0\n" : "E2 inv 0 0 out 1\n";
   return text + ".ends " + model.name + '\n';

@@ -33,6 +33,7 @@ void check(const RealizationOptions& options) {
   positive(options.bandwidth_ratio.value_or(1.0), "bandwidth_ratio");
   positive(options.divider, "divider");
   positive(options.node_capacitance.value_or(1.0), "a node's capacitance");
+  positive(options.resistor_capacitance.value_or(1.0), "a resistor's capacitance");
   positive(options.frequency, "frequency");
   positive(options.device_volts, "a device's volts");
   check(options.opamp);

@@ -15,9 +15,7 @@ constexpr double most_delay = 0.2;   // by slewing, over the settling time witho
 /// outputs of no resistance, they change no pole.
 bool is_stable_at(double siemens, const NetworkCircuit& circuit) {
   RealizationOptions options = circuit.options();
-  if (!options.opamp.input_capacitance && !options.node_capacitance &&
-      !options.opamp.output_resistance)
-    return true;
+  if (!options.has_capacitance() && !options.opamp.output_resistance) return true;
   options.scale.siemens = siemens;
   const NetworkCircuit other(circuit.realization(), circuit.shared_problem(), options);
   return stability_of(other).stability == Stability::stable;

@@ -13,11 +13,23 @@
 namespace tactile_net {
 
 std::size_t count_states(const FlatCircuit& circuit) {
-  std::size_t states = circuit.circuit().capacitors.size();
+  std::vector<bool> held(circuit.circuit().nodes.size());
+  std::vector<Capacitor> capacitors = circuit.circuit().capacitors;
+  std::size_t states = 0;
+  held[0] = true;
   for (const FlatCircuit::Amplifier& x : circuit.amplifiers()) {
     const OpAmp& opamp = circuit.opamp(x);
-    states += (opamp.second_pole ? 2U : 1U) + inputs_with_capacitance(x, opamp).size();
+    states += opamp.second_pole ? 2U : 1U;
+    held[x.inverse] = true;
+    if (!opamp.output_resistance) held[x.out] = true;
+    for (Capacitor& one : pin_capacitors(x, opamp)) capacitors.push_back(std::move(one));
   }
+  for (const Capacitor& one : capacitors)
+    for (const Node end : {one.from, one.to}) {
+      if (held[end]) continue;
+      held[end] = true;  // counted
+      ++states;
+    }
   return states;
 }
 

@@ -32,6 +32,9 @@ struct OpAmpKey {
 
 constexpr std::string_view noise_needs = "is infinite unless a bandwidth limits it";
 
+constexpr std::string_view capacitance_needs =
+    "acts only over time, and these op-amps have no bandwidth";
+
 constexpr OpAmpKey opamp_keys[] = {
     {"offset", &OpAmp::offset, any_number, in_volts},
     {"noise_voltage", &OpAmp::noise_voltage, positive, {}, noise_needs},
@@ -41,6 +44,8 @@ constexpr OpAmpKey opamp_keys[] = {
     {"cmrr", &OpAmp::common_mode_rejection},
     {"slew", &OpAmp::slew, positive, {}, "limits the rate that a bandwidth gives"},
     {"output_resistance", &OpAmp::output_resistance},
+    {"input_capacitance", &OpAmp::input_capacitance, positive, {}, capacitance_needs},
+    {"differential_capacitance", &OpAmp::differential_capacitance, positive, {}, capacitance_needs},
     {"output_current", &OpAmp::output_current},
     {"rail", &OpAmp::rail, above_diodes, in_volts}};
 
@@ -131,13 +136,18 @@ ToleranceOptions read_tolerance(Table table, const NetworkOptions& network) {
 }
 
 void read_parasitic(Table table, RealizationOptions& parts) {
-  if (const auto node = table.value("node")) parts.node_capacitance = node->number(positive);
-  if (const auto input = table.value("input")) {
-    parts.opamp.input_capacitance = input->number(positive);
-    if (!parts.opamp.bandwidth)
-      input->problem("acts only over time, and these op-amps have no bandwidth",
+  const auto read = [&](std::string_view key, std::optional<double>& target, bool of_opamps) {
+    const auto value = table.value(key);
+    if (!value) return;
+    if (const auto farad = value->number(positive)) target = target.value_or(0.0) + *farad;
+    if (of_opamps && !parts.opamp.bandwidth)
+      value->problem(std::string(capacitance_needs),
                      "under [network], opamp = { bandwidth = 10e6 }");
-  }
+  };
+  read("node", parts.node_capacitance, false);
+  read("resistor", parts.resistor_capacitance, false);
+  read("input", parts.opamp.input_capacitance, true);  // beside the op-amp's own
+  read("output", parts.opamp.load_capacitance, true);
   table.finish();
 }
 

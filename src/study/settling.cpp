@@ -115,8 +115,7 @@ StudySection settling(const StudyInput& input, Realization realization, Simulato
   const std::vector<WorkPoint> measured = section.points;
   AnyScene scene = with_circuit(input, realization);
   const RealizationOptions& given = network_of(scene).parts;
-  const bool alone = !given.node_capacitance && !given.opamp.second_pole &&
-                     !given.opamp.input_capacitance && !given.opamp.slew;
+  const bool alone = !given.has_capacitance() && !given.opamp.second_pole && !given.opamp.slew;
   for (const double bandwidth : bandwidths) {
     if (bandwidth == compared_bandwidth) continue;
     if (!alone) {

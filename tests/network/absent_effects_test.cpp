@@ -58,6 +58,9 @@ const std::vector<Effect> effects = {
     {"slew", "Bg", [](RealizationOptions& o) { o.opamp.slew = 1e7; }},
     {"output resistance", "Hr", [](RealizationOptions& o) { o.opamp.output_resistance = 50.0; }},
     {"input capacitance", "Cn", [](RealizationOptions& o) { o.opamp.input_capacitance = 1e-12; }},
+    {"differential capacitance", "Cd",
+     [](RealizationOptions& o) { o.opamp.differential_capacitance = 1e-12; }},
+    {"load capacitance", "Cl", [](RealizationOptions& o) { o.opamp.load_capacitance = 1e-12; }},
 };
 
 }  // namespace
@@ -112,6 +115,24 @@ TEST_CASE("1/f noise adds its two diodes to the white noise's cards; an output c
     CHECK(cards(flicker, card) == 1);
   for (const Effect& effect : effects)
     CHECK(cards(flicker, effect.card + ' ') == cards(white, effect.card + ' '));
+}
+
+TEST_CASE("a capacitance across resistors adds one capacitor to each, and nothing else",
+          "[deck][identity]") {
+  for (const Realization one : realizations) {
+    CAPTURE(name(one));
+    RealizationOptions options{.scale = {.siemens = 1.0}};
+    const std::string ideal = deck(one, options);
+    const std::size_t resistors = realize(one, three_nodes(), options).resistors.size();
+    options.resistor_capacitance = 1e-13;
+    const std::string across = deck(one, options);
+    CHECK(cards(across, "CR") == resistors);
+    std::istringstream lines(across);
+    std::string without;
+    for (std::string line; std::getline(lines, line);)
+      if (line.rfind("CR", 0) != 0) without += line + '\n';
+    CHECK(without == ideal);
+  }
 }
 
 TEST_CASE("a capacitance at the nodes adds one capacitor to each, and nothing else",

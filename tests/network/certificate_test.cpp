@@ -286,7 +286,7 @@ TEST_CASE("stability alone is the certificate's, with everything that is stated"
       }
 }
 
-TEST_CASE("capacitance at outputs that have a resistance leaves no verdict",
+TEST_CASE("capacitance at outputs that have a resistance is a pole in every loop",
           "[certificate][stability]") {
   const auto problem = std::make_shared<const NetworkProblem>(array_network(9, 1e-3).problem);
   OpAmp opamp = one_pole;
@@ -297,30 +297,89 @@ TEST_CASE("capacitance at outputs that have a resistance leaves no verdict",
     for (const CircuitRemark& remark : c.remarks) all.push_back(remark.kind);
     return all;
   };
-  for (const Realization one : {Realization::crossbar, Realization::least_squares}) {
+  for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
+                                Realization::least_squares, Realization::lattice})
+    for (const bool inverters : {false, true}) {
+      CAPTURE(name(one), inverters);
+      RealizationOptions options{.opamp = opamp, .inverters = inverters, .node_capacitance = {}};
+      if (!traits(one).drives_nodes) options.node_capacitance = 1e-11;
+      const NetworkCircuit unloaded(one, problem, options);
+      CHECK(kinds(certify(unloaded)) == std::vector<Kind>{Kind::outputs_without_load});
+
+      options.opamp.load_capacitance = farad;
+      const NetworkCircuit loaded(one, problem, options);
+      const Certificate c = certify(loaded);
+      CHECK(kinds(c).empty());
+      // The same by capacitors at each output, converters' and inverters' too.
+      Circuit lines = unloaded.flat().circuit();
+      for (const Instance& x : lines.instances)
+        for (std::size_t pin = 2; pin < x.pins.size(); ++pin)
+          lines.capacitors.push_back({"C" + lines.nodes[x.pins[pin]], x.pins[pin], 0, farad});
+      const std::vector<std::complex<double>> expected = poles(state_space(lines));
+      REQUIRE(c.dynamics.value().poles.size() == expected.size());
+      CHECK_THAT(c.dynamics->slowest,
+                 WithinAbs(expected.front().real(), 1e-9 * std::abs(expected.back())));
+      CHECK((c.stability == Stability::stable) == (expected.front().real() < 0.0));
+      CHECK(std::abs(c.dynamics->slowest / unloaded.poles().front().real() - 1.0) > 1e-2);
+
+      // Where the nodes are outputs their capacitance is a load.
+      if (!has_nodes_at_outputs(one, options)) continue;
+      options.opamp.load_capacitance.reset();
+      options.node_capacitance = farad;
+      CHECK(certify(one, *problem, options).dynamics->slowest == c.dynamics->slowest);
+      // Without a resistance it does nothing.
+      options.opamp.output_resistance.reset();
+      const Certificate stiff = certify(one, *problem, options);
+      CHECK(kinds(stiff) == std::vector<Kind>{Kind::capacitance_at_outputs});
+      options.node_capacitance.reset();
+      CHECK(certify(one, *problem, options).dynamics->slowest == stiff.dynamics->slowest);
+    }
+  CHECK(certify(Realization::least_squares, *problem, {.opamp = opamp, .node_capacitance = farad})
+            .stability == Stability::unstable);
+}
+
+TEST_CASE("what a board adds is in the poles, and each theorem says what it does not cover",
+          "[certificate][stability]") {
+  const NetworkProblem problem = array_network(9, 1e-3).problem;
+  using enum TheoremCondition;
+  for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,
+                                Realization::least_squares, Realization::lattice}) {
     CAPTURE(name(one));
-    const NetworkCircuit unloaded(one, problem, {.opamp = opamp});
-    CHECK(stability_of(unloaded).stability == Stability::stable);
-    CHECK(kinds(certify(unloaded)) == std::vector<Kind>{Kind::outputs_without_load});
-    const NetworkCircuit loaded(one, problem, {.opamp = opamp, .node_capacitance = farad});
-    const Certificate c = certify(loaded);
-    CHECK(c.stability == Stability::not_modelled);
-    CHECK(c.unknown == UnknownStability::loaded_outputs);
-    CHECK_FALSE(c.dynamics);
-    CHECK(kinds(c) == std::vector<Kind>{Kind::loaded_outputs});
-    // Without a resistance the same capacitance does nothing.
-    const Certificate stiff =
-        certify(one, *problem, {.opamp = one_pole, .node_capacitance = farad});
-    CHECK(stiff.stability == Stability::stable);
-    CHECK(kinds(stiff) == std::vector<Kind>{Kind::capacitance_at_outputs});
+    RealizationOptions options{.opamp = one_pole};
+    if (!traits(one).drives_nodes) options.node_capacitance = 1e-11;
+    const Certificate bare = certify(one, problem, options);
+    REQUIRE(bare.theorem.holds());
+
+    options.resistor_capacitance = 1e-13;
+    const NetworkCircuit board(one, std::make_shared<const NetworkProblem>(problem), options);
+    const Certificate c = certify(board);
+    CHECK(c.theorem.unmet.value().condition == no_resistor_capacitance);
+    CHECK_FALSE(c.tolerance_margin);
+    CHECK(c.dynamics.value().slowest != bare.dynamics.value().slowest);
+    CHECK(c.elements.capacitors == bare.elements.capacitors + board.circuit().resistors.size());
+    CHECK(count_states(board.flat()) == c.dynamics->states);
+    options.resistor_capacitance.reset();
+
+    // Between the inputs as from each of them: half of it where the other input is at ground, or is
+    // the first one's opposite.
+    options.opamp.differential_capacitance = 1e-12;
+    const Certificate between = certify(one, problem, options);
+    options.opamp.differential_capacitance.reset();
+    const bool floats = one == Realization::lattice;
+    options.opamp.input_capacitance = floats ? 2e-12 : 1e-12;
+    const Certificate to_ground = certify(one, problem, options);
+    if (one == Realization::nic || one == Realization::rail) {
+      CHECK(between.theorem.unmet.value().condition ==
+            (one == Realization::nic ? divider_fast_enough : no_input_capacitance));
+      continue;
+    }
+    CHECK(between.theorem.holds() == to_ground.theorem.holds());
+    CHECK_FALSE(between.tolerance_margin);
+    CHECK_THAT(between.dynamics.value().slowest,
+               WithinRel(to_ground.dynamics.value().slowest, floats ? 1e-5 : 1e-9));
+    if (one == Realization::least_squares)
+      CHECK(between.theorem.unmet.value().lag.number == to_ground.theorem.unmet->lag.number);
   }
-  // What it would do: the loops of least squares grow.
-  Circuit lines = realize(Realization::least_squares, *problem, {.opamp = opamp});
-  std::vector<Node> outputs;
-  for (const Instance& x : lines.instances) outputs.insert(outputs.end(), {x.pins[2], x.pins[3]});
-  for (const Node output : outputs)
-    lines.capacitors.push_back({"C" + lines.nodes[output], output, 0, farad});
-  CHECK(poles(state_space(FlatCircuit(lines))).front().real() > 0.0);
 }
 
 TEST_CASE("without a bandwidth theorems speak, and what is lossless never settles",

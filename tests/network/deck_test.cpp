@@ -303,11 +303,16 @@ TEST_CASE("an op-amp's sub-circuit holds what is asked for, and nothing else", "
   CHECK_THAT(text({.gain = 1e5, .rail = 12.0}),
              ContainsSubstring("Vh h 0 11.4\n") && !ContainsSubstring("Ca "));
   CHECK_THAT(text({.gain = 1e5, .input_capacitance = 1e-12}), ContainsSubstring("Cn n 0 1e-12\n"));
+  CHECK_THAT(text({.gain = 1e5, .differential_capacitance = 1e-12, .load_capacitance = 2e-12},
+                  Outputs::complementary),
+             ContainsSubstring("Cd p n 1e-12\nCl out 0 2e-12\nCi inv 0 2e-12\n"));
   CHECK_THAT(text({}, Outputs::complementary),
              StartsWith(".subckt opamp p n out inv\n") && ContainsSubstring("E2 inv 0 0 out 1\n"));
   CHECK_THROWS_AS(text({.gain = 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(text({.second_pole = 1e6}), std::invalid_argument);
   CHECK_THROWS_AS(text({.rail = 0.5}), std::invalid_argument);
+  CHECK_THROWS_AS(text({.differential_capacitance = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(text({.load_capacitance = -1e-12}), std::invalid_argument);
 }
 
 TEST_CASE("no name stands twice in a deck or a sub-circuit, of any set of an op-amp's keys",

@@ -17,11 +17,13 @@ inline constexpr double angular_bandwidth = 2.0 * std::numbers::pi * bandwidth;
 inline constexpr OpAmp one_pole{.gain = 1e6, .bandwidth = bandwidth};
 
 /// What `one_pole` may have besides, of a size that shows in an answer where it shows at rest.
-inline constexpr std::array<std::pair<std::optional<double> OpAmp::*, double>, 11> further_keys{
+inline constexpr std::array<std::pair<std::optional<double> OpAmp::*, double>, 13> further_keys{
     {{&OpAmp::second_pole, 2.5e7},
      {&OpAmp::offset, 1e-3},
      {&OpAmp::rail, 5.0},
      {&OpAmp::input_capacitance, 4e-12},
+     {&OpAmp::differential_capacitance, 1e-12},
+     {&OpAmp::load_capacitance, 2e-11},
      {&OpAmp::noise_voltage, 5e-9},
      {&OpAmp::noise_current, 1e-12},
      {&OpAmp::bias_current, 1e-7},

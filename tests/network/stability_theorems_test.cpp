@@ -324,6 +324,8 @@ TEST_CASE("T7: a lattice bears any capacitance at its inputs, with second poles 
     OpAmp real = opamp(bandwidth * random.decades(2.0, 20.0), random.decades(1e-14, 1e-9));
     real.gain = random.decades(1e2, 1e9);
     CHECK(certified(Realization::lattice, problem, {.opamp = real}));
+    real.differential_capacitance = random.decades(1e-14, 1e-9);
+    CHECK(certified(Realization::lattice, problem, {.opamp = real}));
     real.second_pole.reset();
     CHECK(certified(Realization::lattice, problem, {.opamp = real}));
   }

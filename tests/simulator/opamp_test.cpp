@@ -352,6 +352,106 @@ TEST_CASE("the 1/f noise of real inputs is ngspice's", "[spice][noise]") {
   }
 }
 
+namespace {
+
+/// Op-amps as they are sold, and what a board adds: 10 pF at inputs, 20 pF at nodes that nothing
+/// drives, 30 pF behind 100 ohm at outputs, 0.05 pF across resistors.
+RealizationOptions on_a_board(Realization one, bool ladder) {
+  RealizationOptions options{.scale = {.siemens = 1e-2},
+                             .opamp = {.gain = 1e6,
+                                       .bandwidth = 1e7,
+                                       .second_pole = 2.5e7,
+                                       .input_capacitance = 10e-12,
+                                       .differential_capacitance = 1e-12,
+                                       .load_capacitance = 30e-12,
+                                       .noise_voltage = 5e-9,
+                                       .output_resistance = 100.0},
+                             .ladder = ladder,
+                             .resistor_capacitance = 5e-14};
+  if (one == Realization::least_squares) {
+    options.residual_gain = 1.0;
+    options.bandwidth_ratio = 0.1;
+  }
+  if (!has_nodes_at_outputs(one, options)) options.node_capacitance = 20e-12;
+  if (one == Realization::nic || one == Realization::rail) options.divider = 500.0;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("ngspice settles in the certificate's time, with its noise, with all that a board adds",
+          "[spice][opamp]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  for (const auto& [one, ladder] :
+       {std::pair(Realization::nic, false), std::pair(Realization::rail, false),
+        std::pair(Realization::crossbar, false), std::pair(Realization::least_squares, false),
+        std::pair(Realization::least_squares, true), std::pair(Realization::lattice, false)}) {
+    CAPTURE(name(one), ladder);
+    const RealizationOptions options = on_a_board(one, ladder);
+    const Certificate certificate = certify(one, network.problem, options);
+    const Circuit circuit = realize(one, network.problem, options);
+    REQUIRE(certificate.stability == Stability::stable);
+    Ngspice ngspice;
+    const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
+    REQUIRE(seen.end == TransientEnd::settles);
+    CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.05));
+    const OutputNoise expected = output_noise(FlatCircuit(circuit));
+    CHECK_THAT(noise_in_ngspice(circuit),
+               WithinRel(std::sqrt(expected.thermal(5, 5) + expected.amplifiers(5, 5)), 0.03));
+    // It is not the circuit without any of them.
+    for (std::optional<double> RealizationOptions::*key :
+         {&RealizationOptions::node_capacitance, &RealizationOptions::resistor_capacitance}) {
+      RealizationOptions without = options;
+      (without.*key).reset();
+      if (options.*key)
+        CHECK(certify(one, network.problem, without).dynamics->poles !=
+              certificate.dynamics->poles);
+    }
+    for (std::optional<double> OpAmp::*key :
+         {&OpAmp::input_capacitance, &OpAmp::differential_capacitance, &OpAmp::load_capacitance}) {
+      RealizationOptions without = options;
+      (without.opamp.*key).reset();
+      CHECK(certify(one, network.problem, without).dynamics->poles != certificate.dynamics->poles);
+    }
+  }
+}
+
+TEST_CASE("a board of 41 taxels at a fifth of its siemens grows in ngspice as the certificate says",
+          "[spice][opamp]") {
+  // design: +1.2e6 1/s at 2 mS, 10 pF at inputs and 20 pF at the residuals
+  const ArrayNetwork network = array_network(41, 1e-3);
+  RealizationOptions options{
+      .scale = {.siemens = 2e-3}, .opamp = opamp_classes()[1].opamp, .node_capacitance = 20e-12};
+  options.opamp.slew.reset();  // growth is linear
+  options.opamp.input_capacitance = 10e-12;
+  const Certificate certificate = certify(Realization::lattice, network.problem, options);
+  CHECK(certificate.stability == Stability::unstable);
+  CHECK_THAT(certificate.dynamics.value().slowest, WithinRel(1.2e6, 0.05));
+  const Circuit circuit = realize(Realization::lattice, network.problem, options);
+  // Nine growth times: the largest distance from the answer at rest, in the sixth and the ninth.
+  const double growth = certificate.dynamics->slowest;
+  Ngspice ngspice;
+  const Waveforms seen =
+      step_response(ngspice, circuit, {.step = 1e-9, .stop = 9.0 / growth, .kick = 0.1});
+  const std::vector<double> rest = at_rest(circuit);
+  const auto largest = [&](double first, double last) {
+    std::pair<double, double> found;  // and when
+    for (std::size_t k = 0; k < seen.time.size(); ++k) {
+      if (seen.time[k] * growth < first || seen.time[k] * growth > last) continue;
+      std::vector<double> v;
+      for (const std::vector<double>& output : seen.voltages) v.push_back(output[k]);
+      found = std::max(found, std::pair(l2_difference(v, rest), seen.time[k]));
+    }
+    return found;
+  };
+  const auto [before, t0] = largest(5.0, 6.0);
+  const auto [after, t1] = largest(8.0, 9.0);
+  CHECK(after > 10.0 * before);
+  CHECK_THAT(std::log(after / before) / (t1 - t0), WithinRel(growth, 0.05));
+  options.scale.siemens = 1e-2;
+  CHECK(certify(Realization::lattice, network.problem, options).stability == Stability::stable);
+}
+
 TEST_CASE("capacitors at outputs, at inputs and between nodes are ngspice's", "[spice][opamp]") {
   for (const Realization one :
        {Realization::crossbar, Realization::least_squares, Realization::lattice}) {

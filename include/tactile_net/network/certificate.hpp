@@ -42,9 +42,6 @@ struct Enumerators<Stability> {
 enum class UnknownStability {
   no_bandwidth,     ///< the op-amps have none: no poles
   too_many_states,  ///< more than `most_states`: the poles are not computed
-  /// Capacitance is stated at outputs that have a resistance: a pole in every loop that no
-  /// equations here have.
-  loaded_outputs,
 };
 
 struct StabilityVerdict {
@@ -86,14 +83,12 @@ struct CircuitRemark {
   enum class Kind {
     /// A node would reach `value` [V], op-amps clamp from `limit` [V]; `repair`: `Scale::volts`.
     clamps,
-    /// `node_capacitance` has no effect: the nodes are op-amps' outputs, without a resistance.
+    /// Capacitance at op-amps' outputs has no effect: they have no resistance.
     capacitance_at_outputs,
-    /// `UnknownStability::loaded_outputs`
-    loaded_outputs,
-    /// Outputs have a resistance, and what capacitance at them would do is not modelled: the
-    /// verdict is of outputs without any.
+    /// Outputs have a resistance, with which any load's capacitance makes a pole in every loop, and
+    /// none is stated.
     outputs_without_load,
-    /// `node_capacitance` is left out: at one frequency it is part of each node's capacitor.
+    /// Capacitance is left out: at one frequency it is part of the network's own capacitors.
     capacitance_at_one_frequency,
     /// Resistors of `value` [ohm] at inverting inputs ring with their capacitance; `repair`: the
     /// largest `divider` [ohm] that does not.
@@ -205,7 +200,7 @@ struct Certificate {
   /// converters or inverters are taken for fast.
   bool margin_for_any_bandwidth = false;
   bool margin_for_one_bandwidth = false;  ///< the same, as long as the op-amps share it
-  /// Absent: op-amps without bandwidth, too many states, or capacitance that is not modelled.
+  /// Absent: op-amps without bandwidth, or too many states.
   std::optional<Dynamics> dynamics{};
   std::optional<CircuitNoise>
       noise{};  ///< absent: none is asked for, it has no size, or the circuit does not settle

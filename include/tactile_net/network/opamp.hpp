@@ -23,6 +23,10 @@ struct OpAmp {
   /// From the inverting input to ground, and from both where the outputs are complementary [F], >
   /// 0.
   std::optional<double> input_capacitance{};
+  std::optional<double> differential_capacitance{};  ///< between the two inputs [F], > 0
+  /// From every output to ground: a load's, or a line's [F], > 0. It takes time only behind an
+  /// `output_resistance`.
+  std::optional<double> load_capacitance{};
 
   /// White noise at the input [V per square root of Hz], > 0; absent: no noise is asked for.
   std::optional<double> noise_voltage{};
@@ -88,8 +92,9 @@ inline constexpr double slewing_leak = 1e-3;
 ///     y' = 2 pi second_pole (x - y)                      second pole
 ///     out = y (or x, or gain d) - output_resistance i, inv = -out
 ///
-/// with the input capacitance from n to ground, and from p where the outputs are complementary; of
-/// those, i is half the difference of what they give off. With a slew, r = 2 pi bandwidth d is
+/// with the input capacitance from n to ground, and from p where the outputs are complementary, the
+/// differential one between both and the load's from every output to ground; of complementary
+/// outputs i is half the difference of what they give off. With a slew, r = 2 pi bandwidth d is
 /// bent: slew tanh((1 - leak) r / slew) + leak r, whose slope at 0 is 1 and never 0
 /// (`slewing_leak`).
 ///

@@ -71,11 +71,21 @@ struct RealizationOptions {
   /// Where op-amps drive the nodes: bandwidth of the main ones over that of the others; absent:
   /// 1, and with inverters what keeps the loop stable: 1/2 (crossbar), 0.2/rho (least_squares).
   std::optional<double> bandwidth_ratio{};
-  double divider = 1e4;                      ///< resistors of converters and inverters [ohm], > 0
-  std::optional<double> node_capacitance{};  ///< to ground, at every node of the network [F], > 0
-  double frequency = 1e4;                    ///< lc [Hz], > 0
-  Curve curve = Curve::tunnel_diode;         ///< ndr
-  double device_volts = 100.0;               ///< ndr: V of the devices [V], > 0
+  double divider = 1e4;  ///< resistors of converters and inverters [ohm], > 0
+  /// To ground, at every node of the network [F], > 0. Where the nodes are op-amps' outputs it
+  /// loads these as `OpAmp::load_capacitance` does.
+  std::optional<double> node_capacitance{};
+  /// Across every resistor but those inside converters and inverters [F], > 0.
+  std::optional<double> resistor_capacitance{};
+  double frequency = 1e4;             ///< lc [Hz], > 0
+  Curve curve = Curve::tunnel_diode;  ///< ndr
+  double device_volts = 100.0;        ///< ndr: V of the devices [V], > 0
+
+  /// Whether capacitance stands anywhere, op-amps' pins included.
+  [[nodiscard]] bool has_capacitance() const noexcept {
+    return node_capacitance || resistor_capacitance || opamp.input_capacitance ||
+           opamp.differential_capacitance || opamp.load_capacitance;
+  }
 
   /// `bandwidth_ratio`, its default filled in.
   [[nodiscard]] double main_bandwidth(Realization realization) const noexcept;
@@ -87,8 +97,9 @@ void check(const RealizationOptions& options);
 /// What a theorem on stability asks for beyond what it says of P.
 enum class TheoremCondition {
   definite,                       ///< P is positive definite
-  no_input_capacitance,           ///< none at the op-amps' inverting inputs
+  no_input_capacitance,           ///< none at the op-amps' inputs
   no_inverter_input_capacitance,  ///< none at the inverters' inputs
+  no_resistor_capacitance,        ///< none across the resistors
   no_second_pole,                 ///< of the op-amps
   /// No capacitance at inverting inputs; or one pole, and dividers of 1/(W C (1 + sqrt(1 + 1/A)))
   /// at most, A the gain: 1/(2 W C) where it is large.
@@ -154,6 +165,10 @@ struct RealizationTraits {
 };
 
 [[nodiscard]] const RealizationTraits& traits(Realization realization) noexcept;
+
+/// Whether the network's nodes are op-amps' outputs.
+[[nodiscard]] bool has_nodes_at_outputs(Realization realization,
+                                        const RealizationOptions& options) noexcept;
 
 /// Whether the options ask for a ladder and the realisation has that form.
 [[nodiscard]] bool has_ladder(Realization realization, const RealizationOptions& options) noexcept;

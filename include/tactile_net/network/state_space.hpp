@@ -37,7 +37,8 @@ struct StateSpace {
   [[nodiscard]] std::size_t states() const noexcept { return drive.size(); }
 };
 
-/// How many states a circuit has: to know what its analysis costs before it is done.
+/// How many states a circuit has: to know what its analysis costs before it is done. Of nodes that
+/// only capacitors between each other tie, one more is counted than there is.
 [[nodiscard]] std::size_t count_states(const FlatCircuit& circuit);
 
 /// Capacitors may stand between any two nodes. Of an N-shaped device the slope at 0 V is taken.

@@ -39,17 +39,20 @@ Circuit crossbar_circuit(const NetworkProblem& problem, const RealizationOptions
   return circuit;
 }
 
-constexpr TheoremCondition crossbar_conditions[] = {TheoremCondition::definite,
-                                                    TheoremCondition::second_pole_beyond_bandwidth,
-                                                    TheoremCondition::no_output_resistance};
+constexpr TheoremCondition crossbar_conditions[] = {
+    TheoremCondition::definite, TheoremCondition::second_pole_beyond_bandwidth,
+    TheoremCondition::no_resistor_capacitance, TheoremCondition::no_output_resistance};
 constexpr TheoremCondition crossbar_conditions_with_inverters[] = {
-    TheoremCondition::definite, TheoremCondition::no_inverter_input_capacitance,
-    TheoremCondition::no_second_pole, TheoremCondition::main_at_most_half_of_inverters,
+    TheoremCondition::definite,
+    TheoremCondition::no_inverter_input_capacitance,
+    TheoremCondition::no_second_pole,
+    TheoremCondition::main_at_most_half_of_inverters,
+    TheoremCondition::no_resistor_capacitance,
     TheoremCondition::no_output_resistance};
 constexpr TheoremCondition crossbar_conditions_of_slewing[] = {
-    TheoremCondition::complementary_outputs, TheoremCondition::definite,
-    TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole,
-    TheoremCondition::no_output_resistance};
+    TheoremCondition::complementary_outputs,   TheoremCondition::definite,
+    TheoremCondition::no_input_capacitance,    TheoremCondition::no_second_pole,
+    TheoremCondition::no_resistor_capacitance, TheoremCondition::no_output_resistance};
 
 }  // namespace
 

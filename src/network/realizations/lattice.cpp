@@ -89,13 +89,15 @@ Circuit lattice_circuit(const NetworkProblem& problem, const RealizationOptions&
 
 constexpr TheoremCondition lattice_conditions[] = {
     TheoremCondition::definite, TheoremCondition::one_lag,
-    TheoremCondition::second_pole_beyond_twice_bandwidth, TheoremCondition::no_output_resistance};
+    TheoremCondition::second_pole_beyond_twice_bandwidth, TheoremCondition::no_resistor_capacitance,
+    TheoremCondition::no_output_resistance};
 constexpr TheoremCondition lattice_conditions_with_inverters[] = {
     TheoremCondition::complementary_outputs, TheoremCondition::definite};
 constexpr TheoremCondition lattice_conditions_of_slewing[] = {
     TheoremCondition::complementary_outputs, TheoremCondition::definite,
     TheoremCondition::no_input_capacitance,  TheoremCondition::no_second_pole,
-    TheoremCondition::no_node_capacitance,   TheoremCondition::no_output_resistance};
+    TheoremCondition::no_node_capacitance,   TheoremCondition::no_resistor_capacitance,
+    TheoremCondition::no_output_resistance};
 
 constexpr std::string_view statement =
     "Op-amps of equal bandwidth with complementary outputs: stable for any capacitance at their "

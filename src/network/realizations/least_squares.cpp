@@ -155,16 +155,16 @@ Circuit least_squares_circuit(const NetworkProblem& problem, const RealizationOp
   return circuit;
 }
 
-constexpr TheoremCondition least_squares_conditions[] = {TheoremCondition::definite,
-                                                         TheoremCondition::lag_within_bound,
-                                                         TheoremCondition::no_output_resistance};
+constexpr TheoremCondition least_squares_conditions[] = {
+    TheoremCondition::definite, TheoremCondition::lag_within_bound,
+    TheoremCondition::no_resistor_capacitance, TheoremCondition::no_output_resistance};
 constexpr TheoremCondition least_squares_conditions_with_ladder[] = {
     TheoremCondition::definite, TheoremCondition::one_lag, TheoremCondition::lag_within_bound,
-    TheoremCondition::no_output_resistance};
+    TheoremCondition::no_resistor_capacitance, TheoremCondition::no_output_resistance};
 constexpr TheoremCondition least_squares_conditions_with_inverters[] = {
-    TheoremCondition::main_slow_enough, TheoremCondition::definite,
-    TheoremCondition::no_input_capacitance, TheoremCondition::no_second_pole,
-    TheoremCondition::no_output_resistance};
+    TheoremCondition::main_slow_enough,        TheoremCondition::definite,
+    TheoremCondition::no_input_capacitance,    TheoremCondition::no_second_pole,
+    TheoremCondition::no_resistor_capacitance, TheoremCondition::no_output_resistance};
 
 }  // namespace
 

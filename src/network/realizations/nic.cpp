@@ -40,7 +40,8 @@ Circuit nic_circuit(const NetworkProblem& problem, const RealizationOptions& opt
 
 constexpr TheoremCondition nic_conditions[] = {
     TheoremCondition::definite, TheoremCondition::divider_fast_enough,
-    TheoremCondition::no_output_resistance, TheoremCondition::no_common_mode_error};
+    TheoremCondition::no_resistor_capacitance, TheoremCondition::no_output_resistance,
+    TheoremCondition::no_common_mode_error};
 
 }  // namespace
 

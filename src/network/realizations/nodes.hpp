@@ -109,10 +109,13 @@ inline std::string add_models(Circuit& circuit, Realization realization,
                               const RealizationOptions& options) {
   const Outputs outputs = options.inverters ? Outputs::single : Outputs::complementary;
   std::string others = options.inverters ? "opamp" : "amplifier";
-  circuit.amplifiers.push_back({others, options.opamp, outputs});
+  OpAmp opamp = options.opamp;
+  if (options.node_capacitance && has_nodes_at_outputs(realization, options))
+    opamp.load_capacitance = opamp.load_capacitance.value_or(0.0) + *options.node_capacitance;
+  circuit.amplifiers.push_back({others, opamp, outputs});
   const double ratio = options.main_bandwidth(realization);
   if (ratio == 1.0 || !options.opamp.bandwidth) return others;
-  OpAmp main = options.opamp;
+  OpAmp main = opamp;
   main.bandwidth = ratio * *main.bandwidth;
   circuit.amplifiers.push_back({"main_" + others, main, outputs});
   return "main_" + others;

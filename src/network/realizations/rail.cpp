@@ -50,10 +50,12 @@ Circuit rail_circuit(const NetworkProblem& problem, const RealizationOptions& op
   return circuit;
 }
 
-constexpr TheoremCondition rail_conditions[] = {
-    TheoremCondition::definite, TheoremCondition::no_input_capacitance,
-    TheoremCondition::no_second_pole, TheoremCondition::no_output_resistance,
-    TheoremCondition::no_common_mode_error};
+constexpr TheoremCondition rail_conditions[] = {TheoremCondition::definite,
+                                                TheoremCondition::no_input_capacitance,
+                                                TheoremCondition::no_second_pole,
+                                                TheoremCondition::no_resistor_capacitance,
+                                                TheoremCondition::no_output_resistance,
+                                                TheoremCondition::no_common_mode_error};
 
 }  // namespace
 

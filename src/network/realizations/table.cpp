@@ -30,6 +30,11 @@ std::optional<Realization> realization_named(std::string_view text) noexcept {
   return named_in<Enumerators<Realization>::all>(text);
 }
 
+bool has_nodes_at_outputs(Realization realization, const RealizationOptions& options) noexcept {
+  const RealizationTraits& one = traits(realization);
+  return one.drives_nodes && !one.passive_residuals && !has_ladder(realization, options);
+}
+
 bool has_ladder(Realization realization, const RealizationOptions& options) noexcept {
   return options.ladder && !traits(realization).theorem_with_ladder.name.empty();
 }
@@ -45,12 +50,17 @@ double RealizationOptions::main_bandwidth(Realization realization) const noexcep
 bool takes_time(Realization realization, const RealizationOptions& options) noexcept {
   const RealizationTraits& one = traits(realization);
   if (one.uses_opamps) return options.opamp.bandwidth.has_value();
-  return one.parts != RealizationTraits::Parts::lossless && options.node_capacitance.has_value();
+  return one.parts != RealizationTraits::Parts::lossless &&
+         (options.node_capacitance || options.resistor_capacitance);
 }
 
 Circuit realize(Realization realization, const NetworkProblem& problem,
                 const RealizationOptions& options) {
   Circuit circuit = traits(realization).build(problem, options);
+  if (options.resistor_capacitance)
+    for (const Resistor& one : circuit.resistors)
+      circuit.capacitors.push_back(
+          {'C' + one.name, one.from, one.to, *options.resistor_capacitance});
   if (problem.names.empty()) return circuit;
   if (problem.names.size() != circuit.outputs.size())
     throw std::invalid_argument("a circuit's nodes need a name each, or none");

@@ -37,10 +37,8 @@ Answer stability(const lab::Certification& c) {
 Answer settling(const Certificate& certificate) {
   const auto& dynamics = certificate.dynamics;
   if (!dynamics || dynamics->settling_seconds.value_or(-1.0) == 0.0)
-    return {"settling not known", certificate.unknown == UnknownStability::loaded_outputs
-                                      ? unknown_in_words(certificate)
-                                      : "the scene states no bandwidth and no capacitance, or the "
-                                        "circuit has too many states"};
+    return {"settling not known",
+            "the scene states no bandwidth and no capacitance, or the circuit has too many states"};
   if (!dynamics->settling_seconds) return {"never", "comes to rest", true};
   return {duration(*dynamics->settling_seconds),
           "to settle within " + percent(certificate.accuracy) + " after a step of all inputs"};

@@ -89,14 +89,16 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
     case TheoremCondition::definite:
       return "P is not positive definite";
     case TheoremCondition::no_input_capacitance:
-      return "capacitance at inverting inputs";
+      return "capacitance at the op-amps' inputs";
     case TheoremCondition::no_inverter_input_capacitance:
       return "capacitance at the inverters' inputs";
+    case TheoremCondition::no_resistor_capacitance:
+      return "capacitance across resistors";
     case TheoremCondition::no_second_pole:
       return "a second pole";
     case TheoremCondition::divider_fast_enough:
       return "capacitance at inverting inputs beyond 1/(W r (1 + sqrt(1 + 1/A))), or with a second "
-             "pole";
+             "pole, or between inputs";
     case TheoremCondition::second_pole_beyond_bandwidth:
       return "capacitance at the summing nodes and a second pole below the bandwidth";
     case TheoremCondition::second_pole_beyond_twice_bandwidth:
@@ -134,8 +136,6 @@ std::string unknown_in_words(const Certificate& c) {
     case UnknownStability::too_many_states:
       return "it has more than " + std::to_string(most_states) +
              " states, so its poles are not computed" + no_theorem;
-    case UnknownStability::loaded_outputs:
-      return "capacitance at outputs that have a resistance is not modelled";
   }
   return {};
 }
@@ -181,18 +181,16 @@ std::string in_words(const CircuitRemark& remark) {
       return "a node would reach " + brief(remark.value) + " V, op-amps clamp from " +
              brief(remark.limit) + " V (rail - 0.6 V): set volts = " + scale;
     case Kind::capacitance_at_outputs:
-      return "parasitic.node has no effect: the nodes are the amplifiers' outputs; parasitic.input "
-             "is what loads their summing nodes";
-    case Kind::loaded_outputs:
-      return "parasitic.node would lie at the amplifiers' outputs, and with output_resistance make "
-             "a pole in every loop: capacitance at outputs is not modelled, so whether the circuit "
-             "is stable is not known";
+      return "capacitance at the amplifiers' outputs has no effect, because they have no "
+             "resistance: give the op-amps their output_resistance, or state what loads their "
+             "summing nodes, parasitic = { input = 1e-12 }";
     case Kind::outputs_without_load:
-      return "capacitance at outputs, as of long lines or of a load, is not modelled: with "
-             "output_resistance it makes a pole in every loop, and what is said of stability is "
-             "for outputs without it";
+      return "with output_resistance any capacitance at an output makes a pole in its loop, and "
+             "none is stated: give what the outputs drive, parasitic = { output = 20e-12 }";
     case Kind::capacitance_at_one_frequency:
-      return "parasitic.node is left out: at one frequency it is part of each node's capacitor";
+      return "parasitic.node and parasitic.resistor are left out: at one frequency they are part "
+             "of "
+             "the network's own capacitors";
     case Kind::divider_rings:
       return "resistors of " + brief(remark.value) +
              " ohm at inverting inputs ring with their capacitance: set divider = " +
