@@ -1,4 +1,5 @@
 #include "tactile_net/lab/scene_circuit.hpp"
+#include "tactile_net/scene/opamp_part.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -33,6 +34,10 @@ const std::vector<std::shared_ptr<const NetworkCircuit>>& SceneCircuit::candidat
       // A converter a branch only while there are not tens of thousands of them.
       if (!traits(one).uses_opamps || !traits(one).linear() || !fits(one) ||
           (traits(one).opamps_per_branch && nodes() > 130))
+        continue;
+      // Of a part that is named, what it is made for.
+      if (options_.opamp_part != nullptr &&
+          traits(one).drives_nodes != (options_.opamp_part->outputs == Outputs::complementary))
         continue;
       add(one, false);
       if (has_ladder(one, {.ladder = true}) && is_small_ladder(*this)) add(one, true);

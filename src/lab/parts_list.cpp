@@ -10,6 +10,7 @@
 #include "lab/circuit_loads.hpp"
 #include "tactile_net/network/arrays.hpp"
 #include "tactile_net/network/soldered_error.hpp"
+#include "tactile_net/scene/opamp_part.hpp"
 
 namespace tactile_net::lab {
 namespace {
@@ -256,6 +257,10 @@ PartsList list_of(const SceneCircuit& circuit, double target,
   const NetworkProblems problems = circuit_loads(circuit);
   PartsList result{.wanted = {.target = target}, .loads = problems.size()};
   result.series = circuit.tolerance().series.value_or(Series::e96);
+  const NetworkOptions& options = circuit.options();
+  if (options.resistor_classes) result.wanted.classes = *options.resistor_classes;
+  result.opamp_price = options.opamp_price.value_or(result.opamp_price);
+  if (options.opamp_part != nullptr) result.opamp_part = options.opamp_part->name;
   std::vector<Offer> offers;
   offers.reserve(circuits.size());
   const double balance = circuit.tolerance().balance.value_or(0.0);

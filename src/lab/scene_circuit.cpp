@@ -12,6 +12,7 @@
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/scene/opamp_part.hpp"
 #include "tactile_net/scene/scale_units.hpp"
 
 namespace tactile_net::lab {
@@ -73,6 +74,7 @@ double unit_of_repair(CircuitRemark::Kind kind, const ScaleUnits& units) {
       return units.siemens.to_si(1.0);
     case Kind::capacitance_at_outputs:
     case Kind::outputs_without_load:
+    case Kind::figures_not_known:
     case Kind::capacitance_at_one_frequency:
     case Kind::divider_rings:
     case Kind::beyond_digits:
@@ -82,6 +84,15 @@ double unit_of_repair(CircuitRemark::Kind kind, const ScaleUnits& units) {
       return 1.0;
   }
   return 1.0;
+}
+
+/// "second_pole and output_resistance of THS4551"; empty: all are known, or no part is named.
+std::string lacking_figures(const NetworkOptions& options) {
+  if (options.opamp_part == nullptr || !has_amplifiers(options.realization)) return {};
+  std::string text;
+  for (const std::string_view figure : figures_not_known(options.parts.opamp))
+    text += (text.empty() ? "" : ", ") + std::string(figure);
+  return text.empty() ? text : text + " of " + options.opamp_part->name;
 }
 
 /// Between what a circuit like this one gives at rest and the direct solve, from linear equations.
@@ -193,6 +204,8 @@ const Certificate& SceneCircuit::certificate() const {
         tactile_net::certify(*network_, options().settling_accuracy.value_or(1e-3));
     const ScaleUnits units = std::visit([](const auto& one) { return scale_units(one); }, scene());
     for (CircuitRemark& remark : result.remarks) remark.unit = unit_of_repair(remark.kind, units);
+    if (const auto lacking = lacking_figures(options()); !lacking.empty())
+      result.remarks.push_back({.kind = CircuitRemark::Kind::figures_not_known, .part = lacking});
     return result;
   });
 }

@@ -37,8 +37,9 @@ constexpr double designator_room = 1.0;  // above a courtyard
 enum class Pin { plus, minus, out, inverse, ground, positive, negative, none };
 constexpr std::array one_output = {Pin::none, Pin::minus, Pin::plus,     Pin::negative,
                                    Pin::none, Pin::out,   Pin::positive, Pin::none};
+// Power-down is active low where there is one, so that pin 7 keeps the amplifier on.
 constexpr std::array two_outputs = {Pin::minus,   Pin::ground,   Pin::positive, Pin::out,
-                                    Pin::inverse, Pin::negative, Pin::none,     Pin::plus};
+                                    Pin::inverse, Pin::negative, Pin::positive, Pin::plus};
 constexpr double so8_width = 7.4;  // of courtyards
 constexpr double so8_height = 5.4;
 constexpr double pin_width = 2.4;

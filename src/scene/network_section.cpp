@@ -1,7 +1,10 @@
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "scene/sections.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/scene/opamp_part.hpp"
 #include "tactile_net/scene/scale_units.hpp"
 
 namespace tactile_net {
@@ -19,6 +22,52 @@ OpAmp opamp_of_class(const Value& value) {
   for (const OpAmpClass& one : opamp_classes()) names.push_back(one.name);
   const auto index = value.one_of("class", names);
   return index ? opamp_classes()[*index].opamp : OpAmp{};
+}
+
+/// An op-amp that is sold, or null.
+const OpAmpPart* part_named(const Value& value) {
+  std::vector<std::string_view> names;
+  for (const OpAmpPart& one : opamp_parts()) names.push_back(one.name);
+  const auto index = value.one_of("part", names);
+  return index ? &opamp_parts()[*index] : nullptr;
+}
+
+/// A class or a part by its name alone.
+void read_named_opamp(const Value& value, NetworkOptions& network) {
+  std::vector<std::string_view> names;
+  for (const OpAmpClass& one : opamp_classes()) names.push_back(one.name);
+  for (const OpAmpPart& one : opamp_parts()) names.push_back(one.name);
+  const auto index = value.one_of("class or part", names);
+  if (!index) return;
+  const std::size_t classes = opamp_classes().size();
+  if (*index < classes) {
+    network.parts.opamp = opamp_classes()[*index].opamp;
+    return;
+  }
+  network.opamp_part = &opamp_parts()[*index - classes];
+  network.parts.opamp = network.opamp_part->opamp;
+}
+
+/// Within what the part takes, and enough for its outputs to move: what they swing to.
+void read_supply(const Value& value, const OpAmpPart* part, OpAmp& opamp) {
+  if (part == nullptr) {
+    value.problem("is of a part, whose outputs stay so far from their supply",
+                  "beside it, part = \"THS4551\"; of other op-amps, rail");
+    return;
+  }
+  const auto volts = value.number(positive, in_volts);
+  if (!volts) return;
+  if (*volts < part->least_supply.value_or(0.0) ||
+      *volts > part->most_supply.value_or(std::numeric_limits<double>::infinity())) {
+    value.misfit("is outside of what " + part->name + " takes, " + shortest(*part->least_supply) +
+                 " to " + shortest(*part->most_supply) + " V in all");
+    return;
+  }
+  const double swing = 0.5 * *volts - part->headroom.value_or(0.0);
+  if (above_diodes.holds(swing))
+    opamp.rail = swing;
+  else
+    value.misfit("leaves the outputs of " + part->name + " less than 0.6 V either way");
 }
 
 /// Beyond gain, bandwidth and second pole.
@@ -49,9 +98,16 @@ constexpr OpAmpKey opamp_keys[] = {
     {"output_current", &OpAmp::output_current},
     {"rail", &OpAmp::rail, above_diodes, in_volts}};
 
-OpAmp read_opamp(Table table) {
-  OpAmp opamp;
-  if (const auto kind = table.value("class")) opamp = opamp_of_class(*kind);
+void read_opamp(Table table, NetworkOptions& network) {
+  OpAmp& opamp = network.parts.opamp;
+  const auto kind = table.value("class");
+  if (kind) opamp = opamp_of_class(*kind);
+  if (const auto part = table.value("part")) {
+    network.opamp_part = part_named(*part);
+    if (network.opamp_part != nullptr) opamp = network.opamp_part->opamp;
+    if (kind) part->problem("stands beside a class", "one of the two");
+  }
+  if (const auto supply = table.value("supply")) read_supply(*supply, network.opamp_part, opamp);
   if (const auto gain = table.value("gain")) opamp.gain = gain->number(positive);
   if (const auto bandwidth = table.value("bandwidth"))
     opamp.bandwidth = bandwidth->number(positive, in_hertz);
@@ -73,7 +129,55 @@ OpAmp read_opamp(Table table) {
         "beside it, noise_voltage = 5e-9");
   if (opamp.is_nullor()) opamp.gain = opamp.dc_gain();
   table.finish();
-  return opamp;
+}
+
+/// A part is what the realisation is made of, and its poles are known.
+void check_part(const Value& value, const NetworkOptions& network) {
+  const OpAmpPart* const part = network.opamp_part;
+  if (part == nullptr) return;
+  const RealizationTraits& realization = traits(network.realization);
+  const bool two = realization.drives_nodes && !network.parts.inverters;
+  const std::string circuit(name(network.realization));
+  if (realization.uses_opamps && two != (part->outputs == Outputs::complementary))
+    value.problem(two ? "names " + part->name + ", an op-amp of one output, and " + circuit +
+                            " takes fully differential amplifiers"
+                      : "names " + part->name + ", a fully differential amplifier, and " + circuit +
+                            (network.parts.inverters ? " with inverters" : "") +
+                            " takes op-amps of one output",
+                  two ? "realization = \"nic\", or inverters = true, or another part"
+                      : "realization = \"lattice\", or another part");
+  if (!network.parts.opamp.bandwidth)
+    value.problem(
+        "names " + part->name + ", whose gain-bandwidth product circuits/parts does not have",
+        "opamp = { part = \"" + part->name + "\", bandwidth = 10e6 }, from its data sheet");
+}
+
+/// What is paid.
+void read_prices(Table table, NetworkOptions& network) {
+  if (const auto price = table.value("opamp")) network.opamp_price = price->number(not_negative);
+  if (const auto resistors = table.value("resistors")) {
+    std::vector<PartClass> classes;
+    const auto rows = resistors->tables();
+    for (const Table& row : rows.value_or(std::vector<Table>{})) {
+      Table one = row;
+      PartClass& sold = classes.emplace_back();
+      const auto tolerance = one.required("tolerance", "how far one may be off: tolerance = 0.01");
+      if (tolerance) sold.tolerance = tolerance->number(below_one).value_or(sold.tolerance);
+      if (const auto price = one.required("price", "of one: price = 0.002"))
+        sold.price = price->number(not_negative).value_or(0.0);
+      if (classes.size() > 1 && tolerance) {
+        const PartClass& before = classes[classes.size() - 2];
+        if (!(sold.tolerance < before.tolerance && sold.price >= before.price))
+          tolerance->misfit("must be finer than that before, and not cheaper",
+                            "resistors = [{ tolerance = 0.01, price = 0.002 }, "
+                            "{ tolerance = 0.001, price = 0.05 }]");
+      }
+      one.finish();
+    }
+    if (rows && classes.empty()) resistors->problem("holds no class", "leave it out");
+    if (!classes.empty()) network.resistor_classes = std::move(classes);
+  }
+  table.finish();
 }
 
 /// What programs an array instead of soldering it, and what its lines are.
@@ -191,10 +295,12 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
     if (const auto index = device->one_of("device", curve_names)) parts.curve = curves[*index];
   if (const auto opamp = table.value("opamp")) {
     if (opamp->is_text())
-      parts.opamp = opamp_of_class(*opamp);
+      read_named_opamp(*opamp, options);
     else if (const auto own = opamp->table())
-      parts.opamp = read_opamp(*own);
+      read_opamp(*own, options);
+    check_part(*opamp, options);
   }
+  if (const auto prices = table_of(table.value("parts"))) read_prices(*prices, options);
   if (const auto parasitic = table_of(table.value("parasitic"))) read_parasitic(*parasitic, parts);
   if (const auto tolerance = table_of(table.value("tolerance")))
     options.tolerance = read_tolerance(*tolerance, options);

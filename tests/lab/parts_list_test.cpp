@@ -260,3 +260,45 @@ TEST_CASE("the parts of a ladder are ordered as all are, and make its answer",
   CHECK(chosen.opamps == 82);
   CHECK_THAT(report::board_text(list), ContainsSubstring("\"Rg0p"));
 }
+
+TEST_CASE(
+    "a part that the scene names is ordered by its number and at the scene's prices, of what "
+    "it is made for, and what its data sheet leaves open is said",
+    "[parts_list]") {
+  const auto circuit = [](const std::string& network) {
+    return lab::simulated_circuit(
+        parse_scene("[sensor]\ncount = 7\npitch = 0.5\ndepth = 1.0\nreads = [\"strain_x\"]\n"
+                    "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+                    "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n"
+                    "[reconstruct]\nalpha = 1e-3\n[network]\nrealization = \"lattice\"\n"
+                    "siemens = 1e-2\n" +
+                        network,
+                    "scene.toml"));
+  };
+  const std::string parts =
+      "parts = { opamp = 10, resistors = [{ tolerance = 0.01, price = 1 }, { tolerance = 0.0001, "
+      "price = 2 }] }\n";
+  const lab::SceneCircuit named = circuit("opamp = \"OPA1637\"\n" + parts);
+  const lab::PartsList list = lab::parts_list(named, 0.02);
+  CHECK(list.opamp_part == "OPA1637");
+  CHECK(list.wanted.classes.size() == 2);
+  CHECK(list.wanted.target == 0.02);
+  REQUIRE(list.choice);
+  const auto& chosen = list.chosen();
+  CHECK(chosen.price == chosen.resistors_price + 10.0 * static_cast<double>(chosen.opamps));
+  CHECK_THAT(report::bill_csv(list), ContainsSubstring(",OPA1637,"));
+  CHECK_THAT(report::order_csv(list), ContainsSubstring("fully differential amplifier OPA1637\n"));
+  for (const auto& one : list.candidates) CHECK(traits(one.realization).drives_nodes);
+
+  const auto lacking = [](const lab::SceneCircuit& one) {
+    std::string text;
+    for (const CircuitRemark& remark : one.certificate().remarks)
+      if (remark.kind == CircuitRemark::Kind::figures_not_known) text += remark.part;
+    return text;
+  };
+  CHECK(lacking(named) == "second_pole, input_capacitance, output_resistance of OPA1637");
+  CHECK(lacking(circuit("opamp = { part = \"OPA1637\", second_pole = 1e7, input_capacitance = "
+                        "1e-12, output_resistance = 10 }\n"))
+            .empty());
+  CHECK(lacking(circuit("opamp = \"precision\"\n")).empty());
+}

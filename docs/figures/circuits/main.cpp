@@ -48,6 +48,7 @@ constexpr const char* choice =
   pole of its op-amps must lie far above their bandwidth (T6 says how far).
 - With parts of 1 % and more taxels than the lattice bears use `least_squares` with a ladder, with the same op-amps.
 - With alpha of 1e-3 or more `crossbar` with complementary outputs has the fewest parts, and needs no rule on bandwidths.
+- Which amplifiers to buy: [below](#parts-that-are-sold).
 - The thesis proposes `nic`, `lc` and `ndr`; `rail` does the same as `nic` with O(N) op-amps, and is the most sensitive of all.
 - `tactile-net certify SCENE.toml` recommends one for the scene's alpha and tolerances.
 - The same commands make circuits of small skins: [skins.md](skins.md#as-a-circuit).
@@ -94,7 +95,7 @@ bounds the price of any list. 95 of 100 builds lie within 1.55 times the root me
 itself; if few parts count and the draws miss, a new list is made for a smaller target. Every build has the scene's op-amps, as in the yield, their
 `balance` too: the resistors get what these leave of the target, and if they leave nothing the output says how much each property of the op-amps takes. All realisations are compared, except
 those not known to be stable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
-for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp with two outputs. The better parts are where differences cancel: in the stabiliser at
+for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp; `parts` under [`network`](scene.md#network) states your own prices and classes. The better parts are where differences cancel: in the stabiliser at
 alpha = 1e-3, in K at 1e-5.
 
 *Loads*: a part's weight is the mean over five loads, the scene's contacts and the same moved along the sensor by an eighth and a quarter of its
@@ -113,11 +114,21 @@ K' becomes what that of K became, times their ratio: an error that both share on
 many of the others, those that count most first, until values take a sixteenth of the squared error; the rest is left to tolerances.
 
 The folder has three files of the cheapest circuit whose draws meet the target. `parts.csv` is the list to order: value, tolerance, quantity, designators of resistors, and the op-amps. `BOM.csv`
-is for assemblers, a part a row: `Comment` (its value such as `4.99k` or `499R`), `Designator`, `Footprint`, `MPN` for you to fill in, tolerance, its name in the deck, the other
+is for assemblers, a part a row: `Comment` (its value such as `4.99k` or `499R`), `Designator`, `Footprint`, `MPN` (of the op-amps, where the scene names a part; the resistors' is for you to fill in), tolerance, its name in the deck, the other
 one of a resistor's pair, and a note if the scene's contacts put more power into it than its size carries (0402 62.5 mW, 0603 0.1 W). `board.kicad_pcb` opens in KiCad 6 and newer: footprints
 with designators, values, tolerances, courtyards and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
-pins; a pin for each current of a reading, each output and the supply. Route the board, and add decoupling capacitors. `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
+pins (of a fully differential amplifier VOCM at ground, which is the middle of VCC and VEE, and pin 7, power-down where there is one and active low, at VCC: compare them with the data sheet of yours); a pin for each current of a reading, each output and the supply. Route the board, and add decoupling capacitors. `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
 writes the deck of the same parts, with each tolerance as a comment.
+
+## Parts that are sold
+
+`opamp = "THS4551"` takes the figures of a data sheet, from `circuits/parts/THS4551.toml`, which says of each where the data sheet has it. `opamp = { part = "THS4551", second_pole = 270e6, supply = 5 }` states
+others beside it: `certify` warns of second pole, input capacitance and output resistance where neither the table nor the scene has them, since a verdict without them says nothing of what they do.
+`supply` (V in all) keeps the outputs within it.
+
+A distributor's *fully differential amplifier* (FDA) is what `crossbar`, `least_squares` and `lattice` take, an *operational amplifier* what `nic`, `rail` and `inverters = true` take; the wrong kind is refused. An FDA's data sheet states
+gain, gain-bandwidth product and slew of the difference of its outputs: each output has half of them, and so has the deck. A stated `bandwidth` or `slew` is of one output. Where a data sheet gives a phase margin at a gain of 1
+the second pole is the one that makes it. Of offsets and bias currents the table has typical values or limits, as stated there; they are taken for standard deviations.
 
 ## Other simulators
 
@@ -287,7 +298,7 @@ f (p/W)(1 + p/W2) between its inputs, half of it at each, so that with H(p) = B'
 
     [ (p/2W)(1 + p/W2)(D_s + p C - H(p)) + c H(p) + w R ] f = 0.
 
-D_s - H(0) > 0, because D_s is the row sum of B' and |w R| while rows of H sum to at most 1/(1 + c) of B's. So without C_u the
+A capacitance between an amplifier's two inputs counts twice in C. D_s - H(0) > 0, because D_s is the row sum of B' and |w R| while rows of H sum to at most 1/(1 + c) of B's. So without C_u the
 three forms are symmetric and positive: every p is in the left half plane, and real where 1/W2 = 0.
 
 With C an eigenvector makes of the forms D_s - H, C and c H + w R the numbers d, g and k, and a cubic of coefficients m3 = g/(2 W W2),
@@ -304,7 +315,7 @@ Resistors' errors do not harm the proof's symmetry: one resistor carries both di
 (rows of residuals over c), whatever the errors, for one bandwidth, one pole and no capacitance; it covers the voltage that an amplifier's two inputs have
 in common too.
 
-Not covered: capacitance at the amplifiers' inputs and at the residuals, as every board has. Measured with the same C at both: stable while W C/D stays below
+Not covered: capacitance at the amplifiers' inputs and at the residuals, as every board has, nor across resistors or at outputs behind a resistance. Measured with the same C at both: stable while W C/D stays below
 1.9 (one pole), 0.9 (second pole at twice the bandwidth), 0.46 (at the bandwidth), D the least conductance at an input or a residual.
 `certify` warns beyond, with the scale that helps, and its poles decide. Unequal bandwidths are not proven either.
 

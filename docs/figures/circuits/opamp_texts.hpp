@@ -14,7 +14,13 @@ inputs follow the nodes (nic, rail), like errors of resistors of 1/cmrr; inputs 
 stands inside a loop of the op-amp's gain. Complementary outputs are held each other's opposite by a loop of their own, which is taken for ideal:
 out = core - resistance (i_out - i_inv)/2. Two outputs without that loop are loaded differently, and err at any volts.
 
-No theorem on stability includes output resistances, nor T1 and T2 a finite common-mode rejection: the certificate says so, and its poles decide.
+No theorem on stability includes output resistances, nor T1 and T2 a finite common-mode rejection, nor any but T0 capacitance across resistors: the certificate says so, and its poles decide.
+
+**On a board.** `parasitic` is what copper and pads add, to ground `node` at every node that nothing drives, `input` at every input beside the op-amp's own
+`input_capacitance`, `output` at every output, and `resistor` across every resistor (a 0402 with its pads has some 0.05 pF); `differential_capacitance` lies between an op-amp's inputs. All of them are
+in the deck, the poles, the settling time and the noise, and cost nothing where they are absent. What loads an output is a pole in its loop as soon as the output has a resistance: 200 ohm and 100 pF are one at 8 MHz.
+ngspice settles with all of them in the certificate's time within 5 % (`nic`, `rail`, `crossbar`, `least_squares`, its ladder, `lattice`), and the noise agrees within 3 %. A lattice of 41 taxels at 2 mS, with 10 pF at its inputs
+and 20 pF at its residuals, has its slowest pole at +1.2e6 1/s, and grows so in ngspice; at 10 mS (`scenes/circuits/board.toml`) it is stable.
 
 **Slew.** The core integrates a bent rate: x' = slew tanh(r/slew), r what the inputs ask for (a thousandth of r passes straight on, without which a simulator finds no
 slope). The certificate's settling time then comes from these equations: a method of Rosenbrock's until no rate exceeds by a hundredth of the slew

@@ -70,7 +70,8 @@ struct PartsList {
   AllocationOptions wanted{};
   Series series = Series::e96;
   std::size_t loads = 1;     ///< the scene's contacts at so many places
-  double opamp_price = 2.0;  ///< of one, with two outputs; typical
+  double opamp_price = 2.0;  ///< of one, with two outputs; typical where the scene states none
+  std::string opamp_part{};  ///< by which op-amps are ordered; empty: the scene names none
   std::vector<Candidate> candidates{};
   std::optional<std::size_t> chosen_at{};  ///< the cheapest whose draws meet the target
   std::shared_ptr<const Choice> choice{};  ///< null: there is none

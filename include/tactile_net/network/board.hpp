@@ -58,8 +58,9 @@ struct Board {
 /// amplifiers below those; each current source is a pin that takes a reading, each output a pin,
 /// and the supply has three. Nets are the deck's nodes, ground is GND, and op-amps are fed by VCC
 /// and VEE. Parts of the coarsest class are 0402, better ones 0603; amplifiers are SO-8 with the
-/// usual pins of one op-amp, or of one with two outputs (1 -IN, 2 VOCM, 3 V+, 4 +OUT, 5 -OUT, 6 V-,
-/// 8 +IN). The board is not routed, and holds only the deck's parts: add decoupling capacitors
+/// usual pins of one op-amp, or of a fully differential amplifier (1 -IN, 2 VOCM, 3 V+, 4 +OUT,
+/// 5 -OUT, 6 V-, 7 power-down, 8 +IN): VOCM is at ground, and power-down, active low, at V+. The
+/// board is not routed, and holds only the deck's parts: add decoupling capacitors
 /// yourself.
 ///
 /// Designators are numbered in the order of the circuit's resistors, of its amplifiers, and of the

@@ -118,6 +118,9 @@ struct CircuitRemark {
     /// The amplifiers' noise is asked for, and an output has no capacitance that ends the
     /// resistors': white noise there has no size.
     noise_without_capacitance,
+    /// The op-amps are a part's, of which the figures that `part` names are not known: nothing is
+    /// said of what they would do.
+    figures_not_known,
     /// At rest an op-amp's output would carry `value` [A], it can give `limit`; `part` names it;
     /// `repair`: the `Scale::volts` at which it carries that.
     output_current,

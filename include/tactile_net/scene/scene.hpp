@@ -13,6 +13,7 @@
 #include "tactile_net/elasticity/contact.hpp"
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/inverse/alpha.hpp"
+#include "tactile_net/network/allocation.hpp"
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/tolerance.hpp"
@@ -81,11 +82,19 @@ struct ReconstructOptions : SharedReconstructOptions {
   std::optional<double> contact_friction{};  ///< dft: known mu, f_t constant over the contact
 };
 
+struct OpAmpPart;
+
 struct NetworkOptions {
   Realization realization = Realization::ideal;
   /// Of the tractions that the nodes stand for [m], at least the surface's; absent: as that.
   std::optional<double> spacing{};
   RealizationOptions parts{};  ///< scale, op-amps, parasitics
+  /// That the scene names, whose figures `parts.opamp` begins with; null: none. One of
+  /// `opamp_parts`.
+  const OpAmpPart* opamp_part = nullptr;
+  /// What is paid for resistors and op-amps; absent: typical prices.
+  std::optional<std::vector<PartClass>> resistor_classes{};
+  std::optional<double> opamp_price{};
   bool one_volt =
       false;  ///< the scale's volts follow from the answer, whose largest voltage is 1 V
   std::optional<ToleranceOptions> tolerance{};  ///< absent: every component has its exact value

@@ -231,6 +231,11 @@ std::string in_words(const CircuitRemark& remark) {
       return "the output of " + remark.part + " would carry " + with_unit(remark.value, "A") +
              ", it gives " + with_unit(remark.limit, "A") + " at most: volts = " + scale +
              ", or lower siemens";
+    case Kind::figures_not_known:
+      return "what the data sheet says of " + remark.part +
+             " is not known here, and left out of poles and settling: state it beside the part "
+             "under "
+             "opamp";
     case Kind::slewing_left_out:
       return "more than " + std::to_string(most_slewing_states) +
              " states: the settling time is without the op-amps' slew";

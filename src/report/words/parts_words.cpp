@@ -24,6 +24,11 @@ std::vector<Footprint> bought_parts(const lab::PartsList& list) {
   return parts;
 }
 
+/// Of an amplifier what it is ordered by; of a resistor nothing.
+std::string order_number(const lab::PartsList& list, const Footprint& one) {
+  return one.kind == Footprint::Kind::amplifier ? list.opamp_part : std::string();
+}
+
 std::map<std::string, std::string> designators_of(const std::vector<Footprint>& parts) {
   std::map<std::string, std::string> designators;  // by the deck's names
   for (const Footprint& one : parts) designators[one.element] = one.reference();
@@ -187,7 +192,9 @@ std::string order_csv(const lab::PartsList& list) {
   }
   std::map<std::string, std::vector<std::string>> amplifiers;  // by what they are
   for (const Footprint& one : parts)
-    if (one.kind == Footprint::Kind::amplifier) amplifiers[one.value].push_back(one.reference());
+    if (one.kind == Footprint::Kind::amplifier)
+      amplifiers[list.opamp_part.empty() ? one.value : one.value + ' ' + list.opamp_part].push_back(
+          one.reference());
   for (const auto& [value, references] : amplifiers)
     text +=
         ",," + std::to_string(references.size()) + ',' + join(references, " ") + ',' + value + '\n';
@@ -207,9 +214,9 @@ std::string bill_csv(const lab::PartsList& list) {
       if (other != resistor) partner = designators.at(soldered.circuit.resistors[other].name);
       ++resistor;
     }
-    text += one.value + ',' + one.reference() + ',' + package_of(one) + ",," + one.tolerance + ',' +
-            one.element + ',' + partner + ',' + (one.overloaded() ? watts_in_words(one) : "") +
-            '\n';
+    text += one.value + ',' + one.reference() + ',' + package_of(one) + ',' +
+            order_number(list, one) + ',' + one.tolerance + ',' + one.element + ',' + partner +
+            ',' + (one.overloaded() ? watts_in_words(one) : "") + '\n';
   }
   return text;
 }

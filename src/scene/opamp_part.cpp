@@ -1,0 +1,137 @@
+#include "tactile_net/scene/opamp_part.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "scene/document.hpp"
+#include "scene/opamp_part_files.hpp"
+#include "scene/problems.hpp"
+#include "scene/table.hpp"
+
+namespace tactile_net {
+namespace {
+
+constexpr FileKind part_file{"part of circuits/parts", "name, kind, maker, sheet and [figures]"};
+
+/// What a figure of a data sheet is in a deck.
+struct PartFigure {
+  std::string_view name;
+  std::optional<double> OpAmp::*member = nullptr;
+  /// Where outputs are complementary the sheet's is of their difference.
+  bool of_difference = false;
+  bool in_decibels = false;
+};
+
+constexpr PartFigure part_figures[] = {
+    {"gain_bandwidth", &OpAmp::bandwidth, true},
+    {"gain_db", &OpAmp::gain, true, true},
+    {"slew", &OpAmp::slew, true},
+    {"phase_margin"},
+    {"noise_voltage", &OpAmp::noise_voltage},
+    {"noise_corner", &OpAmp::noise_corner},
+    {"noise_current", &OpAmp::noise_current},
+    {"offset", &OpAmp::offset},
+    {"bias_current", &OpAmp::bias_current},
+    {"cmrr_db", &OpAmp::common_mode_rejection, false, true},
+    {"input_capacitance", &OpAmp::input_capacitance},
+    {"differential_capacitance", &OpAmp::differential_capacitance},
+    {"output_resistance", &OpAmp::output_resistance},
+    {"output_current", &OpAmp::output_current},
+    {"headroom"},
+    {"supply"},
+    {"supply_current"}};
+
+/// Keeps a figure, and where it stands.
+void take(OpAmpPart& part, const PartFigure& figure, std::vector<double> values, std::string at) {
+  const double value = values.front();
+  if (figure.member != nullptr) {
+    const double plain = figure.in_decibels ? std::pow(10.0, value / 20.0) : value;
+    const bool halved = figure.of_difference && part.outputs == Outputs::complementary;
+    part.opamp.*figure.member = halved ? 0.5 * plain : plain;
+  } else if (figure.name == "phase_margin") {
+    if (part.opamp.bandwidth) part.opamp.second_pole = second_pole_of(*part.opamp.bandwidth, value);
+  } else if (figure.name == "headroom") {
+    part.headroom = value;
+  } else if (figure.name == "supply") {
+    part.least_supply = value;
+    part.most_supply = values.back();
+  } else {
+    part.supply_current = value;
+  }
+  part.figures.push_back({std::string(figure.name), std::move(values), std::move(at)});
+}
+
+void read_figures(Table table, OpAmpPart& part) {
+  for (const PartFigure& figure : part_figures) {
+    const auto own = table_of(table.value(figure.name));
+    if (!own) continue;
+    Table one = *own;
+    std::vector<double> values;
+    if (const auto value = one.required("value", "what the data sheet says")) {
+      if (value->is_list())
+        values = value->numbers(positive).value_or(std::vector<double>{});
+      else if (const auto number = value->number(positive))
+        values = {*number};
+    }
+    std::string at;
+    if (const auto place = one.required("at", "where the data sheet says it"))
+      at = place->text().value_or("");
+    one.finish();
+    if (!values.empty()) take(part, figure, std::move(values), std::move(at));
+  }
+  table.finish();
+}
+
+OpAmpPart part_of(const OpAmpPartFile& file) {
+  constexpr std::array<std::string_view, 2> kinds = {"op-amp", "fully differential amplifier"};
+  Problems problems(std::string(file.name), file.text, part_file);
+  const toml::table document = parse_document(file.text, std::string(file.name), problems);
+  Table table(document, "", problems);
+  OpAmpPart part;
+  const auto text = [&](std::string_view key, std::string& target) {
+    if (const auto value = table.required(key, "text")) target = value->text().value_or("");
+  };
+  text("name", part.name);
+  text("maker", part.maker);
+  text("sheet", part.sheet);
+  if (const auto package = table.value("package")) part.package = package->text().value_or("");
+  if (const auto kind = table.required("kind", "what it is"))
+    if (kind->one_of("kind of part", kinds).value_or(0) == 1) part.outputs = Outputs::complementary;
+  if (const auto figures = table_of(table.required("figures", "what its data sheet says")))
+    read_figures(*figures, part);
+  table.finish();
+  problems.throw_if_any();
+  return part;
+}
+
+}  // namespace
+
+std::span<const OpAmpPart> opamp_parts() {
+  static const std::vector<OpAmpPart> parts = [] {
+    std::vector<OpAmpPart> all;
+    for (const OpAmpPartFile& file : opamp_part_files()) all.push_back(part_of(file));
+    std::sort(all.begin(), all.end(),
+              [](const OpAmpPart& a, const OpAmpPart& b) { return a.name < b.name; });
+    return all;
+  }();
+  return parts;
+}
+
+std::vector<std::string_view> figures_not_known(const OpAmp& opamp) {
+  std::vector<std::string_view> lacking;
+  if (!opamp.second_pole) lacking.emplace_back("second_pole");
+  if (!opamp.input_capacitance && !opamp.differential_capacitance)
+    lacking.emplace_back("input_capacitance");
+  if (!opamp.output_resistance) lacking.emplace_back("output_resistance");
+  return lacking;
+}
+
+double second_pole_of(double gain_bandwidth, double phase_margin) noexcept {
+  // At the crossover w the phase is 90 degrees and atan(w / second pole), and the gain's size is 1.
+  const double ratio = std::tan((90.0 - phase_margin) * std::numbers::pi / 180.0);
+  return gain_bandwidth / (ratio * std::hypot(1.0, ratio));
+}
+
+}  // namespace tactile_net
