@@ -38,12 +38,12 @@
 ///     line of 41 taxels, 1 unknown               8 ms     2 MB    0.4 ms   0.2 ms
 ///     line of 41 taxels, 2 unknowns              0.2 s    7 MB    2.4 ms   0.9 ms
 ///     skin of 8 x 8, normal traction alone       0.02 s   2 MB    1 ms     0.2 ms
-///     skin of 8 x 8 x 3 readings                 0.4 s   15 MB    12 ms    2.4 ms
-///     skin of 8 x 8 x 3, two depths apart        1.5 s   40 MB    10 ms    4 ms
-///     skin of 16 x 16, normal traction alone     0.3 s   13 MB    4 ms     2.6 ms
+///     skin of 8 x 8 x 3 readings                 0.12 s           17 ms    5.5 ms
+///     skin of 8 x 8 x 3, two depths apart        0.44 s           26 ms    15 ms
+///     skin of 16 x 16, normal traction alone     0.13 s           22 ms    12 ms
 ///
 /// What answers need of likely windows is kept, 96 MB at most. A frame of noise alone makes nearly
-/// all windows likely: the first one costs as much as the set-up does.
+/// all windows likely: the first one then costs some three times what the set-up does.
 #pragma once
 
 #include <cstddef>
