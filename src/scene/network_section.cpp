@@ -38,7 +38,10 @@ void read_named_opamp(const Value& value, NetworkOptions& network) {
   for (const OpAmpClass& one : opamp_classes()) names.push_back(one.name);
   for (const OpAmpPart& one : opamp_parts()) names.push_back(one.name);
   const auto index = value.one_of("class or part", names);
-  if (!index) return;
+  if (!index) {
+    network.parts.opamp.bandwidth = 1e6;  // what else is stated needs one: it is not wrong too
+    return;
+  }
   const std::size_t classes = opamp_classes().size();
   if (*index < classes) {
     network.parts.opamp = opamp_classes()[*index].opamp;
@@ -104,7 +107,10 @@ void read_opamp(Table table, NetworkOptions& network) {
   if (kind) opamp = opamp_of_class(*kind);
   if (const auto part = table.value("part")) {
     network.opamp_part = part_named(*part);
-    if (network.opamp_part != nullptr) opamp = network.opamp_part->opamp;
+    if (network.opamp_part != nullptr)
+      opamp = network.opamp_part->opamp;
+    else
+      opamp.bandwidth = 1e6;  // as above
     if (kind) part->problem("stands beside a class", "one of the two");
   }
   if (const auto supply = table.value("supply")) read_supply(*supply, network.opamp_part, opamp);

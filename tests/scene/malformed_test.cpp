@@ -234,6 +234,8 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
        "did you mean \"THS4551\"?"},
       {"\"ideal\"", "\"lattice\"\nopamp = { part = \"general\" }", "37:18",
        "unknown part \"general\""},
+      {"\"ideal\"", "\"lattice\"\nopamp = \"THS455\"\nparasitic = { input = 1e-12 }", "37:9",
+       "unknown class or part \"THS455\""},
       {"\"ideal\"", "\"lattice\"\nopamp = { class = \"fast\", part = \"THS4551\" }", "37:34",
        "network.opamp.part stands beside a class"},
       {"\"ideal\"", "\"lattice\"\nopamp = { part = \"THS4551\", supply = 12 }", "37:38",
