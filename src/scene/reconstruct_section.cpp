@@ -419,6 +419,15 @@ void read_kernel(const Value& value, const std::filesystem::path& folder, SkinSc
   scene.sensor.curved = std::make_shared<const CurvedSkin>(std::move(curved));
 }
 
+/// What a curved skin whose scene says nothing of it is weighed by: its displacements hardly tell
+/// drags from pressure, and evidence tells the forces of both best.
+void weigh_as_curved(SkinScene& scene) {
+  SkinReconstructOptions& options = scene.reconstruct;
+  if (!scene.sensor.curved || !is_noisy(scene)) return;
+  options.tangential_weight.reset();
+  if (!options.alpha && !options.alpha_rule) options.alpha_rule = AlphaRule::evidence;
+}
+
 /// What curved skins alone have.
 void read_curved(Table& table, const Read& read, const std::filesystem::path& folder,
                  SkinScene& scene) {
@@ -498,7 +507,10 @@ void read_reconstruct(std::optional<Table> table, const std::optional<Value>& se
       sizes_cells = spacing;
     }
     read_curved(*table, read, folder, scene);
+    if (!table->value("tangential_weight")) weigh_as_curved(scene);
     table->finish();
+  } else {
+    weigh_as_curved(scene);
   }
   check_grid(sizes_cells, read, scene);
   check_reads(read, scene);

@@ -224,6 +224,27 @@ TEST_CASE("an ellipsoid's taxels tell its curvatures", "[skin][curved]") {
   CHECK(std::abs(apex.curvature_difference / (along_x - along_y) - 1.0) <= 0.03);
 }
 
+TEST_CASE("a fingertip that is wider than its narrowest ball has a problem", "[skin][curved]") {
+  const SpaceVector half_axes = {8e-3, 30e-3, 16e-3};
+  std::vector<CurvedTaxel> taxels = taxels_below(half_axes, 6e-3, 5, 1e-3, moves);
+  for (CurvedTaxel& taxel : taxels_below({8e-3, 30e-3, 16e-3}, 4e-3, 3, 1e-3, moves)) {
+    // The same, further along the finger.
+    const double y = taxel.place[1] * 4.5;
+    const double z =
+        16e-3 * std::sqrt(1.0 - std::pow(taxel.place[0] / 8e-3, 2) - std::pow(y / 30e-3, 2));
+    SpaceVector normal = {taxel.place[0] / 64e-6, y / 900e-6, z / 256e-6};
+    normal = scaled(1.0 / length(normal), normal);
+    taxel.name += "_far";
+    taxel.place = combined(1.0, {taxel.place[0], y, z}, -1e-3, normal);
+    taxel.normal = normal;
+    taxels.push_back(taxel);
+  }
+  Material thin = skin_on_core;
+  thin.layer = Layer{2e-3, Base::bonded};
+  const LinearProblem problem = make_problem(curved_skin(taxels), thin);
+  for (const double entry : problem.kernel.values) CHECK(std::isfinite(entry));
+}
+
 TEST_CASE("sums of a curved skin's tractions are the resultant about any point",
           "[skin][curved][property]") {
   const LinearProblem problem = make_problem(

@@ -77,8 +77,9 @@ BallPlace surface_place(const SurfaceFrame& load, const SurfaceFrame& taxel,
   const double along = std::hypot(y, z);
   if (!(along > 0.0)) return turned(load, taxel, 0.0, 0.0);
   const double length = std::hypot(chord[0], chord[1], chord[2]);
+  // A chord that is longer than the ball is wide ends at its antipode, of which nothing is read.
   const double half = std::min(0.5 * std::abs(curvature) * length, 1.0);
-  const double arc = half > 0.0 ? length * std::asin(half) / half : length;
+  const double arc = half > 0.0 ? 2.0 * std::asin(half) / std::abs(curvature) : length;
   return turned(load, taxel, arc * y / along, arc * z / along);
 }
 
