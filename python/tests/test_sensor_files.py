@@ -225,10 +225,6 @@ def test_the_recordings_of_tac3d(pytac3d: Path) -> None:
         assert np.median(np.einsum("ij,ij->i", taken.geometry.normals, radial)) > 0.999, "normals lead out of the ball"
     with pytest.raises(tn.InputError, match="has 2 sensors"):
         tn.load(folders[1].parent, **SOFT)
-    try:
-        taken.scene()
-    except tn.InputError as error:
-        pytest.skip(f"this library solves no curved skins: {str(error).splitlines()[0]}")
     still = np.abs(taken.frames.readings).max(axis=(1, 2)) == 0.0
     frames = tn.Frames(taken.frames.readings[::16], units="m")
     force = (

@@ -98,14 +98,14 @@ def chosen(path: str, sensor: str | None) -> str:
 
 def geometry(path: str | PathLike[str], sensor: str | None = None, **given: Any) -> Geometry:
     """The sensor's taxels, without a pad over them. given: the fields of `Given`. Raises InputError with what to give."""
-    where = fspath(path)
-    return adapter(chosen(where, sensor)).geometry(where, Given(**given))
+    where, said = fspath(path), Given(**given)
+    return adapter(chosen(where, sensor)).geometry(where, said)
 
 
 def frames(path: str | PathLike[str], sensor: str | None = None, **given: Any) -> Frames:
     """The sensor's readings, also of one that has no elastic model. given: the fields of `Given`. Raises InputError."""
-    where = fspath(path)
-    return adapter(chosen(where, sensor)).frames(where, Given(**given))
+    where, said = fspath(path), Given(**given)
+    return adapter(chosen(where, sensor)).frames(where, said)
 
 
 def load(
@@ -123,14 +123,13 @@ def load(
     **given: Any,
 ) -> SensorRecording:
     """As `tactile_net.load` with a sensor."""
-    where = fspath(path)
+    where, said = fspath(path), Given(**given)
     name = chosen(where, sensor)
     one = adapter(name)
     if one.refusal:
         raise refused(
             where, f"is of the sensor {name}: {one.refusal}", f"tn.sensors.frames(path, {name!r}) gives its readings"
         )
-    said = Given(**given)
     pad = Pad._asked(
         where,
         thickness=thickness,

@@ -57,9 +57,10 @@ class PointSet(NamedTuple):
 
 
 def point_set(solution: SkinSolution, sensor: SensorRecording, layout: str) -> PointSet:
-    """Each taxel's force is that of the cells nearest to it: their sum is the sum of the cells' forces.
+    """Each taxel's force is that of the cells nearest to it: of those that a contact covers, or all where none is certain to.
 
-    Of each frame the cells that a contact covers, or all where none is certain to, as of the resultant.
+    What the resultant has beside their sum, where it is corrected or a mean of many answers, is shared as they share it: all
+    sum up to the resultant.
     """
     if layout not in _LAYOUTS:
         raise ValueError(f"there is no layout {layout!r} of point sets: {', '.join(_LAYOUTS)}")
@@ -76,6 +77,7 @@ def point_set(solution: SkinSolution, sensor: SensorRecording, layout: str) -> P
     forces = np.einsum(
         "nc,tuc,cux->tnx", share, np.where(counted, pressed, 0.0), vectors[:, :components], optimize=True
     )
+    forces += _shared(forces) * (_resultant(solution, sensor) - forces.sum(axis=1))[:, np.newaxis]
     # Cells beside one another err together or against one another: together is the most that they can.
     sigma = np.einsum("nc,tuc,cux->tnx", share, deviation, np.abs(vectors[:, :components]), optimize=True)
     values, doubt = [forces], [sigma]
@@ -85,6 +87,21 @@ def point_set(solution: SkinSolution, sensor: SensorRecording, layout: str) -> P
         noise = sensor.pad.noise if sensor.pad.noise is not None else sensor.frames.noise
         doubt.insert(0, np.where(np.isnan(moved), np.nan, np.nan if noise is None else noise))
     return PointSet(np.concatenate(values, axis=2), np.concatenate(doubt, axis=2), _LAYOUTS[layout], solution.t)
+
+
+def _shared(forces: Floats) -> Floats:
+    """(T, N, 1): each taxel's share of a frame; all alike where there is no force."""
+    size = np.linalg.norm(forces, axis=2, keepdims=True)
+    whole = size.sum(axis=1, keepdims=True)
+    return np.where(whole > 0.0, size / np.where(whole > 0.0, whole, 1.0), 1.0 / forces.shape[1])
+
+
+def _resultant(solution: SkinSolution, sensor: SensorRecording) -> Floats:
+    """(T, 3): the force on the sensor along its axes; of drags that were not solved for, none."""
+    if solution.surface is not None:
+        return solution.force
+    components = solution.tractions.shape[1]
+    return np.asarray(solution.wrench[:, :components] @ sensor.flat_frame[:components])
 
 
 def _surface(sensor: SensorRecording) -> Floats:
