@@ -59,6 +59,8 @@ class Geometry:
     """Of the taxels: "t0", "t1", ... where none are given."""
     notes: tuple[str, ...]
     """What was fitted or taken for granted."""
+    shape: str
+    """What the surface is known to be: "sphere", "points" (any smooth one), as of [surface]; "": as the taxels tell."""
     file: str
     """In messages."""
 
@@ -72,6 +74,7 @@ class Geometry:
         *,
         outward: Sequence[float] | None = None,
         notes: Sequence[str] = (),
+        shape: str = "",
         file: str = "geometry",
     ) -> None:
         places = _triples(file, "positions", positions)
@@ -95,7 +98,7 @@ class Geometry:
             known = (*known, note)
         else:
             sides = _unit(file, _triples(file, "normals", normals), called)
-        values = (places, sides, below, tuple(reads), called, known, file)
+        values = (places, sides, below, tuple(reads), called, known, shape, file)
         for field, value in zip(dataclasses.fields(self), values, strict=True):
             object.__setattr__(self, field.name, value)
 

@@ -24,7 +24,7 @@ import tactile_net as tn
 from tactile_net import sensors
 
 PAD: dict[str, Any] = {"thickness": 3e-3, "poisson_ratio": 0.48}
-SOFT = PAD | {"youngs_modulus": 50e3}
+SOFT: dict[str, Any] = PAD | {"youngs_modulus": 50e3}
 RNG = np.random.default_rng(42)
 
 
@@ -216,6 +216,7 @@ def test_the_recordings_of_tac3d(pytac3d: Path) -> None:
     assert len(folders) == 3
     for folder in folders:
         taken = tn.load(folder, **SOFT)
+        assert taken.tables()["surface"]["shape"] == "sphere"
         assert len(taken.geometry) == 400 and taken.frames.readings.shape[1:] == (400, 3)
         sphere = np.column_stack([2 * taken.geometry.positions, np.ones(400)])
         found = np.linalg.lstsq(sphere, (taken.geometry.positions**2).sum(axis=1), rcond=None)[0]
@@ -225,19 +226,15 @@ def test_the_recordings_of_tac3d(pytac3d: Path) -> None:
         assert np.median(np.einsum("ij,ij->i", taken.geometry.normals, radial)) > 0.999, "normals lead out of the ball"
     with pytest.raises(tn.InputError, match="has 2 sensors"):
         tn.load(folders[1].parent, **SOFT)
-    still = np.abs(taken.frames.readings).max(axis=(1, 2)) == 0.0
-    frames = tn.Frames(taken.frames.readings[::16], units="m")
-    force = (
-        sensors.SensorRecording("tac3d", str(folder), taken.geometry, frames, taken.pad)
-        .solve()
-        .to_point_set("isaac")
-        .values.sum(axis=1)
-    )
-    maker = np.load(folder / "3D_ResultantForce.npy")[::16, 0]
-    scale = np.median(np.linalg.norm(maker, axis=1) / np.linalg.norm(force, axis=1))  # one modulus
-    error = np.linalg.norm(scale * force - maker, axis=1) / np.linalg.norm(maker, axis=1)
-    assert np.median(error) < 0.08
-    assert np.all(force[still[::16]] == 0.0)
+    maker = np.load(folder / "3D_ResultantForce.npy")[:, 0]
+    pressed = np.flatnonzero(np.linalg.norm(maker, axis=1) > 1.0)[::12][:8]
+    frames = tn.Frames(taken.frames.readings[pressed], units="m")
+    pad = sensors.Pad(**SOFT, noise=1e-5)
+    force = sensors.SensorRecording("tac3d", str(folder), taken.geometry, frames, pad).solve().to_point_set("isaac")
+    found, wanted = force.values.sum(axis=1), maker[pressed]
+    scale = (found[::2] * wanted[::2]).sum() / (found[::2] ** 2).sum()  # the modulus, of half of the frames
+    error = np.linalg.norm(scale * found - wanted, axis=1) / np.linalg.norm(wanted, axis=1)
+    assert np.median(error[1::2]) < 0.07
 
 
 # LeRobot.

@@ -23,6 +23,10 @@ if TYPE_CHECKING:
 
 _DEPTHS = {"displacement": 0.15, "force": 1.0, "stress": 1.0}
 """Of the thickness, where nobody says: markers lie below the skin, cells for force and pressure on the core."""
+_MOST_UNKNOWNS = 8192
+"""That the library solves for where taxels lie anywhere."""
+_FEW_READINGS = 768
+"""Of more the default rule, aicc, finds an alpha near 0 where they are nearly as many as the unknowns; maximum likelihood holds."""
 _OF = {"m": "displacement", "N": "force", "Pa": "stress"}
 
 
@@ -108,6 +112,10 @@ class SensorRecording:
         notes = [*self.geometry.notes, *self.frames.notes]
         if self._depth[1]:
             notes.append(self._depth[1])
+        if self._spacing is not None:
+            notes.append(
+                "cells are as far apart as taxels, half a depth is too many: scene({'reconstruct.spacing': ...})"
+            )
         if self.pad.youngs_modulus is None:
             notes.append("no modulus was given, nor is one needed: stresses under a layer do not depend on it")
         if self._kind == "force":
@@ -127,6 +135,15 @@ class SensorRecording:
         share = _DEPTHS[self._kind]
         where = "on the core" if share == 1.0 else f"{share:g} of the thickness below the surface"
         return np.full(len(self.geometry), share * self.pad.thickness), f"taxels are taken to lie {where}: give depth="
+
+    @cached_property
+    def _spacing(self) -> float | None:
+        """Of the cells, where half a depth, the library's own, is too many for it; None: leave it."""
+        areas, depth = self.geometry.areas, float(self._depth[0].min())
+        side = np.sqrt(areas.sum()) + 2.0 * depth
+        if 3.0 * (side / (0.5 * depth)) ** 2 < 0.9 * _MOST_UNKNOWNS:
+            return None
+        return float(f"{np.sqrt(areas.mean()):.3g}")
 
     @cached_property
     def _readings(self) -> tuple[tuple[str, ...], Floats, bool, dict[str, float]]:
@@ -181,7 +198,13 @@ class SensorRecording:
         }
         if not self.geometry.flat:
             sensor["frame"] = "sensor" if sensors_axes else "local"
-            tables["surface"] = {"reference": [float(one) for one in pad.reference]}
+            shape = {"shape": self.geometry.shape} if self.geometry.shape else {}
+            tables["surface"] = shape | {"reference": [float(one) for one in pad.reference]}
+        reconstruct: dict[str, Any] = {} if self._spacing is None else {"spacing": self._spacing}
+        if self.frames.readings[0].size > _FEW_READINGS:
+            reconstruct["alpha"] = "evidence" if noise else "gml"
+        if reconstruct:
+            tables["reconstruct"] = reconstruct
         if noise:
             tables["noise"] = {"rms": noise}
         return tables

@@ -37,7 +37,7 @@ def geometry(path: str, given: Given) -> Geometry:
     rest = np.median(rests, axis=0)
     strayed = float(np.abs(rests - rest).max())
     notes = () if strayed < 1e-6 else (f"rest positions vary by up to {strayed:.2g} mm: their median is taken",)
-    return Geometry(1e-3 * rest, reads=QUANTITIES["displacement"], notes=notes, file=folder)
+    return Geometry(1e-3 * rest, reads=QUANTITIES["displacement"], notes=notes, shape="sphere", file=folder)
 
 
 def frames(path: str, given: Given) -> Frames:
