@@ -93,7 +93,7 @@ def _shared(forces: Floats) -> Floats:
     """(T, N, 1): each taxel's share of a frame; all alike where there is no force."""
     size = np.linalg.norm(forces, axis=2, keepdims=True)
     whole = size.sum(axis=1, keepdims=True)
-    return np.where(whole > 0.0, size / np.where(whole > 0.0, whole, 1.0), 1.0 / forces.shape[1])
+    return np.asarray(np.where(whole > 0.0, size / np.where(whole > 0.0, whole, 1.0), 1.0 / forces.shape[1]))
 
 
 def _resultant(solution: SkinSolution, sensor: SensorRecording) -> Floats:
