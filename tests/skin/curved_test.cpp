@@ -228,6 +228,7 @@ TEST_CASE("a fingertip that is wider than its narrowest ball has a problem", "[s
   const SpaceVector half_axes = {8e-3, 30e-3, 16e-3};
   std::vector<CurvedTaxel> taxels = taxels_below(half_axes, 6e-3, 5, 1e-3, moves);
   for (CurvedTaxel& taxel : taxels_below({8e-3, 30e-3, 16e-3}, 4e-3, 3, 1e-3, moves)) {
+    if (std::abs(taxel.place[1]) < 1e-3) continue;
     // The same, further along the finger.
     const double y = taxel.place[1] * 4.5;
     const double z =
