@@ -1,6 +1,7 @@
 #include "tactile_net/lab/summary.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace tactile_net::lab {
 
@@ -23,6 +24,12 @@ void SolvedFrames::add(const FrameAnswer& answer, bool incomplete) {
     least_weight = std::min(least_weight.value_or(weight), weight);
     largest_weight = std::max(largest_weight.value_or(weight), weight);
   }
+  for (const Remark& remark : answer.remarks)
+    if (const auto* flat = std::get_if<remark::FlatKernel>(&remark);
+        flat && (!flat_kernel || answer.wrench.normal.value > flat_force)) {
+      flat_kernel = *flat;
+      flat_force = answer.wrench.normal.value;
+    }
   ++frames;
   last = {answer.alpha, answer.condition, answer.remarks};
 }

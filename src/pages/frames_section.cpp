@@ -82,7 +82,10 @@ std::string contacts_place(const lab::RecordingOverview& overview) {
   if (std::all_of(overview.groups.begin(), overview.groups.end(),
                   [&](const lab::FrameGroup& group) { return overview.contacts(group).empty(); }))
     return {};
-  return "<div class=\"wide\"><table data-view=\"contacts\"><thead><tr></tr></thead><tbody></tbody>"
+  // On paper the contacts of a curved skin, of which more is told, have no room for their columns.
+  const bool many = !overview.is_line() && overview.skin().sensor.curved;
+  return std::string(many ? "<div class=\"wide many\">" : "<div class=\"wide\">") +
+         "<table data-view=\"contacts\"><thead><tr></tr></thead><tbody></tbody>"
          "</table></div>\n" +
          element("p",
                  "The contacts of this frame. A contact keeps its number from frame to frame, as "
@@ -90,15 +93,36 @@ std::string contacts_place(const lab::RecordingOverview& overview) {
                  "quiet");
 }
 
+constexpr const char* laid_flat =
+    "The map is the surface laid flat about the middle of its taxels: of a ball areas are true, "
+    "and "
+    "lengths the more stretched the farther out they lie. ";
+
+/// The surface of a curved skin, which web/sides.js draws; empty: it is flat.
+std::string sides_figure(const SkinScene& scene, std::string_view data) {
+  if (!scene.sensor.curved) return {};
+  return figure_of(
+      "sides", "maps",
+      "The surface from three sides, along the sensor's axes and to one scale. Colours are the "
+      "pressure, as on the map; cells that face away are faint, and hidden behind those before "
+      "them. Dots are the surface above the taxels, crosses above dead ones; the line runs around "
+      "the cells that touch. The arrow is the force on the skin, from the surface above the centre "
+      "of pressure: where it lies along the line of sight it is a ring, with a cross if it points "
+      "away from who looks and a dot if towards.",
+      data);
+}
+
 /// Of a skin: what differs between a recording and a frame is known to the script.
 /// @param banded  an answer with the bands that all have; null: some have none
-std::string skin_pictures(bool truth, const lab::FrameAnswer* banded, bool drags,
-                          std::string_view data) {
+std::string skin_pictures(const SkinScene& scene, bool truth, const lab::FrameAnswer* banded,
+                          bool drags, std::string_view data) {
   const bool deviations = banded != nullptr;
   const bool two = truth || deviations;
+  const bool curved = scene.sensor.curved != nullptr;
   const std::string tractions = figure_of(
       "tractions", "maps",
-      std::string("Seen from outside: colours are the pressure, mean of each cell") +
+      std::string(curved ? laid_flat : "") +
+          std::string("Seen from outside: colours are the pressure, mean of each cell") +
           (drags ? ", arrows the drag" : "") +
           "; dots are the taxels, crosses dead ones, and the line runs around the cells that "
           "touch, over which forces are summed." +
@@ -112,7 +136,8 @@ std::string skin_pictures(bool truth, const lab::FrameAnswer* banded, bool drags
       "Two lines through the cell that presses hardest, or through the one that was clicked." +
           std::string(deviations ? bands(*banded) : "") + (truth ? " Dashed: true." : ""),
       data);
-  std::string html =
+  std::string html = sides_figure(scene, data);
+  html +=
       two ? tractions + sections : "<div class=\"two top\">" + tractions + sections + "</div>\n";
   if (truth)
     html += figure_of("errors", "maps",
@@ -131,9 +156,10 @@ std::string skin_pictures(const lab::RecordingOverview& overview) {
   const bool deviations = std::none_of(groups.begin(), groups.end(), [](const auto& group) {
     return group.answer.deviations.empty();
   });
-  std::string html = player(groups.size()) + contacts_place(overview) +
-                     skin_pictures(false, deviations ? &groups.front().answer : nullptr,
-                                   overview.tangential(), "tractions.csv");
+  std::string html =
+      player(groups.size()) + contacts_place(overview) +
+      skin_pictures(overview.skin(), false, deviations ? &groups.front().answer : nullptr,
+                    overview.tangential(), "tractions.csv");
   if (groups.size() > 1) html += figure_of("time", "stack", over_time, "result.json");
   return html;
 }
@@ -182,7 +208,7 @@ std::string frames_section(const lab::Experiment& experiment) {
   const lab::MethodResult& result = experiment.results.front();
   const bool answer = result.has_answer();
   const std::vector<double>& tractions = answer ? result.answer.tractions : experiment.frame.truth;
-  return section_of(player(1) + skin_pictures(answer && experiment.has_truth(),
+  return section_of(player(1) + skin_pictures(experiment.skin(), answer && experiment.has_truth(),
                                               result.answer.has_bands() ? &result.answer : nullptr,
                                               tractions.size() > experiment.grid.count(),
                                               answer ? "tractions.csv" : "readings.csv"),

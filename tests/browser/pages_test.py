@@ -74,6 +74,8 @@ COMMANDS = [
     ("solve a skin", 5, ["solve", "recorded/skin-pad.toml", "--readings", SCENES + "/recorded/skin-pad.csv"]),
     ("solve a skin of uneven taxels", 4, ["solve", "recorded/skin-pad-uneven.toml", "--readings",
                                           SCENES + "/recorded/skin-pad-uneven.csv"]),
+    ("solve a curved skin", 6, ["solve", "recorded/curved-pad/cap.toml", "--readings",
+                               SCENES + "/recorded/curved-pad/cap.csv"]),
     ("frames of 16 x 16 x 3", 5, ["solve", "rolls.toml", "--readings", "HERE/rolls.csv"]),
     ("identify a skin", 1, ["identify", "skins/row.toml"]),
     ("calibrate", 1, ["calibrate", "calibration/rod-layer.csv", "--scene", SCENES + "/calibration/rod-layer.toml"]),
@@ -292,6 +294,72 @@ class Pages(unittest.TestCase):
                 self.assertTrue(said.startswith(f"force {force}, "), (said, force))
                 seen += 1
         self.assertGreater(seen, 3)
+
+    def test_a_curved_skin_is_drawn_from_three_sides_frame_by_frame(self):
+        page = self.pages["solve a curved skin"]
+        self.browser.open(page.as_uri(), 1400, False)
+        data = self.data(page)
+        surface, grid = data["surface"], data["grid"]
+        count = grid["rows"] * grid["columns"]
+        views = self.browser.evaluate("""[...document.querySelectorAll('[data-view=sides] > div')].map((view) => ({
+          title: view.querySelector('.map-title').textContent,
+          ends: [...view.querySelectorAll('.ends span')].map((end) => end.textContent),
+          cells: [...view.querySelectorAll('path')].filter((path) => path.cell !== undefined).length,
+          faint: [...view.querySelectorAll('path')].filter((path) => path.cell !== undefined &&
+                                                            path.getAttribute('opacity') < 1).length}))""")
+        self.assertEqual([one["title"] for one in views], ["Seen from +x", "Seen from −y", "Seen from +z"])
+        self.assertEqual([one["cells"] for one in views], [count] * 3)
+        # The cap looks along z: all of it is seen from there, half of it from each side.
+        self.assertEqual(views[2]["faint"], 0)
+        for side in views[:2]:
+            self.assertAlmostEqual(side["faint"], count / 2, delta=grid["rows"])
+        # The drawings reach over the surface, in the scene's unit.
+        for view, axis in zip(views, (1, 0, 0)):
+            low, word, high = (end.replace("−", "-") for end in view["ends"])
+            self.assertEqual(word, "xyz"[axis] + " →")
+            self.assertTrue(high.endswith(" mm"))
+            along = [1e3 * surface["step"] * one for one in surface["corners"][axis]]
+            self.assertLess(float(low), min(along))
+            self.assertGreater(float(high.removesuffix(" mm")), max(along))
+        seen = set()
+        for k in range(len(surface["forces"])):
+            answer, said, labels, arrows, outlines, fills, hover = self.browser.evaluate(f"""(() => {{
+              const slider = document.querySelector('[data-view=slider]');
+              slider.value = {k};
+              slider.dispatchEvent(new Event('input'));
+              const figure = document.querySelector('[data-view=sides]').parentElement;
+              const all = [...figure.querySelectorAll('svg')];
+              const cells = [...all[2].querySelectorAll('path')].filter((path) => path.cell !== undefined);
+              const last = all.map((svg) => [...svg.querySelectorAll('path')].slice(-3).map((path) => path.getAttribute('d') ?? ''));
+              const values = cells.map((path) => [path.cell, path.getAttribute('fill')]);
+              const under = cells[Math.floor(cells.length / 2)];
+              under.dispatchEvent(new PointerEvent('pointermove', {{bubbles: true}}));
+              const map = document.querySelector('[data-view=tractions]');
+              return [document.querySelector('[data-view=answer]').textContent, figure.querySelector('p.quiet').textContent,
+                      all.map((svg) => svg.getAttribute('aria-label')), last.map((one) => one[2]), last.map((one) => one[0]),
+                      values, [figure.querySelector('.readout').textContent, map.querySelector('.readout').textContent]];
+            }})()""")
+            force = surface["forces"][k]
+            self.assertEqual(said, force["words"] if force else "nothing presses")
+            if force:
+                self.assertTrue(answer.startswith(said + "; "), (answer, said))
+            for label, view in zip(labels, views):
+                self.assertTrue(label.endswith(view["title"][1:] + ": " + said), label)
+            self.assertEqual([bool(one) for one in arrows], [bool(force)] * 3)
+            # From a side contacts on the far half are out of sight.
+            self.assertEqual(bool(outlines[2]), bool(data["touching"][k]))
+            seen.add(tuple(arrows))
+            # The cell under the pointer is told as on the map.
+            self.assertIn(hover[1].partition(": ")[2], hover[0])
+            self.assertRegex(hover[0], r": p \S+")
+            if k == len(surface["forces"]) - 1 or not force:
+                continue
+            # What presses hardest is bluest: the least red of all.
+            red = {cell: int(fill.removeprefix("rgb(").partition(",")[0]) for cell, fill in fills}
+            touching = {first + i for first, length in data["touching"][k] for i in range(length)}
+            if touching and abs(force["force"][2]) > 0.3 * surface["largest"]:
+                self.assertIn(min(red, key=red.get), touching)
+        self.assertGreater(len(seen), 4)
 
     def test_an_arrow_of_a_hand_tells_its_row_of_the_table(self):
         for name in ("grasp", "grasp in space"):

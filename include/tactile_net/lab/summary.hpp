@@ -30,6 +30,9 @@ struct SolvedFrames {
   double largest_alpha = 0.0;
   std::optional<double> least_weight{};  ///< of the tangential ones that were estimated
   std::optional<double> largest_weight{};
+  /// Of the frame that presses hardest on a curved skin which is taken for flat.
+  std::optional<remark::FlatKernel> flat_kernel{};
+  double flat_force = 0.0;  ///< of that frame [N]
   struct Last {
     ChosenAlpha alpha{};
     std::optional<Condition> condition{};

@@ -8,6 +8,7 @@ const curveColours = {
 const named = {
   normal: '--blue',
   tangential: '--orange',
+  third: '--green',
   ink: '--ink',
   quiet: '--quiet'
 };

@@ -206,6 +206,18 @@ function showFrames(root, d) {
     }
   }
 
+  // ---- The surface of a curved skin.
+  const sides = d.surface && find('sides') && makeSides(find('sides'), d, {
+                  say: (cell) => `${inWords(cell)} of the surface laid flat: ${sayCell(cell)}`,
+                  point: (cell) => {
+                    for (const one of maps) one.map.point(cell === null ? null : placeOf(cell));
+                  },
+                  pick: (cell) => {
+                    pinned = cell === pinned ? null : cell;
+                    showPlace();
+                  }
+                });
+
   /** A curve's interval, or its band where only deviations are known. */
   const bandOf = (one, take) => one.ends ?
       {low: take(one.ends.low, d.stress.factor), high: take(one.ends.high, d.stress.factor)} :
@@ -447,6 +459,7 @@ function showFrames(root, d) {
   function show(k) {
     frame = k;
     for (const {map, what} of maps) map.show(what.of(k));
+    sides?.show(k, normal.values.of(k), touching(k));
     pad?.show(all.map((one) => one.values.of(k)));
     for (const one of lines) one.chart.update(one.curves());
     showPlace();

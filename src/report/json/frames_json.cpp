@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,11 +13,14 @@
 #include "report/json/rounded.hpp"
 #include "report/json/values.hpp"
 #include "report/told_numbers.hpp"
+#include "tactile_net/drawing/html.hpp"
 #include "tactile_net/lab/answer_fields.hpp"
 #include "tactile_net/lab/interior.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/frame_words.hpp"
+#include "tactile_net/report/words/skin_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -36,6 +40,8 @@ struct ShownFrame {
   double time = 0.0;  ///< NaN: none
   bool distrusted = false;
   FrameWords words{};
+  const SpaceWrench* space = nullptr;  ///< of a curved skin
+  std::string force_words{};           ///< of it
 };
 
 /// What both are brought to.
@@ -50,9 +56,10 @@ struct ShownFrames {
   bool is_line = false;
   std::string title{};  ///< of the tractions' map
   std::vector<ShownFrame> frames{};
-  std::size_t per_frame = 1;  ///< frames that one of these stands for, at least
-  std::size_t start = 0;      ///< index of the frame that is shown first
-  double level = 0.95;        ///< of the intervals
+  std::size_t per_frame = 1;                   ///< frames that one of these stands for, at least
+  std::size_t start = 0;                       ///< index of the frame that is shown first
+  double level = 0.95;                         ///< of the intervals
+  std::shared_ptr<const CurvedSkin> curved{};  ///< null: a line, or a flat skin
 
   [[nodiscard]] FrameValues component(FrameValues values, std::size_t which) const {
     return values.empty() ? values : values.subspan(which * grid.count(), grid.count());
@@ -322,6 +329,66 @@ Json field_json(const lab::RecordingOverview& overview) {
       {"rows", rows}, {"normal", of(kernels.of_normal)}, {"tangential", of(kernels.of_tangential)}};
 }
 
+/// The surface of a curved skin: the corners of its cells, row after row, and the places above its
+/// taxels, as whole steps along the sensor's axes; of each frame the force on it, with the place of
+/// the surface above its centre.
+Json surface_json(const ShownFrames& all) {
+  const CurvedSurface& surface = all.curved->surface;
+  const double bend = std::abs(surface.curvature());
+  // The middles of the outermost cells lie on the chart, which may end before their corners do.
+  const double end = 2.0 * std::sin(0.5 * CurvedSurface::most_angle) * (1.0 - 1e-9);
+  std::vector<SpaceVector> corners;
+  for (std::size_t row = 0; row <= all.grid.rows; ++row)
+    for (std::size_t column = 0; column <= all.grid.columns; ++column) {
+      const double y = all.grid.y(0) + (static_cast<double>(row) - 0.5) * all.grid.spacing_y;
+      const double z = all.grid.z(0) + (static_cast<double>(column) - 0.5) * all.grid.spacing_z;
+      const double keep = std::min(1.0, end / std::max(bend * std::hypot(y, z), 1e-300));
+      corners.push_back(surface.tangents(keep * y, keep * z).point);
+    }
+  std::vector<SpaceVector> above;
+  for (const SurfacePlace& place : all.curved->above) above.push_back(place.point);
+  double far = 0.0;
+  for (const auto* places : {&corners, &above})
+    for (const SpaceVector& place : *places)
+      for (const double x : place) far = std::max(far, std::abs(x));
+  constexpr double steps = 3e4;
+  const double step = rounded(far > 0.0 ? far / steps : 1.0, 3);
+  const auto in_steps = [step](const std::vector<SpaceVector>& places) {
+    Json axes = Json::array();
+    for (std::size_t k = 0; k < 3; ++k) {
+      Json along = Json::array();
+      for (const SpaceVector& place : places) along.push_back(std::lround(place[k] / step));
+      axes.push_back(std::move(along));
+    }
+    return axes;
+  };
+  Json forces = Json::array();
+  double most = 0.0;
+  for (const ShownFrame& frame : all.frames) {
+    if (frame.space == nullptr || !frame.space->above) {
+      forces.push_back(nullptr);
+      continue;
+    }
+    Json force = Json::array(), at = Json::array();
+    double square = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double along = frame.space->force[k].value;
+      square += along * along;
+      force.push_back(rounded(along, 4));
+      at.push_back(std::lround((*frame.space->above)[k] / step));
+    }
+    if (!frame.distrusted) most = std::max(most, std::sqrt(square));
+    forces.push_back(
+        {{"force", std::move(force)}, {"at", std::move(at)}, {"words", frame.force_words}});
+  }
+  return {{"step", step},
+          {"length", unit_json(axis_unit(all.units, Dimension::length, far))},
+          {"corners", in_steps(corners)},
+          {"taxels", in_steps(above)},
+          {"largest", scale_or_one(most)},
+          {"forces", std::move(forces)}};
+}
+
 Json frames_document(const ShownFrames& all) {
   const Reach reach = reach_of(all);
   const double far = std::max({std::abs(all.grid.y(0)), std::abs(all.grid.z(0)),
@@ -329,27 +396,29 @@ Json frames_document(const ShownFrames& all) {
                                std::abs(all.grid.z(all.grid.columns - 1))});
   const bool touches = std::any_of(all.frames.begin(), all.frames.end(),
                                    [](const ShownFrame& frame) { return !frame.touching.empty(); });
-  return {{"line", all.is_line},
-          {"title", all.title},
-          {"grid", lattice_json(all.grid)},
-          {"length", unit_json(axis_unit(all.units, Dimension::length, far))},
-          {"stress",
-           unit_json(axis_unit(all.units, Dimension::stress, std::max(reach.high, -reach.low)))},
-          {"low", rounded(reach.low, 4)},
-          {"high", rounded(reach.high, 4)},
-          {"negative", reach.negative},
-          {"largest",
-           {{"normal", scale_or_one(reach.normal)},
-            {"drag", scale_or_one(reach.drag)},
-            {"deviation", scale_or_one(reach.deviation)},
-            {"error", scale_or_one(reach.error)}}},
-          {"frames", frame_list_json(all)},
-          {"tractions", tractions_json(all)},
-          {"touching", touches ? touching_json(all) : Json(nullptr)},
-          {"contacts", contacts_json(all)},
-          {"readings", readings_json(all)},
-          {"taxels", places_json(all)},
-          {"courses", Json::array()}};
+  Json json = {{"line", all.is_line},
+               {"title", all.title},
+               {"grid", lattice_json(all.grid)},
+               {"length", unit_json(axis_unit(all.units, Dimension::length, far))},
+               {"stress", unit_json(axis_unit(all.units, Dimension::stress,
+                                              std::max(reach.high, -reach.low)))},
+               {"low", rounded(reach.low, 4)},
+               {"high", rounded(reach.high, 4)},
+               {"negative", reach.negative},
+               {"largest",
+                {{"normal", scale_or_one(reach.normal)},
+                 {"drag", scale_or_one(reach.drag)},
+                 {"deviation", scale_or_one(reach.deviation)},
+                 {"error", scale_or_one(reach.error)}}},
+               {"frames", frame_list_json(all)},
+               {"tractions", tractions_json(all)},
+               {"touching", touches ? touching_json(all) : Json(nullptr)},
+               {"contacts", contacts_json(all)},
+               {"readings", readings_json(all)},
+               {"taxels", places_json(all)},
+               {"courses", Json::array()}};
+  if (all.curved) json["surface"] = surface_json(all);
+  return json;
 }
 
 void add_course(Json& json, Json course) {
@@ -376,13 +445,21 @@ ShownFrames frames_of(const SkinScene& scene, const SurfaceGrid& grid, std::size
                   .sites = sites(scene.sensor),
                   .dead = scene.dead_taxels,
                   .components = components,
-                  .level = scene.interval_level};
+                  .level = scene.interval_level,
+                  .curved = scene.sensor.curved};
   if (is_even(scene.sensor))
     all.lattice = SurfaceGrid{.rows = scene.sensor.rows,
                               .columns = scene.sensor.columns,
                               .spacing_y = scene.sensor.pitch_y,
                               .spacing_z = scene.sensor.pitch_z};
   return all;
+}
+
+/// Of a curved skin, what its answer amounts to in the sensor's axes.
+void add_space(ShownFrame& frame, const lab::FrameAnswer& answer, const SkinScene& scene) {
+  if (!answer.wrench.space) return;
+  frame.space = &*answer.wrench.space;
+  frame.force_words = drawing::typeset(space_force_in_words(*frame.space, scene));
 }
 
 ShownFrames shown_of(const lab::RecordingOverview& overview) {
@@ -393,7 +470,7 @@ ShownFrames shown_of(const lab::RecordingOverview& overview) {
   if (!all.is_line) all.title = components > 1 ? "Pressure and drag" : "Pressure";
   all.start = static_cast<std::size_t>(&overview.peak() - overview.groups.data());
   all.per_frame = overview.per_group;
-  for (const lab::FrameGroup& group : overview.groups)
+  for (const lab::FrameGroup& group : overview.groups) {
     all.frames.push_back({.tractions = group.answer.tractions,
                           .deviations = group.answer.deviations,
                           .low = group.answer.low,
@@ -405,6 +482,8 @@ ShownFrames shown_of(const lab::RecordingOverview& overview) {
                           .time = group.time,
                           .distrusted = group.distrusted > 0 || group.doubted > 0,
                           .words = frame_words(overview, group)});
+    if (!all.is_line) add_space(all.frames.back(), group.answer, overview.skin());
+  }
   return all;
 }
 
@@ -469,13 +548,19 @@ void add_skin_courses(Json& json, const lab::RecordingOverview& overview, const 
   Course along_z{"along z", "ink"};
   along_z.dashed = true;
   Course torsion{"torsion", "tangential"};
+  std::vector<Course> in_space = {
+      {"along x", "normal"}, {"along y", "tangential"}, {"along z", "third"}};
   for (const lab::FrameGroup& group : overview.groups) {
     const UncertainWrench& wrench = group.answer.wrench;
+    if (wrench.space)
+      for (std::size_t k = 0; k < in_space.size(); ++k) in_space[k].add(wrench.space->force[k]);
     force.add(wrench.normal);
     along_y.add(wrench.tangential_y);
     along_z.add(wrench.tangential_z);
     torsion.add(wrench.torsion);
   }
+  add_course(json, course_json(all.units, all.level, "Force along the sensor's axes", "force",
+                               Dimension::point_force, in_space));
   add_course(json, course_json(all.units, all.level, "Force into the skin", "force",
                                Dimension::point_force, {force}));
   add_course(json, course_json(all.units, all.level, "Drag", "drag", Dimension::point_force,
@@ -518,6 +603,7 @@ std::string frames_json(const lab::Experiment& experiment) {
     frame.high = result.answer.high;
     frame.touching = result.answer.cells;
     frame.words = frame_words(experiment);
+    add_space(frame, result.answer, experiment.skin());
     if (result.answer.patches.size() > 1)
       for (const ContactPatch& patch : result.answer.patches)
         contacts.push_back({contacts.size() + 1, patch});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -46,6 +47,31 @@ namespace tactile_net::report {
            brief(100.0 * level) + " %: " + as_text(low) + " to " + as_text(high);
   }
   return in_unit(units, dimension, number.value, number.deviation);
+}
+
+/// "(0.050 ± 0.010, 0.05 ± 0.02, -0.448 ± 0.017) N": components in one unit, the deviations of all;
+/// where these are 0, "(0, 2.5, 30) mm".
+[[nodiscard]] inline std::string vector_in_words(const std::optional<Units>& units,
+                                                 Dimension dimension,
+                                                 const std::array<Uncertain, 3>& vector) {
+  double largest = 0.0;
+  for (const Uncertain& one : vector) largest = std::max(largest, std::abs(one.value));
+  const auto [label, factor] = units ? axis_unit(units, dimension, largest) : ScaledUnit{"", 1.0};
+  std::string text;
+  for (const auto& [value, deviation, interval] : vector)
+    text +=
+        (text.empty() ? "(" : ", ") +
+        (deviation > 0.0 ? plus_minus(value * factor, deviation * factor) : brief(value * factor));
+  return text + ')' + (label.empty() ? "" : " ") + label;
+}
+
+/// A place, or another vector that is exact.
+[[nodiscard]] inline std::string vector_in_words(const std::optional<Units>& units,
+                                                 Dimension dimension,
+                                                 const std::array<double, 3>& vector) {
+  return vector_in_words(
+      units, dimension,
+      std::array{Uncertain{vector[0]}, Uncertain{vector[1]}, Uncertain{vector[2]}});
 }
 
 }  // namespace tactile_net::report

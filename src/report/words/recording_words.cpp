@@ -152,6 +152,10 @@ std::string wrench_in_words(const lab::FrameAnswer& answer, const SkinScene& sce
     return number ? ", " + (what + in_unit(scene.units, dimension, *number)) : std::string{};
   };
   const UncertainWrench& wrench = answer.wrench;
+  if (wrench.space)
+    return space_wrench_in_words(*wrench.space, scene) +
+           said("pressed with ", Dimension::point_force, wrench.normal) + "; alpha " +
+           brief(answer.alpha.value);
   return "force " + in_unit(scene.units, Dimension::point_force, wrench.normal) +
          said("drag along y ", Dimension::point_force, wrench.tangential_y) +
          said("along z ", Dimension::point_force, wrench.tangential_z) +

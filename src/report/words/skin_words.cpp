@@ -17,6 +17,7 @@
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/unit_words.hpp"
 #include "tactile_net/report/words/verdict_words.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -69,6 +70,38 @@ std::string taxel_depths_in_words(const SkinScene& scene) {
   all.reserve(depths.size());
   for (const double depth : depths) all.push_back(length_in_words(scene.units, depth));
   return join(all, " and ");
+}
+
+/// What the taxels of a curved skin lie below; empty: it is flat.
+std::string surface_in_words(const SkinScene& scene) {
+  if (!scene.sensor.curved) return {};
+  const CurvedSkin& curved = *scene.sensor.curved;
+  const auto radius = [&](double curvature) {
+    return length_in_words(scene.units, 1.0 / std::abs(curvature));
+  };
+  if (curved.shape == SurfaceShape::sphere) {
+    const double curvature = curved.surface.curvature();
+    return (curvature > 0.0 ? " below a ball of radius " : " in a hole of radius ") +
+           radius(curvature);
+  }
+  const auto [least, most] = std::minmax_element(curved.above.begin(), curved.above.end(),
+                                                 [](const SurfacePlace& a, const SurfacePlace& b) {
+                                                   return a.mean_curvature < b.mean_curvature;
+                                                 });
+  const auto [flattest, sharpest] =
+      std::minmax({std::abs(least->mean_curvature), std::abs(most->mean_curvature)});
+  std::string text = " below a curved surface, radii of mean curvature ";
+  // One that is flat somewhere, or a ball here and a hole there, has no largest radius.
+  if (least->mean_curvature * most->mean_curvature <= 0.0 || flattest < 1e-3 * sharpest)
+    return text + "from " + radius(sharpest) + " on";
+  return text + radius(sharpest) + " to " + radius(flattest);
+}
+
+/// What a curved skin's moments are about.
+std::string point_of_moments(const SkinScene& scene) {
+  const SpaceVector& about = scene.reconstruct.moment_about;
+  return length(about) == 0.0 ? "(0, 0, 0)"
+                              : vector_in_words(scene.units, Dimension::length, about);
 }
 
 /// Further from the truth than four deviations and two per cent of the force.
@@ -209,7 +242,8 @@ std::string sensor_in_words(const SkinScene& scene) {
                               " taxels, pitch " + sides(scene, sensor.pitch_y, sensor.pitch_z)
                         : std::to_string(taxel_count(sensor)) + " taxels about " +
                               length_in_words(scene.units, sensor.pitch_y) + " apart";
-  return taxels + ", reading " + join(reads, ", ") + " at depth " + taxel_depths_in_words(scene);
+  return taxels + ", reading " + join(reads, ", ") + " at depth " + taxel_depths_in_words(scene) +
+         surface_in_words(scene);
 }
 
 std::string material_in_words(const SkinScene& scene) {
@@ -217,6 +251,8 @@ std::string material_in_words(const SkinScene& scene) {
   if (const auto& layer = scene.material.layer)
     body = "layer " + length_in_words(scene.units, layer->thickness) + " thick on a " +
            std::string(name(layer->base)) + " base";
+  if (scene.sensor.curved && scene.sensor.curved->kernel == CurvedKernel::flat)
+    body += ", taken for flat (kernel = \"flat\")";
   return body + ", E = " + in_unit(scene.units, Dimension::stress, scene.material.youngs_modulus) +
          ", nu = " + shortest(scene.material.poisson_ratio);
 }
@@ -249,12 +285,47 @@ std::vector<Answer> skin_answers(const lab::Experiment& experiment) {
   return all;
 }
 
-std::vector<Answer> skin_answers(const lab::RecordingOverview& recording) {
+std::string space_force_in_words(const SpaceWrench& space, const SkinScene& scene) {
+  return "force " + vector_in_words(scene.units, Dimension::point_force, space.force) +
+         " in the sensor's axes";
+}
+
+std::string space_wrench_in_words(const SpaceWrench& space, const SkinScene& scene) {
+  std::string text = space_force_in_words(space, scene) + "; moment about " +
+                     point_of_moments(scene) + ' ' +
+                     vector_in_words(scene.units, Dimension::moment, space.moment);
+  if (space.centre)
+    text += "; centre " + vector_in_words(scene.units, Dimension::length, *space.centre);
+  if (space.centre && space.above)
+    text += ", on the surface " + vector_in_words(scene.units, Dimension::length, *space.above);
+  return text;
+}
+
+namespace {
+
+/// What pressed hardest on a skin, and with what it was dragged, and where.
+std::vector<Answer> hardest_press(const lab::RecordingOverview& recording) {
   const SkinScene& scene = recording.skin();
   const UncertainWrench& wrench = recording.answer->wrench;
-  std::vector<Answer> all = {{in_unit(scene.units, Dimension::point_force, wrench.normal),
-                              "the hardest press" + of_all(*recording.answer) + ", in frame " +
-                                  std::to_string(recording.hardest)}};
+  const std::string which =
+      of_all(*recording.answer) + ", in frame " + std::to_string(recording.hardest);
+  if (const auto& space = wrench.space) {
+    std::vector<Answer> all = {{vector_in_words(scene.units, Dimension::point_force, space->force),
+                                "the force of the hardest press" + which +
+                                    ", along the sensor's x, y and z; it presses "
+                                    "with " +
+                                    in_unit(scene.units, Dimension::point_force, wrench.normal) +
+                                    ", summed along each place's own normal"}};
+    if (space->centre && space->above)
+      all.push_back({vector_in_words(scene.units, Dimension::length, *space->centre),
+                     "its centre of pressure in the sensor's axes; on the surface that is " +
+                         vector_in_words(scene.units, Dimension::length, *space->above)});
+    all.push_back({vector_in_words(scene.units, Dimension::moment, space->moment),
+                   "its moment about " + point_of_moments(scene)});
+    return all;
+  }
+  std::vector<Answer> all = {
+      {in_unit(scene.units, Dimension::point_force, wrench.normal), "the hardest press" + which}};
   if (wrench.tangential_y && wrench.tangential_z) {
     const Uncertain drag = drag_of(wrench);
     all.push_back({in_unit(scene.units, Dimension::point_force, drag), "its drag"});
@@ -266,6 +337,13 @@ std::vector<Answer> skin_answers(const lab::RecordingOverview& recording) {
     all.push_back({in_unit(scene.units, Dimension::length, *wrench.centre_y) + ", " +
                        in_unit(scene.units, Dimension::length, *wrench.centre_z),
                    "its centre of pressure (y, z)"});
+  return all;
+}
+
+}  // namespace
+
+std::vector<Answer> skin_answers(const lab::RecordingOverview& recording) {
+  std::vector<Answer> all = hardest_press(recording);
   std::size_t good = 0;
   for (const auto& [verdict, frames] : recording.verdicts)
     if (is_faultless(verdict)) good += frames;
