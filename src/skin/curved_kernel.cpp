@@ -50,6 +50,10 @@ class PlaceKernel {
     return {at(Traction::normal), place.cosine * y + place.sine * z,
             place.cosine * z - place.sine * y};
   }
+  /// Of the arc to a place. @param own  of the surface there
+  [[nodiscard]] double curvature(double own) const noexcept {
+    return ball_ ? 1.0 / ball_->radius() : own;
+  }
   [[nodiscard]] double error_bound(Quantity quantity) const noexcept {
     return ball_ ? ball_->error_bound(quantity) : flat_->error_bound(quantity);
   }
@@ -169,10 +173,10 @@ struct CurvedReadings::Tables {
   /// Calls add(row, place, readings of a unit force there).
   void visit(std::size_t taxel, std::span<const SurfacePlace> places, const auto& add) const {
     const SurfacePlace& at = skin.curved->above[taxel];
+    const double curvature = kernels[taxel]->curvature(at.mean_curvature);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const BallPlace seen =
-          surface_place(places[i].frame, at.frame, combined(1.0, at.point, -1.0, places[i].point),
-                        at.mean_curvature);
+      const BallPlace seen = surface_place(
+          places[i].frame, at.frame, combined(1.0, at.point, -1.0, places[i].point), curvature);
       for (const std::size_t row : rows[taxel]) {
         std::array<double, 3> readings{};
         for (std::size_t k = 0; k < read[row].count; ++k) {
