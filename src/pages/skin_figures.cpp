@@ -46,8 +46,11 @@ std::string judgement(const lab::Experiment& experiment) {
       drawing::html_table(report::found_cells(experiment));
   if (const auto rows = report::patch_cells(scene.units, answer.patches, {},
                                             report::true_contacts(experiment.scene));
-      !rows.empty())
-    html += element("p", "Each contact by itself:") + drawing::html_table(rows);
+      !rows.empty()) {
+    const std::string table = drawing::html_table(rows);
+    html += element("p", "Each contact by itself:") +
+            (scene.sensor.curved ? drawing::enclosed("div", table, "many") : table);
+  }
   html += "<p>" + verdict_mark(std::string(name(answer.verdict))) + " " +
           drawing::escaped(drawing::typeset(
               "alpha " + brief(answer.alpha.value) + " (" + std::string(source(answer.alpha)) +
