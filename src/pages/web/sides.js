@@ -80,7 +80,7 @@ function makeSides(place, d, on) {
                       .sort((a, b) => view.facing(a) - view.facing(b) || depth(a) - depth(b));
     view.svg = draw('svg', {viewBox: `0 0 ${Math.ceil(wide)} ${Math.ceil(tall)}`, role: 'img'});
     view.svg.style.cssText =
-        'display:block;width:100%;border:1px solid var(--rule);cursor:crosshair';
+        'display:block;box-sizing:border-box;width:100%;border:1px solid var(--rule);cursor:crosshair';
     view.cells = [];
     for (const cell of order) {
       const path = draw('path', {
