@@ -11,6 +11,7 @@
 #include "report/json/course.hpp"
 #include "report/json/packed_values.hpp"
 #include "report/json/rounded.hpp"
+#include "report/json/surface_json.hpp"
 #include "report/json/values.hpp"
 #include "report/told_numbers.hpp"
 #include "tactile_net/drawing/html.hpp"
@@ -71,8 +72,6 @@ Json packed_json(const PackedValues& packed) {
   if (packed.sizes) json["sizes"] = true;
   return json;
 }
-
-Json unit_json(const ScaledUnit& unit) { return {{"label", unit.label}, {"factor", unit.factor}}; }
 
 Json lattice_json(const SurfaceGrid& grid) {
   return {{"rows", grid.rows}, {"columns", grid.columns}, {"y", grid.y(0)},
@@ -135,9 +134,6 @@ Reach reach_of(const ShownFrames& all) {
   if (!(reach.high > reach.low)) reach.high = 1.0;
   return reach;
 }
-
-/// 1 where a scale would be 0, for pictures divide by it.
-double scale_or_one(double scale) { return scale > 0.0 ? rounded(scale, 4) : 1.0; }
 
 Json tractions_json(const ShownFrames& all) {
   /// FrameValues of all frames, beyond which bands of drags are left out.
@@ -329,66 +325,6 @@ Json field_json(const lab::RecordingOverview& overview) {
       {"rows", rows}, {"normal", of(kernels.of_normal)}, {"tangential", of(kernels.of_tangential)}};
 }
 
-/// The surface of a curved skin: the corners of its cells, row after row, and the places above its
-/// taxels, as whole steps along the sensor's axes; of each frame the force on it, with the place of
-/// the surface above its centre.
-Json surface_json(const ShownFrames& all) {
-  const CurvedSurface& surface = all.curved->surface;
-  const double bend = std::abs(surface.curvature());
-  // The middles of the outermost cells lie on the chart, which may end before their corners do.
-  const double end = 2.0 * std::sin(0.5 * CurvedSurface::most_angle) * (1.0 - 1e-9);
-  std::vector<SpaceVector> corners;
-  for (std::size_t row = 0; row <= all.grid.rows; ++row)
-    for (std::size_t column = 0; column <= all.grid.columns; ++column) {
-      const double y = all.grid.y(0) + (static_cast<double>(row) - 0.5) * all.grid.spacing_y;
-      const double z = all.grid.z(0) + (static_cast<double>(column) - 0.5) * all.grid.spacing_z;
-      const double keep = std::min(1.0, end / std::max(bend * std::hypot(y, z), 1e-300));
-      corners.push_back(surface.tangents(keep * y, keep * z).point);
-    }
-  std::vector<SpaceVector> above;
-  for (const SurfacePlace& place : all.curved->above) above.push_back(place.point);
-  double far = 0.0;
-  for (const auto* places : {&corners, &above})
-    for (const SpaceVector& place : *places)
-      for (const double x : place) far = std::max(far, std::abs(x));
-  constexpr double steps = 3e4;
-  const double step = rounded(far > 0.0 ? far / steps : 1.0, 3);
-  const auto in_steps = [step](const std::vector<SpaceVector>& places) {
-    Json axes = Json::array();
-    for (std::size_t k = 0; k < 3; ++k) {
-      Json along = Json::array();
-      for (const SpaceVector& place : places) along.push_back(std::lround(place[k] / step));
-      axes.push_back(std::move(along));
-    }
-    return axes;
-  };
-  Json forces = Json::array();
-  double most = 0.0;
-  for (const ShownFrame& frame : all.frames) {
-    if (frame.space == nullptr || !frame.space->above) {
-      forces.push_back(nullptr);
-      continue;
-    }
-    Json force = Json::array(), at = Json::array();
-    double square = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double along = frame.space->force[k].value;
-      square += along * along;
-      force.push_back(rounded(along, 4));
-      at.push_back(std::lround((*frame.space->above)[k] / step));
-    }
-    if (!frame.distrusted) most = std::max(most, std::sqrt(square));
-    forces.push_back(
-        {{"force", std::move(force)}, {"at", std::move(at)}, {"words", frame.force_words}});
-  }
-  return {{"step", step},
-          {"length", unit_json(axis_unit(all.units, Dimension::length, far))},
-          {"corners", in_steps(corners)},
-          {"taxels", in_steps(above)},
-          {"largest", scale_or_one(most)},
-          {"forces", std::move(forces)}};
-}
-
 Json frames_document(const ShownFrames& all) {
   const Reach reach = reach_of(all);
   const double far = std::max({std::abs(all.grid.y(0)), std::abs(all.grid.z(0)),
@@ -417,7 +353,12 @@ Json frames_document(const ShownFrames& all) {
                {"readings", readings_json(all)},
                {"taxels", places_json(all)},
                {"courses", Json::array()}};
-  if (all.curved) json["surface"] = surface_json(all);
+  if (all.curved) {
+    std::vector<ShownForce> forces;
+    for (const ShownFrame& frame : all.frames)
+      forces.push_back({frame.space, frame.force_words, frame.distrusted});
+    json["surface"] = surface_json(*all.curved, all.grid, all.units, forces);
+  }
   return json;
 }
 
