@@ -210,7 +210,8 @@ Json readings_json(const ShownFrames& all) {
     std::vector<FrameValues> frames;
     for (const ShownFrame& frame : all.frames)
       frames.push_back(frame.readings.subspan(channel.first, channel.count));
-    Json y = Json::array(), z = Json::array();
+    Json y = Json::array();
+    Json z = Json::array();
     for (std::size_t i = 0; i < channel.count; ++i) {
       y.push_back(rounded(all.sites[channel.first + i].y, 6));
       z.push_back(rounded(all.sites[channel.first + i].z, 6));
@@ -236,7 +237,8 @@ Json places_json(const ShownFrames& all) {
   std::vector<const Site*> of_taxel(count);
   for (const Site& site : all.sites)
     if (of_taxel[site.taxel] == nullptr) of_taxel[site.taxel] = &site;
-  Json y = Json::array(), z = Json::array();
+  Json y = Json::array();
+  Json z = Json::array();
   for (const Site* site : of_taxel) {
     y.push_back(site != nullptr ? rounded(site->y, 6) : 0.0);
     z.push_back(site != nullptr ? rounded(site->z, 6) : 0.0);

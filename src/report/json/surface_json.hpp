@@ -35,6 +35,6 @@ struct ShownForce {
 /// above its centre.
 [[nodiscard]] Json surface_json(const CurvedSkin& curved, const SurfaceGrid& grid,
                                 const std::optional<Units>& units,
-                                std::span<const ShownForce> forces);
+                                std::span<const ShownForce> frames);
 
 }  // namespace tactile_net::report
