@@ -62,6 +62,7 @@ PressModel::PressModel(const SkinArray& skin, const Material& material, double c
       pitch_(std::max(skin.pitch_y, skin.pitch_z)),
       crosstalk_(crosstalk) {
   check(skin);
+  require_flat(skin, "calibration");
   for (const Site& site : sites()) check_quantity(site.quantity, Traction::normal, material);
   check_and_finish(crosstalk);
 }

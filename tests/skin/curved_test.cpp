@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/calibration/press_model.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"
@@ -366,6 +367,7 @@ TEST_CASE("what is no curved skin is refused with the rule", "[skin][curved]") {
   CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("bonded"));
   material.layer = Layer{16e-3, Base::bonded};
   CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("radius of curvature"));
+  CHECK_THROWS_WITH(PressModel(skin, skin_on_core), ContainsSubstring("knows flat skins alone"));
 }
 
 TEST_CASE("readings of loads on a curved skin are those of its problem's cells, and converge",

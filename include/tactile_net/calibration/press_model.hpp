@@ -85,7 +85,8 @@ class PressModel {
  public:
   /// @param crosstalk  fraction to each neighbour, as the effect has it: part of the nominal pad
   /// @throw std::invalid_argument  the array, the material or the fraction is out of range, taxels
-  ///                               have widths, or a layer that slips under what a skin reads
+  ///                               have widths, a layer slips under what a skin reads, or the skin
+  ///                               is curved
   PressModel(const SensorArray& array, const Material& material, double crosstalk = 0.0);
   PressModel(const SkinArray& skin, const Material& material, double crosstalk = 0.0);
 
