@@ -276,8 +276,8 @@ void solve_by_method(const lab::AnyProblem& stated, const SolveOptions& options,
   outputs.commit();
   say_closing(streams.err, file.name(), source);
   if (solved.flat_kernel)
-    streams.err << name(options.method) << ": warning: " << report::in_words(lab::Remark(*solved.flat_kernel))
-                << '\n';
+    streams.err << name(options.method)
+                << ": warning: " << report::in_words(lab::Remark(*solved.flat_kernel)) << '\n';
   for (const std::string& sentence : report::in_words(solved, scene))
     streams.err << name(options.method) << ": note: " << sentence << '\n';
   if (results && !source.time_unit_known()) {
