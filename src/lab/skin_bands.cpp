@@ -467,6 +467,10 @@ void add_bands(FrameAnswer& answer, const SkinSceneProblem& problem, const SkinM
   doubt_patches(answer, doubt, limit);
   answer.ellipse = answer.patches.front().ellipse;
   add_space(answer.wrench, problem, contact, answer.cells, known, rms);
+  if (answer.patches.size() == 1) {
+    answer.patches.front().wrench.space = answer.wrench.space;
+    return;
+  }
   for (ContactPatch& patch : answer.patches)
     add_space(patch.wrench, problem, contact, patch.cells, known, rms);
 }

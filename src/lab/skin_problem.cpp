@@ -306,11 +306,8 @@ const SkinSceneProblem& SkinSceneProblem::reaching_beyond() const {
 const LinearProblem& SkinSceneProblem::on_balls() const {
   const std::lock_guard lock(parts_->mutex);
   if (!parts_->on_balls) {
-    CurvedSkin curved = *parts_->scene.sensor.curved;
-    curved.kernel = CurvedKernel::ball;
-    SkinArray skin = parts_->scene.sensor;
-    skin.curved = std::make_shared<const CurvedSkin>(std::move(curved));
-    parts_->on_balls = make_problem(skin, parts_->scene.material, options());
+    parts_->on_balls = make_problem(with_kernel(parts_->scene.sensor, CurvedKernel::ball),
+                                    parts_->scene.material, options());
   }
   return *parts_->on_balls;
 }

@@ -184,7 +184,7 @@ GivenKernel read_kernel_file(const std::filesystem::path& path, const SkinArray&
     const SurfaceFrame frame =
         frames ? SurfaceFrame{vector_at(*frames, 3 * i), vector_at(*frames, 3 * i + 1),
                               vector_at(*frames, 3 * i + 2)}
-               : skin.curved->surface.frame(combined(1.0 / length(twice), twice, 0.0, {}));
+               : skin.curved->surface.frame(multiple(1.0 / length(twice), twice));
     for (std::size_t u = 0; u < 3; ++u)
       if (!(std::abs(dot(frame[u], frame[u]) - 1.0) <= 1e-6 &&
             std::abs(dot(frame[u], frame[(u + 1) % 3])) <= 1e-6 &&
@@ -206,7 +206,7 @@ GivenKernel read_kernel_file(const std::filesystem::path& path, const SkinArray&
     const NpzArray areas = numbers(file, "areas", most_corners, {corners.size()});
     for (std::size_t i = 0; i < corners.size(); ++i) {
       SurfaceCell& cell = kernel.cells[i];
-      cell.first_moment = combined(areas.numbers[i] / cell.area, cell.first_moment, 0.0, {});
+      cell.first_moment = multiple(areas.numbers[i] / cell.area, cell.first_moment);
       cell.area = areas.numbers[i];
     }
   }

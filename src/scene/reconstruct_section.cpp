@@ -408,15 +408,8 @@ void read_kernel(const Value& value, const std::filesystem::path& folder, SkinSc
     }
     return;
   }
-  constexpr std::array kernels = {CurvedKernel::ball, CurvedKernel::flat};
-  std::array<std::string_view, kernels.size()> names;
-  std::transform(kernels.begin(), kernels.end(), names.begin(),
-                 [](CurvedKernel one) { return enumerator_name(one); });
-  const auto index = value.one_of("kernel, or file \"k.npz\"", names);
-  if (!index) return;
-  CurvedSkin curved = *scene.sensor.curved;
-  curved.kernel = kernels[*index];
-  scene.sensor.curved = std::make_shared<const CurvedSkin>(std::move(curved));
+  if (const auto kernel = one_named<CurvedKernel>(value, "kernel, or file \"k.npz\""))
+    scene.sensor = with_kernel(std::move(scene.sensor), *kernel);
 }
 
 /// What a curved skin whose scene says nothing of it is weighed by: its displacements hardly tell

@@ -13,15 +13,6 @@
 namespace tactile_net {
 namespace {
 
-/// The one of these enumerators that a text names.
-template <typename Enum>
-std::optional<Enum> one_named(const Value& value, std::string_view what) {
-  std::vector<std::string_view> names;
-  for (const auto& row : Enumerators<Enum>::all) names.push_back(row.name);
-  const auto index = value.one_of(what, names);
-  return index ? std::optional(Enumerators<Enum>::all[*index].value) : std::nullopt;
-}
-
 CurvedSkinOptions read_surface(Table table, const Units& units) {
   constexpr Rule some_radius{"must not be 0",
                              [](double x) noexcept { return std::isfinite(x) && x != 0.0; }};

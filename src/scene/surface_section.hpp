@@ -11,6 +11,15 @@
 
 namespace tactile_net {
 
+/// The one of these enumerators that a text names.
+template <typename Enum>
+[[nodiscard]] std::optional<Enum> one_named(const Value& value, std::string_view what) {
+  std::vector<std::string_view> names;
+  for (const auto& row : Enumerators<Enum>::all) names.push_back(row.name);
+  const auto index = value.one_of(what, names);
+  return index ? std::optional(Enumerators<Enum>::all[*index].value) : std::nullopt;
+}
+
 /// Three numbers, such as a place in space; none: a problem, which has been said.
 [[nodiscard]] std::optional<SpaceVector> read_three(const Value& value, const Rule& rule,
                                                     const Unit& unit, std::string_view example);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "tactile_net/sensing/surface_cells.hpp"
 #include "tactile_net/skin/load.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -14,6 +15,10 @@ namespace tactile_net {
 /// What a curved skin asks of its material.
 /// @throw std::invalid_argument  it is no bonded layer, or thicker than its surface's radius
 void check_curved(const SkinArray& skin, const Material& material);
+
+/// Whose middle is the nearest. @pre  there is a cell
+[[nodiscard]] std::size_t nearest_cell(std::span<const SurfaceCell> cells,
+                                       const SpaceVector& point);
 
 /// The grid of the chart of a skin whose kernel is given.
 [[nodiscard]] SurfaceGrid given_grid(const SkinArray& skin);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <stdexcept>
+#include <memory>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "numeric/decompositions.hpp"
 #include "numeric/require.hpp"
@@ -111,7 +113,7 @@ Sphere sphere_around(std::span<const CurvedTaxel> taxels, bool is_hole) {
           "the taxels do not tell the sphere's radius, which is " + shortest(radius) + " +- " +
               shortest(deviation) + advice);
   const double curvature = sign / radius;
-  return {curvature, combined(-curvature, combined(1.0, centre, 1.0, middle), 0.0, {})};
+  return {curvature, multiple(-curvature, combined(1.0, centre, 1.0, middle))};
 }
 
 /// The sphere whose normals are nearest to those above the taxels.
@@ -143,7 +145,7 @@ Sphere stated_sphere(const CurvedSkinOptions& options, const Above& above) {
     }
     radius /= static_cast<double>(above.points.size());
   }
-  return {1.0 / radius, combined(-1.0 / radius, *options.centre, 0.0, {})};
+  return {1.0 / radius, multiple(-1.0 / radius, *options.centre)};
 }
 
 /// The surface of a sphere, its chart around the middle of the taxels.
@@ -251,8 +253,7 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
     for (CurvedTaxel& taxel : taxels) {
       const SpaceVector outward =
           options.centre && options.radius
-              ? combined(is_hole ? -1.0 : 1.0, combined(1.0, taxel.place, -1.0, *options.centre),
-                         0.0, {})
+              ? multiple(is_hole ? -1.0 : 1.0, combined(1.0, taxel.place, -1.0, *options.centre))
               : combined(fitted->curvature, taxel.place, 1.0, fitted->offset);
       require(length(outward) > 0.0, "a taxel lies in the sphere's centre");
       taxel.normal = unit(outward);

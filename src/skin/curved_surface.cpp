@@ -8,10 +8,6 @@
 namespace tactile_net {
 namespace {
 
-SpaceVector scaled(double factor, const SpaceVector& one) noexcept {
-  return {factor * one[0], factor * one[1], factor * one[2]};
-}
-
 bool is_finite(const SpaceVector& one) noexcept {
   return std::all_of(one.begin(), one.end(), [](double x) { return std::isfinite(x); });
 }
@@ -66,7 +62,7 @@ CurvedSurface::CurvedSurface(const SpaceVector& apex, const SpaceVector& outward
     throw std::invalid_argument("a surface's outward normal must be a unit vector");
   if (!(length(reference) > 0.0))
     throw std::invalid_argument("a surface's reference must not be 0");
-  reference_ = scaled(1.0 / length(reference), reference);
+  reference_ = multiple(1.0 / length(reference), reference);
   axes_ = frame(outward);
 }
 
@@ -77,8 +73,8 @@ SurfaceFrame CurvedSurface::frame(const SpaceVector& outward) const {
         "the reference direction is within 10 degrees of the surface's normal, where it gives the "
         "surface no y: choose one that lies along all of the surface, of a finger along it");
   const SpaceVector tangent = combined(1.0, reference_, -along, outward);
-  const SpaceVector y = scaled(1.0 / length(tangent), tangent);
-  const SpaceVector x = scaled(-1.0, outward);
+  const SpaceVector y = multiple(1.0 / length(tangent), tangent);
+  const SpaceVector x = multiple(-1.0, outward);
   return {x, y, cross(x, y)};
 }
 
@@ -121,7 +117,7 @@ SurfacePlace CurvedSurface::at(double y, double z) const {
   const SpaceVector normal = normal_of(here);
   const double area = length(normal);
   SurfacePlace place{
-      .point = here.point, .frame = frame(scaled(1.0 / area, normal)), .stretch = area};
+      .point = here.point, .frame = frame(multiple(1.0 / area, normal)), .stretch = area};
   if (height_.coefficients.empty()) {
     place.mean_curvature = curvature_;
     return place;
@@ -131,9 +127,9 @@ SurfacePlace CurvedSurface::at(double y, double z) const {
   const auto turn = [&](double dy, double dz) {
     const auto unit = [&](double sign) {
       const SpaceVector n = normal_of(tangents(y + sign * dy, z + sign * dz));
-      return scaled(1.0 / length(n), n);
+      return multiple(1.0 / length(n), n);
     };
-    return scaled(0.5 / step, combined(1.0, unit(1.0), -1.0, unit(-1.0)));
+    return multiple(0.5 / step, combined(1.0, unit(1.0), -1.0, unit(-1.0)));
   };
   const SpaceVector turn_y = turn(step, 0.0);
   const SpaceVector turn_z = turn(0.0, step);
@@ -182,7 +178,7 @@ std::vector<SurfaceCell> CurvedSurface::cells(const SurfaceGrid& grid) const {
           const SpaceVector normal = cross(here.along_z, here.along_y);
           const double stretch = length(normal);
           const double area = gauss_weights[i] * gauss_weights[j] * grid.area() * stretch;
-          const SurfaceFrame turned = frame(scaled(1.0 / stretch, normal));
+          const SurfaceFrame turned = frame(multiple(1.0 / stretch, normal));
           cell.area += area;
           cell.first_moment = combined(1.0, cell.first_moment, area, here.point);
           for (std::size_t u = 0; u < turned.size(); ++u) {

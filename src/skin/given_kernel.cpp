@@ -122,18 +122,10 @@ GivenKernel along_frames(GivenKernel kernel) {
   return reordered(std::move(kernel), rows, columns, old_place);
 }
 
-std::size_t nearest_cell(const GivenKernel& kernel, const SpaceVector& point) {
-  const auto nearest = std::min_element(
-      kernel.cells.begin(), kernel.cells.end(), [&](const SurfaceCell& a, const SurfaceCell& b) {
-        return length(combined(1.0, a.middle.point, -1.0, point)) <
-               length(combined(1.0, b.middle.point, -1.0, point));
-      });
-  return static_cast<std::size_t>(nearest - kernel.cells.begin());
-}
-
 /// Where a point is on the lattice, in cells from its first one's middle.
-std::array<double, 2> lattice_place(const GivenKernel& kernel, const SpaceVector& point) {
-  const std::size_t at = nearest_cell(kernel, point);
+/// @param at  the nearest cell
+std::array<double, 2> lattice_place(const GivenKernel& kernel, const SpaceVector& point,
+                                    std::size_t at) {
   const std::size_t row = at / kernel.columns;
   const std::size_t column = at % kernel.columns;
   const Lattice lattice(kernel);
@@ -158,11 +150,21 @@ SurfaceCell quadrilateral(const std::array<SpaceVector, 4>& corners, const Surfa
   const SpaceVector middle = combined(0.25, combined(1.0, corners[0], 1.0, corners[1]), 0.25,
                                       combined(1.0, corners[2], 1.0, corners[3]));
   SurfaceCell cell{.middle = {.point = middle, .frame = frame}, .area = 0.5 * length(twice)};
-  cell.first_moment = combined(cell.area, middle, 0.0, {});
-  cell.force = {combined(-0.5, twice, 0.0, {}), combined(cell.area, frame[1], 0.0, {}),
-                combined(cell.area, frame[2], 0.0, {})};
+  cell.first_moment = multiple(cell.area, middle);
+  cell.force = {multiple(-0.5, twice), multiple(cell.area, frame[1]),
+                multiple(cell.area, frame[2])};
   for (std::size_t u = 0; u < 3; ++u) cell.moment[u] = cross(middle, cell.force[u]);
   return cell;
+}
+
+std::size_t nearest_cell(std::span<const SurfaceCell> cells, const SpaceVector& point) {
+  const auto from = [&](const SurfaceCell& cell) {
+    return length(combined(1.0, cell.middle.point, -1.0, point));
+  };
+  const auto nearest = std::min_element(
+      cells.begin(), cells.end(),
+      [&](const SurfaceCell& a, const SurfaceCell& b) { return from(a) < from(b); });
+  return static_cast<std::size_t>(nearest - cells.begin());
 }
 
 SurfaceGrid given_grid(const SkinArray& skin) {
@@ -189,7 +191,6 @@ SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
   require(skin.curved != nullptr, "a kernel from a file is of a curved skin");
   check_given(kernel, reading_count(skin));
   CurvedSkin curved = *skin.curved;
-  curved.kernel = CurvedKernel::given;
   curved.given = std::make_shared<const GivenKernel>(along_frames(std::move(kernel)));
   const GivenKernel& given = *curved.given;
   SkinArray placed = skin;
@@ -198,11 +199,11 @@ SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
   std::vector<Taxel> taxels = skin.taxels;
   for (std::size_t i = 0; i < taxels.size(); ++i) {
     const SurfacePlace& above = curved.above[i];
-    const std::size_t cell = nearest_cell(given, above.point);
+    const std::size_t cell = nearest_cell(given.cells, above.point);
     require(dot(given.cells[cell].middle.frame[0], above.frame[0]) > 0.0,
             "the cell above taxel " + taxels[i].name +
                 " is turned inside out: its corners must run counterclockwise seen from outside");
-    const auto [row, column] = lattice_place(given, above.point);
+    const auto [row, column] = lattice_place(given, above.point, cell);
     const bool inside = row > -0.6 && column > -0.6 &&
                         row < static_cast<double>(given.rows) - 0.4 &&
                         column < static_cast<double>(given.columns) - 0.4;
@@ -215,6 +216,14 @@ SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
   SkinArray array = uneven_skin(std::move(taxels));
   array.curved = placed.curved;
   return array;
+}
+
+SkinArray with_kernel(SkinArray skin, CurvedKernel kernel) {
+  require(skin.curved != nullptr, "a kernel by name is of a curved skin");
+  CurvedSkin curved = *skin.curved;
+  curved.kernel = kernel;
+  skin.curved = std::make_shared<const CurvedSkin>(std::move(curved));
+  return skin;
 }
 
 }  // namespace tactile_net

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "skin/curved_kernel.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -50,13 +52,7 @@ double total(const Weights& weights, std::span<const double> tractions) {
 
 /// The place of the surface above a point: on the tangent plane of the nearest cell.
 SurfacePlace place_above(const LinearProblem& problem, const SpaceVector& point) {
-  const auto nearest =
-      std::min_element(problem.cells->begin(), problem.cells->end(),
-                       [&](const SurfaceCell& a, const SurfaceCell& b) {
-                         return length(combined(1.0, a.middle.point, -1.0, point)) <
-                                length(combined(1.0, b.middle.point, -1.0, point));
-                       });
-  SurfacePlace place = nearest->middle;
+  SurfacePlace place = (*problem.cells)[nearest_cell(*problem.cells, point)].middle;
   const SpaceVector from = combined(1.0, point, -1.0, place.point);
   place.point = combined(1.0, point, -dot(from, place.frame[0]), place.frame[0]);
   return place;

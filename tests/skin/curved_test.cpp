@@ -26,10 +26,6 @@ const std::vector<Quantity> moves = {Quantity::displacement_x, Quantity::displac
 const Material skin_on_core{
     .youngs_modulus = 2.5e5, .poisson_ratio = 0.48, .layer = Layer{4e-3, Base::bonded}};
 
-SpaceVector scaled(double factor, const SpaceVector& one) {
-  return combined(factor, one, 0.0, one);
-}
-
 /// Columns: where the sensor's axes point.
 struct Turn {
   std::array<SpaceVector, 3> axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -45,7 +41,7 @@ struct Turn {
 
 /// By Rodrigues' formula.
 Turn turn_about(const SpaceVector& axis, double angle, const SpaceVector& shift) {
-  const SpaceVector n = scaled(1.0 / length(axis), axis);
+  const SpaceVector n = multiple(1.0 / length(axis), axis);
   Turn turn{.shift = shift};
   for (SpaceVector& e : turn.axes)
     e = combined(1.0, combined(std::cos(angle), e, std::sin(angle), cross(n, e)),
@@ -66,7 +62,7 @@ std::vector<CurvedTaxel> taxels_below(const SpaceVector& half_axes, double reach
                                                        std::pow(y / half_axes[1], 2))};
       SpaceVector normal = {at[0] / std::pow(half_axes[0], 2), at[1] / std::pow(half_axes[1], 2),
                             at[2] / std::pow(half_axes[2], 2)};
-      normal = scaled(1.0 / length(normal), normal);
+      normal = multiple(1.0 / length(normal), normal);
       taxels.push_back({"t" + std::to_string(i) + "_" + std::to_string(j),
                         combined(1.0, at, -depth, normal), normal, depth, reads});
     }
@@ -235,7 +231,7 @@ TEST_CASE("a fingertip that is wider than its narrowest ball has a problem", "[s
     const double z =
         16e-3 * std::sqrt(1.0 - std::pow(taxel.place[0] / 8e-3, 2) - std::pow(y / 30e-3, 2));
     SpaceVector normal = {taxel.place[0] / 64e-6, y / 900e-6, z / 256e-6};
-    normal = scaled(1.0 / length(normal), normal);
+    normal = multiple(1.0 / length(normal), normal);
     taxel.name += "_far";
     taxel.place = combined(1.0, {taxel.place[0], y, z}, -1e-3, normal);
     taxel.normal = normal;
@@ -333,13 +329,13 @@ TEST_CASE("what is no curved skin is refused with the rule", "[skin][curved]") {
   };
   refused({}, {}, "at least one taxel");
   std::vector<CurvedTaxel> bad = good;
-  bad[7].normal = scaled(1.01, *bad[7].normal);
+  bad[7].normal = multiple(1.01, *bad[7].normal);
   refused(bad, {}, "normal of taxel t1_2 must be of length 1");
   bad = good;
-  bad[7].normal = scaled(-1.0, *bad[7].normal);
+  bad[7].normal = multiple(-1.0, *bad[7].normal);
   refused(bad, {}, "t1_2");
   bad = good;
-  for (CurvedTaxel& taxel : bad) taxel.normal = scaled(-1.0, *taxel.normal);
+  for (CurvedTaxel& taxel : bad) taxel.normal = multiple(-1.0, *taxel.normal);
   refused(bad, {}, "turn them outward");
   refused(bad, {.radius = 15e-3}, "turn them outward");
   bad = good;

@@ -1,39 +1,17 @@
 /// @file
-/// What a curved surface is in the sensor's own axes: vectors, places with their frames, and cells
-/// that tractions are solved for.
+/// What a curved surface is in the sensor's own axes: places with their frames, and cells that
+/// tractions are solved for.
 ///
 /// The axes are any right-handed ones [m]. Each place has a frame of its own, as in
 /// elasticity/quantity.hpp: x into the material, against the outward normal.
 #pragma once
 
 #include <array>
-#include <cmath>
 
 #include "tactile_net/elasticity/space/ball_kernel.hpp"
+#include "tactile_net/elasticity/space/space_vector.hpp"
 
 namespace tactile_net {
-
-/// A place or a direction in the sensor's axes.
-using SpaceVector = std::array<double, 3>;
-
-/// The sum of products of components.
-[[nodiscard]] constexpr double dot(const SpaceVector& a, const SpaceVector& b) noexcept {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-[[nodiscard]] constexpr SpaceVector cross(const SpaceVector& a, const SpaceVector& b) noexcept {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-[[nodiscard]] inline double length(const SpaceVector& one) noexcept {
-  return std::hypot(one[0], one[1], one[2]);
-}
-
-/// a x + b y.
-[[nodiscard]] constexpr SpaceVector combined(double a, const SpaceVector& x, double b,
-                                             const SpaceVector& y) noexcept {
-  return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
-}
 
 /// A place on a surface.
 struct SurfacePlace {

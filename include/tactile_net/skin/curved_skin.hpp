@@ -57,15 +57,14 @@ struct Enumerators<ReadingAxes> {
 };
 
 /// What a traction on a curved skin is taken to cause.
-enum class CurvedKernel { ball, flat, given };
+enum class CurvedKernel { ball, flat };
 
 template <>
 struct Enumerators<CurvedKernel> {
   static constexpr Enumerator<CurvedKernel> all[] = {
       {CurvedKernel::ball, "ball",
        "A layer on a ball that is as curved as the surface above each taxel."},
-      {CurvedKernel::flat, "flat", "A flat layer, laid along the surface."},
-      {CurvedKernel::given, "given", "What a file says, by finite elements of this pad, say."}};
+      {CurvedKernel::flat, "flat", "A flat layer, laid along the surface."}};
 };
 
 struct CurvedSkinOptions {
@@ -103,7 +102,7 @@ struct CurvedSkin {
   CurvedKernel kernel = CurvedKernel::ball;
   std::vector<SurfacePlace> above{};  ///< the place of the surface above each taxel
   double residual = 0.0;  ///< of these places about the surface that was fitted, rms [m]
-  /// Null: `kernel` says it.
+  /// In place of `kernel`; null: that says it.
   std::shared_ptr<const GivenKernel> given{};
 };
 
@@ -125,5 +124,6 @@ struct CurvedSkin {
 /// @throw std::invalid_argument  a size does not fit; a number is not finite, or the kernel is 0; a
 ///                               cell is turned inside out, or none lies above a taxel
 [[nodiscard]] SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel);
+[[nodiscard]] SkinArray with_kernel(SkinArray skin, CurvedKernel kernel);
 
 }  // namespace tactile_net

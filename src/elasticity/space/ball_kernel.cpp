@@ -11,15 +11,10 @@
 #include "elasticity/space/layer_field.hpp"
 #include "elasticity/space/reading_size.hpp"
 #include "numeric/require.hpp"
+#include "tactile_net/elasticity/space/space_vector.hpp"
 
 namespace tactile_net {
 namespace {
-
-using Direction = std::array<double, 3>;
-
-double dot(const Direction& a, const Direction& b) noexcept {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// Beyond, sums would lose digits and take many seconds.
 constexpr double most_radii_a_depth = 16000.0;
@@ -42,14 +37,10 @@ void check_ball(const Material& material, double radius, double depth) {
           depth);
 }
 
-}  // namespace
-
-namespace {
-
 /// The place at the end of an arc, and how the frames are turned: the load's is brought along by
 /// the least rotation.
 BallPlace turned(const SurfaceFrame& load, const SurfaceFrame& taxel, double y, double z) noexcept {
-  const Direction& along = load[1];
+  const SpaceVector& along = load[1];
   const double tilt = dot(along, taxel[0]) / (1.0 + dot(load[0], taxel[0]));
   return {.y = y,
           .z = z,
@@ -60,26 +51,24 @@ BallPlace turned(const SurfaceFrame& load, const SurfaceFrame& taxel, double y, 
 }  // namespace
 
 BallPlace ball_place(const SurfaceFrame& load, const SurfaceFrame& taxel, double radius) noexcept {
-  const Direction& from = load[0];
-  const Direction& to = taxel[0];
+  const SpaceVector& from = load[0];
+  const SpaceVector& to = taxel[0];
   const double cosine = dot(from, to);
-  const double sine =
-      std::hypot(from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
-                 from[0] * to[1] - from[1] * to[0]);
+  const double sine = length(cross(from, to));
   const double stretch = radius * (sine > 0.0 ? std::atan2(sine, cosine) / sine : 1.0);
   return turned(load, taxel, stretch * dot(taxel[1], from), stretch * dot(taxel[2], from));
 }
 
 BallPlace surface_place(const SurfaceFrame& load, const SurfaceFrame& taxel,
-                        const std::array<double, 3>& chord, double curvature) noexcept {
+                        const SpaceVector& chord, double curvature) noexcept {
   const double y = dot(taxel[1], chord);
   const double z = dot(taxel[2], chord);
   const double along = std::hypot(y, z);
   if (!(along > 0.0)) return turned(load, taxel, 0.0, 0.0);
-  const double length = std::hypot(chord[0], chord[1], chord[2]);
+  const double straight = length(chord);
   // A chord that is longer than the ball is wide ends at its antipode, of which nothing is read.
-  const double half = std::min(0.5 * std::abs(curvature) * length, 1.0);
-  const double arc = half > 0.0 ? 2.0 * std::asin(half) / std::abs(curvature) : length;
+  const double half = std::min(0.5 * std::abs(curvature) * straight, 1.0);
+  const double arc = half > 0.0 ? 2.0 * std::asin(half) / std::abs(curvature) : straight;
   return turned(load, taxel, arc * y / along, arc * z / along);
 }
 

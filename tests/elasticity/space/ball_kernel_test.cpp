@@ -21,17 +21,11 @@ namespace {
 
 using Vector3 = std::array<double, 3>;
 
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// A frame whose x is -normal, and whose y lies as near to `along` as it can.
 SurfaceFrame frame_at(const Vector3& normal, const Vector3& along) {
-  const double length = std::sqrt(dot(normal, normal));
+  const double size = std::sqrt(dot(normal, normal));
   SurfaceFrame frame;
-  for (std::size_t i = 0; i < 3; ++i) frame[0][i] = -normal[i] / length;
+  for (std::size_t i = 0; i < 3; ++i) frame[0][i] = -normal[i] / size;
   const double part = dot(along, frame[0]);
   for (std::size_t i = 0; i < 3; ++i) frame[1][i] = along[i] - part * frame[0][i];
   const double width = std::sqrt(dot(frame[1], frame[1]));

@@ -14,6 +14,7 @@
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/elasticity/quantity.hpp"
+#include "tactile_net/elasticity/space/space_vector.hpp"
 
 namespace tactile_net {
 
@@ -21,7 +22,7 @@ class BallTables;
 
 /// The right-handed frame of a place on a surface: the unit vectors of x (into the skin), y and z,
 /// one after the other, in the sensor's axes.
-using SurfaceFrame = std::array<std::array<double, 3>, 3>;
+using SurfaceFrame = std::array<SpaceVector, 3>;
 
 /// Where a taxel lies from a load, and how the load's frame is turned beside the taxel's.
 struct BallPlace {
@@ -48,8 +49,7 @@ struct BallPlace {
 ///                   axes [m]
 /// @param curvature  of the ball [1/m]; 0 of a plane
 [[nodiscard]] BallPlace surface_place(const SurfaceFrame& load, const SurfaceFrame& taxel,
-                                      const std::array<double, 3>& chord,
-                                      double curvature) noexcept;
+                                      const SpaceVector& chord, double curvature) noexcept;
 
 /// Readings at one depth of a bonded layer whose surface is a sphere, from unit point forces.
 ///
