@@ -55,7 +55,7 @@ class Lent {
   /// Of this key; `make` gives it where it is not kept. Several threads may ask.
   std::shared_ptr<const Made> operator()(const Key& key, const auto& make) {
     if (auto kept = find(key)) return kept;
-    const auto made = std::make_shared<const Made>(make());  // takes long: others go on meanwhile
+    auto made = std::make_shared<const Made>(make());  // takes long: others go on meanwhile
     const std::lock_guard lock(mutex_);
     if (auto kept = find_locked(key)) return kept;  // of a thread that was faster
     const auto idle = std::find_if(kept_.begin(), kept_.end(),
