@@ -2,10 +2,7 @@
 // Prints the pressure under the indenter and the force in all, beside what really pressed.
 #include <cmath>
 #include <cstdio>
-#include <tactile_net/inverse/line_problem.hpp>
-#include <tactile_net/inverse/reconstruction.hpp>
-#include <tactile_net/sensing/exact.hpp>
-#include <tactile_net/sensing/resultant.hpp>
+#include <tactile_net/line.hpp>
 #include <vector>
 
 using namespace tactile_net;

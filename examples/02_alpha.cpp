@@ -2,13 +2,7 @@
 // Prints what every rule chooses, and the error of the tractions with the alpha of robust GCV.
 #include <cstdio>
 #include <string>
-#include <tactile_net/inverse/alpha.hpp>
-#include <tactile_net/inverse/line_problem.hpp>
-#include <tactile_net/inverse/tikhonov_family.hpp>
-#include <tactile_net/numeric/comparison.hpp>
-#include <tactile_net/sensing/effects/noise.hpp>
-#include <tactile_net/sensing/exact.hpp>
-#include <tactile_net/sensing/traction_field.hpp>
+#include <tactile_net/line.hpp>
 #include <vector>
 
 using namespace tactile_net;

@@ -4,10 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <span>
-#include <tactile_net/inverse/constrained.hpp>
-#include <tactile_net/inverse/line_problem.hpp>
-#include <tactile_net/inverse/reconstruction.hpp>
-#include <tactile_net/sensing/exact.hpp>
+#include <tactile_net/line.hpp>
 #include <vector>
 
 using namespace tactile_net;

@@ -2,13 +2,7 @@
 // Prints force and place of the contact with their deviations, and how many bands hold the truth.
 #include <cmath>
 #include <cstdio>
-#include <tactile_net/inverse/alpha.hpp>
-#include <tactile_net/inverse/line_problem.hpp>
-#include <tactile_net/inverse/tikhonov_family.hpp>
-#include <tactile_net/inverse/uncertainty.hpp>
-#include <tactile_net/sensing/effects/noise.hpp>
-#include <tactile_net/sensing/exact.hpp>
-#include <tactile_net/sensing/traction_field.hpp>
+#include <tactile_net/line.hpp>
 #include <vector>
 
 using namespace tactile_net;

@@ -1,11 +1,8 @@
 // The inverse problem as a circuit: conductances, realised by op-amps, written as a SPICE deck.
 // Prints the deck, whose node voltages are the tractions: `05_deck > x.cir; ngspice -b x.cir`.
 #include <iostream>
-#include <tactile_net/inverse/line_problem.hpp>
-#include <tactile_net/inverse/reconstruction.hpp>
-#include <tactile_net/network/deck.hpp>
-#include <tactile_net/network/flat_circuit.hpp>
-#include <tactile_net/network/realization.hpp>
+#include <tactile_net/circuit.hpp>
+#include <tactile_net/line.hpp>
 #include <vector>
 
 using namespace tactile_net;

@@ -2,8 +2,8 @@
 // Prints stability, theorem, settling time and margin of three realisations of one problem.
 #include <cstdio>
 #include <string>
-#include <tactile_net/inverse/line_problem.hpp>
-#include <tactile_net/network/certificate.hpp>
+#include <tactile_net/circuit.hpp>
+#include <tactile_net/line.hpp>
 #include <vector>
 
 using namespace tactile_net;

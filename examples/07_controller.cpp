@@ -4,11 +4,8 @@
 // (11_c_controller.c).
 #include <cstdio>
 #include <fstream>
-#include <tactile_net/control/planner.hpp>
-#include <tactile_net/inverse/line_problem.hpp>
-#include <tactile_net/realtime/contact_estimator.hpp>
-#include <tactile_net/realtime/plan_file.hpp>
-#include <tactile_net/sensing/exact.hpp>
+#include <tactile_net/controller.hpp>
+#include <tactile_net/line.hpp>
 #include <vector>
 
 using namespace tactile_net;

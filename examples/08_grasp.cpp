@@ -2,8 +2,7 @@
 // Prints for each finger its force, how much of its friction that uses, and its torques.
 #include <cstdio>
 #include <numbers>
-#include <tactile_net/grasp/hold.hpp>
-#include <tactile_net/grasp/margins.hpp>
+#include <tactile_net/grasp.hpp>
 #include <vector>
 
 using namespace tactile_net;

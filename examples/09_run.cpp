@@ -1,11 +1,7 @@
 // Everything at once: what `tactile-net run SCENE` does, from a scene file to every answer.
 // Prints what the command prints: each method beside the truth, and the circuit in ngspice.
 #include <iostream>
-#include <tactile_net/lab/run.hpp>
-#include <tactile_net/lab/stopwatch.hpp>
-#include <tactile_net/report/words/table.hpp>
-#include <tactile_net/scene/reader.hpp>
-#include <tactile_net/simulator/ngspice.hpp>
+#include <tactile_net/scenes.hpp>
 
 using namespace tactile_net;
 

@@ -5,11 +5,8 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <tactile_net/control/planner.hpp>
-#include <tactile_net/realtime/contact_estimator.hpp>
-#include <tactile_net/realtime/plan_file.hpp>
-#include <tactile_net/skin/forward.hpp>
-#include <tactile_net/skin/problem.hpp>
+#include <tactile_net/controller.hpp>
+#include <tactile_net/skin.hpp>
 #include <vector>
 
 using namespace tactile_net;

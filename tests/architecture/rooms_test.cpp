@@ -110,6 +110,12 @@ const std::vector<Rule> rules{
      {},
      {},
      {"include/tactile_net/report/", "src/report/"}},
+    {"a subject's header, which is for whoever uses the library",
+     {"tactile_net/line.hpp", "tactile_net/skin.hpp", "tactile_net/controller.hpp",
+      "tactile_net/circuit.hpp", "tactile_net/grasp.hpp", "tactile_net/scenes.hpp"},
+     {},
+     {},
+     {"include/", "src/", "tools/"}},
     {"printing in the library",
      {"iostream"},
      {"std::cout", "std::cerr", "std::clog", "std::puts", "std::printf", "std::fprintf"},
@@ -321,6 +327,7 @@ TEST_CASE("what one place alone may know is found elsewhere", "[rooms]") {
   CHECK_FALSE(allows("src/inverse/line_problem.hpp", "#include <Eigen/Dense>"));
   CHECK(allows("src/numeric/orthogonal.cpp", "#include <Eigen/QR>"));
   CHECK_FALSE(allows("src/sensing/aperture.cpp", "#include <boost/math/quadrature/gauss.hpp>"));
+  CHECK_FALSE(allows("src/lab/run.cpp", "#include \"tactile_net/line.hpp\""));
   CHECK_FALSE(allows("src/lab/run.cpp", "std::cerr << \"note\";"));
   CHECK_FALSE(allows("src/lab/run.cpp", "std::printf(\"%d\", 1);"));
   CHECK(allows("src/control/planner.cpp",
