@@ -45,6 +45,7 @@ typedef struct tactile_net_plan {
   size_t readings;        ///< of a frame
   size_t tractions;       ///< unknowns x rows x columns, in this order
   size_t unknowns;        ///< 1: normal; 2: and along y; 3: and along z
+  bool is_curved;         ///< a skin whose places are those of its surface's chart
   bool is_skin;           ///< else a line: its forces are per metre
   size_t rows;            ///< places along y
   size_t columns;         ///< places along z; of a line 1
@@ -73,9 +74,12 @@ typedef struct tactile_net_estimate {
   double slip_margin;        ///< of a skin, share of the friction limit that is left; < 0: slips
   double margin_centre_y_m;  ///< centre of the contact that has the margins [m]
   double margin_centre_z_m;  ///< of a skin [m]
-  double residual_rms;       ///< what is left unexplained, in the readings' unit times the weights
-  size_t contacts;           ///< that lie apart; 0: no margins, or no contact
-  size_t touching;           ///< cells that forces are sums over; 0: all, or none (ContactEstimate)
+  double force_in_space[3];  ///< of a curved skin: that acts on it, in the sensor's axes [N]
+  double moment_in_space_n_m[3];  ///< of it, about the plan's point [N m]
+  double centre_in_space_m[3];    ///< the mean of the places that press [m]
+  double residual_rms;  ///< what is left unexplained, in the readings' unit times the weights
+  size_t contacts;      ///< that lie apart; 0: no margins, or no contact
+  size_t touching;      ///< cells that forces are sums over; 0: all, or none (ContactEstimate)
   /// Of a plan with constraints: how many of its own standard deviations any cell, force or moment
   /// may be off since steps towards the constraints ended; proven for this frame.
   double unfinished;

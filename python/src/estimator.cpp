@@ -1,5 +1,6 @@
 // The per-frame call of a controller. Its price is what a Python call costs, so its arrays go the
 // short way (frame_buffer.hpp), and the GIL is kept: giving it up could cost 5 ms to get it back.
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
@@ -293,6 +294,15 @@ void bind_contact(nb::module_& module) {
       .def_ro("margin_centre", &ContactEstimate::margin_centre,
               "y of the contact that the margins are of [m]; nan as above")
       .def_ro("margin_centre_z", &ContactEstimate::margin_centre_z, "its z, of a skin [m]")
+      .def_prop_ro(
+          "force", [](const ContactEstimate& estimate) { return estimate.space.force; },
+          "of a curved skin, that acts on it, along the sensor's x, y and z [N]; else nan")
+      .def_prop_ro(
+          "moment", [](const ContactEstimate& estimate) { return estimate.space.moment; },
+          "of a curved skin, about the scene's moment_about [N m]; else nan")
+      .def_prop_ro(
+          "centre_in_space", [](const ContactEstimate& estimate) { return estimate.space.centre; },
+          "of a curved skin, the mean of the places that press [m]; else nan, and without contact")
       .def_ro("contacts", &ContactEstimate::contacts,
               "contacts that lie apart, of which the margins are the worst; 0: no margins")
       .def_ro("touching", &ContactEstimate::touching,

@@ -196,6 +196,7 @@ PlannedEstimator planned_estimator(const LinearProblem& problem, const TikhonovF
                            .asymmetry = reconstruction.asymmetry,
                            .without_fft = why_no_fft(problem, task, reconstruction)};
   EstimatorPlan& plan = planned.plan;
+  plan.space = plan_space(problem, options.moment_about);
   plan.alpha = alpha;
   plan.reconstruction = std::move(reconstruction.plan);
   bool folds = has_reflections(plan.reconstruction.structure);

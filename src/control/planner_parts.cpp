@@ -8,6 +8,7 @@
 
 #include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
+#include "tactile_net/sensing/surface_cells.hpp"
 #include "tactile_net/skin/resultant.hpp"
 
 namespace tactile_net {
@@ -41,6 +42,8 @@ double least_depth(const LinearProblem& problem) {
 void check(const PlannerOptions& options, std::size_t readings) {
   if (!(options.accuracy > 0.0) || !std::isfinite(options.accuracy))
     throw std::invalid_argument("accuracy must be > 0 and finite");
+  for (const double place : options.moment_about)
+    if (!std::isfinite(place)) throw std::invalid_argument("moment_about must be finite");
   if (options.calibration) check(*options.calibration, readings);
 }
 
@@ -125,6 +128,31 @@ PlanCells plan_cells(const LinearProblem& problem) {
           .centre_z = grid.centre_z,
           .rim_rows = rim(grid.spacing_y),
           .rim_columns = rim(grid.spacing_z)};
+}
+
+std::optional<PlanSpace> plan_space(const LinearProblem& problem,
+                                    const std::array<double, 3>& about) {
+  if (!problem.cells) return std::nullopt;
+  const std::vector<SurfaceCell>& cells = *problem.cells;
+  const std::size_t tractions = problem.components * cells.size();
+  PlanSpace space{.wrench = std::vector<double>(6 * tractions),
+                  .places = std::vector<double>(3 * cells.size())};
+  for (std::size_t at = 0; at < cells.size(); ++at) {
+    const SurfaceCell& cell = cells[at];
+    const double on_surface = problem.grid.area() / cell.area;
+    for (std::size_t k = 0; k < 3; ++k)
+      space.places[k * cells.size() + at] = cell.first_moment[k] / cell.area;
+    for (std::size_t u = 0; u < problem.components; ++u) {
+      const SpaceVector& force = cell.force[u];
+      const SpaceVector moment = combined(1.0, cell.moment[u], -1.0, cross(about, force));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t traction = u * cells.size() + at;
+        space.wrench[k * tractions + traction] = on_surface * force[k];
+        space.wrench[(3 + k) * tractions + traction] = on_surface * moment[k];
+      }
+    }
+  }
+  return space;
 }
 
 void add_deviations(PlanCells& cells, const LinearProblem& problem,

@@ -2,8 +2,10 @@
 /// What a plan has beside its products, and what it takes from options. Private.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -52,6 +54,11 @@ void take_options(PlannedEstimator& planned, const PlannerOptions& options, bool
 
 /// Without deviations.
 [[nodiscard]] PlanCells plan_cells(const LinearProblem& problem);
+
+/// Of a curved skin; absent: it is flat.
+/// @param about  of moments, in the sensor's axes [m]
+[[nodiscard]] std::optional<PlanSpace> plan_space(const LinearProblem& problem,
+                                                  const std::array<double, 3>& about);
 
 /// Deviations of cells and windows, by which a controller tells cells that touch from empty ones.
 void add_deviations(PlanCells& cells, const LinearProblem& problem,

@@ -148,6 +148,8 @@ PlannerOptions completed(const auto& problem, PlannerOptions options) {
   options.label = scene.title.empty() ? scene.file : scene.title;
   options.judge_baseline = true;
   options.border = problem.border();
+  if constexpr (std::is_same_v<std::decay_t<decltype(scene)>, SkinScene>)
+    options.moment_about = scene.reconstruct.moment_about;
   if (options.cone && options.noise_rms > 0.0 && !scene.contacts.empty()) {
     const std::vector<double> readings = weighted(problem.problem(), simulate(scene).readings);
     double largest = 0.0;

@@ -36,6 +36,7 @@ struct tactile_net_estimator {
              .readings = from.readings(),
              .tractions = from.tractions(),
              .unknowns = from.unknowns,
+             .is_curved = from.space.has_value(),
              .is_skin = from.cells.has_value(),
              .rows = from.cells ? from.cells->rows : from.values,
              .columns = from.cells ? from.cells->columns : 1,
@@ -143,6 +144,7 @@ ReadingView view_of(const tactile_net_readings& readings) noexcept {
 }
 
 tactile_net_estimate in_c(const ContactEstimate& estimate) noexcept {
+  const auto& [force, moment, centre] = estimate.space;
   return {.time_s = estimate.time,
           .normal_force = estimate.normal_force,
           .force_deviation = estimate.force_deviation,
@@ -157,6 +159,9 @@ tactile_net_estimate in_c(const ContactEstimate& estimate) noexcept {
           .slip_margin = estimate.slip_margin,
           .margin_centre_y_m = estimate.margin_centre,
           .margin_centre_z_m = estimate.margin_centre_z,
+          .force_in_space = {force[0], force[1], force[2]},
+          .moment_in_space_n_m = {moment[0], moment[1], moment[2]},
+          .centre_in_space_m = {centre[0], centre[1], centre[2]},
           .residual_rms = estimate.residual_rms,
           .contacts = estimate.contacts,
           .touching = estimate.touching,

@@ -160,6 +160,7 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
   estimate.slip_margin = ContactEstimate::unknown;
   estimate.margin_centre = ContactEstimate::unknown;
   estimate.margin_centre_z = ContactEstimate::unknown;
+  estimate.space = {};
   estimate.contacts = 0;
   estimate.residual_rms = ContactEstimate::unknown;
   estimate.touching = 0;
@@ -177,7 +178,8 @@ std::span<const Moments> ContactEstimator::sum_touching(ContactEstimate& estimat
     if (ready.noise_rms > 0.0) estimate.unfinished = scratch_->done.distance / ready.noise_rms;
   }
   if (ready.cells)
-    return add_skin_resultant(*ready.cells, ready.unknowns, estimate.tractions.data(),
+    return add_skin_resultant(*ready.cells, ready.space ? &*ready.space : nullptr, ready.unknowns,
+                              estimate.tractions.data(),
                               ready.cone ? scratch_->cone->free().data() : nullptr, ready.friction,
                               ready.window_variances, ready.certain_force, ready.highest_force,
                               ready.lowest_force, scratch_->marks, estimate);

@@ -45,6 +45,12 @@ void check_grid(const PlanCells& cells, std::size_t values) {
 void check_skin(const EstimatorPlan& plan) {
   require(plan.unknowns == 1 || plan.unknowns == 3, "unknowns of a skin must be 1 or 3");
   check_grid(*plan.cells, plan.values);
+  if (!plan.space) return;
+  require(plan.space->wrench.size() / 6 == plan.tractions() && plan.space->wrench.size() % 6 == 0 &&
+              plan.space->places.size() / 3 == plan.values && plan.space->places.size() % 3 == 0,
+          "a skin in space needs six numbers for each traction, and a place for each cell");
+  require(all_finite(plan.space->wrench) && all_finite(plan.space->places),
+          "a skin in space needs finite numbers");
 }
 
 /// What keeps tractions inside constraints.
@@ -133,6 +139,7 @@ void check(const EstimatorPlan& plan) {
   require(skin || plan.unknowns == 1 || plan.unknowns == 2, "unknowns must be 1 or 2");
   require(plan.values >= (skin ? 1 : 2) && plan.values < most, "values must be >= 2");
   if (skin) check_skin(plan);
+  require(skin || !plan.space, "a line has no forces in space");
   require(skin || plan.unjudged.empty(), "unjudged taxels are of skins alone");
   require(!skin || (plan.reconstruction.structure != Structure::fft &&
                     !(plan.prediction && plan.prediction->structure == Structure::fft)),

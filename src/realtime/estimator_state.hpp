@@ -86,6 +86,7 @@ struct ContactEstimator::Ready {
         border(plan.border),
         cells(plan.cells),
         line_cells(plan.line_cells),
+        space(plan.space),
         set(std::min(chosen, widest_instruction_set())),
         loops(kernels(set)) {
     for (std::size_t i = 0; i < taxels.size(); ++i)
@@ -211,6 +212,7 @@ struct ContactEstimator::Ready {
   std::vector<std::size_t> channel_ends;  // none: baselines are not judged
   std::vector<double> window_variances;   // of cells; none: not known
   std::optional<PlanCells> cells, line_cells;
+  std::optional<PlanSpace> space;
   std::vector<bool> judged;  // readings that may be outliers
   Aligned<double> fill;      // fill_rows x readings
   std::size_t fill_rows = 0;

@@ -306,6 +306,7 @@ PlanVersion version_of(const EstimatorPlan& plan) {
   const bool folds_lines =
       !plan.cells && (plan.fill || has_reflections(plan.reconstruction.structure) ||
                       (plan.prediction && has_reflections(plan.prediction->structure)));
+  if (plan.space) return PlanVersion::space;
   if (plan.cone) return PlanVersion::cone;
   return folds_lines ? PlanVersion::lines : version_beside_products(plan);
 }
@@ -358,7 +359,9 @@ EstimatorPlan read_payload(std::span<const std::byte> payload, PlanVersion versi
     plan.known_offsets = in.flag();
   }
   if (version == PlanVersion::lines && !in.at_end()) plan.fill = in.fill(plan.readings());
-  if (version >= PlanVersion::cone) {
+  if (version >= PlanVersion::space)
+    plan.space = PlanSpace{.wrench = in.numbers(), .places = in.numbers()};
+  if (version == PlanVersion::cone || (version > PlanVersion::cone && in.flag())) {
     if (!skin && in.flag()) plan.fill = in.fill(plan.readings());
     if (!skin && in.flag()) in.windows(plan.line_cells.emplace(in.cells()));
     plan.cone = in.cone();
@@ -422,6 +425,11 @@ std::vector<std::byte> encode_plan(const EstimatorPlan& plan) {
   if (version >= PlanVersion::border) {
     payload.indices(plan.border);
     payload.flag(plan.known_offsets);
+  }
+  if (plan.space) {
+    payload.numbers(plan.space->wrench);
+    payload.numbers(plan.space->places);
+    payload.flag(plan.cone.has_value());
   }
   if (!plan.cells && plan.cone) payload.flag(plan.fill.has_value());
   if (!plan.cells && plan.fill) payload.fill(*plan.fill);

@@ -114,6 +114,29 @@ void add_margins(const PlanCells& cells, const double* f, const std::uint8_t* ma
   estimate.margin_centre_z = cells.centre_z + sums.z_p / sums.p;
 }
 
+/// @param centre  whether the cells press, so that there is one
+void add_space(const PlanSpace& space, const double* f, std::size_t unknowns, std::size_t count,
+               const std::uint8_t* marks, bool centre, SpaceEstimate& estimate) noexcept {
+  estimate.force.fill(0.0);
+  estimate.moment.fill(0.0);
+  const double* row = space.wrench.data();
+  for (std::array<double, 3>* vector : {&estimate.force, &estimate.moment})
+    for (double& sum : *vector)
+      for (std::size_t u = 0; u < unknowns; ++u, row += count)
+        for (std::size_t cell = 0; cell < count; ++cell)
+          if (marks == nullptr || marks[cell] != 0) sum += row[cell] * f[u * count + cell];
+  if (!centre) return;
+  estimate.centre.fill(0.0);
+  double all = 0.0;
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    if (marks != nullptr && marks[cell] == 0) continue;
+    all += f[cell];
+    for (std::size_t k = 0; k < estimate.centre.size(); ++k)
+      estimate.centre[k] += space.places[k * count + cell] * f[cell];
+  }
+  for (double& place : estimate.centre) place /= all;
+}
+
 }  // namespace
 
 double torsion_of(const CellSums& sums) noexcept {
@@ -159,8 +182,8 @@ void add_patches(const PlanCells& cells, std::size_t unknowns, const double* f, 
   add_levers(cells, f, scratch.marks.data(), of_patch);
 }
 
-void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
-                        const double* linear, std::optional<double> friction,
+void add_skin_resultant(const PlanCells& cells, const PlanSpace* space, std::size_t unknowns,
+                        const double* f, const double* linear, std::optional<double> friction,
                         std::span<const double> variances, double certain_force, double highest,
                         double lowest, CellMarks& scratch, ContactEstimate& estimate) noexcept {
   const double area = cells.area();
@@ -172,8 +195,9 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
   CellSums sums;
   const bool none_touches = linear != nullptr && !cells.deviations.empty() && marks == nullptr;
   if (none_touches) f = linear;
-  if (none_touches && !(all > certain_force)) {
-    // Nothing that noise would not push.
+  const bool nothing = none_touches && !(all > certain_force);  // that noise would not push
+  if (nothing) {
+    // Forces are 0.
   } else if (marks != nullptr && !variances.empty()) {
     double variance = 0.0;
     double largest = 0.0;
@@ -199,6 +223,8 @@ void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const doub
     if (friction)
       estimate.friction_margin = *friction * estimate.normal_force - estimate.tangential_force;
   }
+  if (space != nullptr)
+    add_space(*space, f, unknowns, nothing ? 0 : count, marks, estimate.contact, estimate.space);
   if (!estimate.contact) return;
   estimate.centre = cells.centre_y + sums.y_p / sums.p;
   estimate.centre_z = cells.centre_z + sums.z_p / sums.p;

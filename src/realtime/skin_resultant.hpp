@@ -70,6 +70,7 @@ void add_patches(const PlanCells& cells, std::size_t unknowns, const double* f, 
 /// Fills in forces, centre, torsion, margins, contact and touching. At the cost of `mark_touching`,
 /// and where several patches touch of one more look at each cell; no allocation.
 ///
+/// @param space             of a curved skin; null: flat
 /// @param f                 tractions: normal, and with three unknowns tangential ones
 /// @param linear            those that constraints were laid upon; null: f are linear. Noise can
 ///                          only push inside constraints, so sums of f over cells that do not touch
@@ -79,8 +80,8 @@ void add_patches(const PlanCells& cells, std::size_t unknowns, const double* f, 
 /// @param certain_force     from which the sum over all cells is a contact's, though no single cell
 ///                          may be
 /// @param highest, lowest   sums over all cells beyond are doubted
-void add_skin_resultant(const PlanCells& cells, std::size_t unknowns, const double* f,
-                        const double* linear, std::optional<double> friction,
+void add_skin_resultant(const PlanCells& cells, const PlanSpace* space, std::size_t unknowns,
+                        const double* f, const double* linear, std::optional<double> friction,
                         std::span<const double> variances, double certain_force, double highest,
                         double lowest, CellMarks& scratch, ContactEstimate& estimate) noexcept;
 

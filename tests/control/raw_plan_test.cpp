@@ -34,7 +34,7 @@ struct Found {
   ContactEstimate estimate;
 };
 
-Found update(ContactEstimator& estimator, const std::vector<double>& numbers) {
+Found found_of(ContactEstimator& estimator, const std::vector<double>& numbers) {
   Found found{std::vector<double>(estimator.tractions()), {}};
   found.estimate.tractions = found.tractions;
   REQUIRE(estimator.update(numbers, found.estimate) == FrameStatus::ok);
@@ -68,8 +68,8 @@ TEST_CASE("a plan for raw numbers finds in them what the plan for readings finds
     if (seed == 2) readings[problem.grid.count() / 2] += 5.0;  // an outlier
     std::vector<double> raw = readings;
     uncalibrate(calibration, raw);
-    const Found expected = update(estimator, readings);
-    const Found found = update(raw_estimator, raw);
+    const Found expected = found_of(estimator, readings);
+    const Found found = found_of(raw_estimator, raw);
     // Both plans err by their accuracy; a count of 1000 is rounded at 1e-13 of it.
     CHECK(l2_norm(difference(found.tractions, expected.tractions)) <=
           1e-8 * l2_norm(expected.tractions));
@@ -94,8 +94,8 @@ TEST_CASE("a dead taxel at run time is left out of raw numbers too", "[planner][
   std::vector<double> raw = readings;
   uncalibrate(calibration, raw);
   raw[11] = std::nan("");
-  const Found expected = update(estimator, readings);
-  const Found found = update(raw_estimator, raw);
+  const Found expected = found_of(estimator, readings);
+  const Found found = found_of(raw_estimator, raw);
   CHECK(l2_norm(difference(found.tractions, expected.tractions)) <=
         1e-7 * l2_norm(expected.tractions));
 }
@@ -107,9 +107,9 @@ TEST_CASE("a baseline set at run time takes the place of the calibration's and i
   ContactEstimator estimator(plan_estimator(problem, 1e-3, {.calibration = calibration}).plan);
   std::vector<double> unloaded(problem.weights.size(), 0.3);
   uncalibrate(calibration, unloaded);
-  CHECK(l2_norm(update(estimator, unloaded).tractions) > 0.1);
+  CHECK(l2_norm(found_of(estimator, unloaded).tractions) > 0.1);
   REQUIRE(estimator.set_baseline(unloaded) == FrameStatus::ok);
-  for (const double f : update(estimator, unloaded).tractions) CHECK(f == 0.0);
+  for (const double f : found_of(estimator, unloaded).tractions) CHECK(f == 0.0);
 }
 
 TEST_CASE("plans for raw numbers refuse what they cannot do", "[planner][calibration]") {

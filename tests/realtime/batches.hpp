@@ -34,7 +34,11 @@ inline Update update(ContactEstimator& estimator, const std::vector<double>& rea
 
 /// Everything but the tractions and the time, as numbers whose bits can be compared.
 inline std::vector<double> numbers_of(const ContactEstimate& e) {
-  return {e.normal_force,
+  return {e.space.force[0],
+          e.space.force[2],
+          e.space.moment[1],
+          e.space.centre[2],
+          e.normal_force,
           e.tangential_force,
           e.tangential_y,
           e.tangential_z,

@@ -77,6 +77,11 @@ void check_same(const tactile_net_estimate& c, const ContactEstimate& cpp) {
   check_same_number(c.slip_margin, cpp.slip_margin);
   check_same_number(c.margin_centre_y_m, cpp.margin_centre);
   check_same_number(c.margin_centre_z_m, cpp.margin_centre_z);
+  for (std::size_t k = 0; k < 3; ++k) {
+    check_same_number(c.force_in_space[k], cpp.space.force[k]);
+    check_same_number(c.moment_in_space_n_m[k], cpp.space.moment[k]);
+    check_same_number(c.centre_in_space_m[k], cpp.space.centre[k]);
+  }
   check_same_number(c.residual_rms, cpp.residual_rms);
   CHECK(c.contacts == cpp.contacts);
   CHECK(c.touching == cpp.touching);
@@ -144,6 +149,7 @@ TEST_CASE("C sees what a plan is for", "[c_interface]") {
     CHECK(seen.tractions == seen.unknowns * seen.rows * seen.columns);
     CHECK(seen.unknowns == plan.unknowns);
     CHECK(seen.is_skin == plan.cells.has_value());
+    CHECK(seen.is_curved == plan.space.has_value());
     CHECK(seen.spacing_y_m == (plan.cells ? plan.cells->spacing_y : plan.spacing));
     CHECK(seen.spacing_z_m == (plan.cells ? plan.cells->spacing_z : 0.0));
     CHECK(seen.centre_y_m == (plan.cells ? plan.cells->centre_y : plan.centre));

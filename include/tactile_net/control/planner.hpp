@@ -24,6 +24,7 @@
 ///     ContactEstimator estimator(planned.plan);    // examples 07_controller, 10_skin_controller
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -86,6 +87,8 @@ struct PlannerOptions {
   /// leave an array that is not mirror symmetric: `reflections` and `fft` cannot be used.
   std::optional<Calibration> calibration{};
   std::string label{};
+  /// Of a curved skin: the point that moments are about, in the sensor's axes [m], finite.
+  std::array<double, 3> moment_about{};
   std::optional<ConeOptions> cone{};  ///< absent: tractions are linear in the readings
 };
 

@@ -9,6 +9,7 @@
 ///         grip(contact.normal_force, contact.friction_margin);
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <limits>
@@ -24,6 +25,17 @@
 #include "tactile_net/realtime/reading_view.hpp"
 
 namespace tactile_net {
+
+/// What tractions on a curved skin amount to in the sensor's own axes, summed over the cells that a
+/// frame's other sums are over. NaN: the skin is flat.
+struct SpaceEstimate {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+  std::array<double, 3> force{unknown, unknown, unknown};   ///< that acts on the skin [N]
+  std::array<double, 3> moment{unknown, unknown, unknown};  ///< of it, about the plan's point [N m]
+  /// The mean of the places that press [m], which lies below a convex surface; NaN without contact.
+  std::array<double, 3> centre{unknown, unknown, unknown};
+};
 
 /// One frame's answer. The caller owns it and the memory of its tractions.
 ///
@@ -57,6 +69,9 @@ struct ContactEstimate {
   double slip_margin = unknown;
   double margin_centre = unknown;    ///< centre of the contact that has the margins [m]; else NaN
   double margin_centre_z = unknown;  ///< a skin's, along z [m]; else NaN
+  /// Of a curved skin, whose other forces are sums over its chart: `normal_force` sums what presses
+  /// along each place's own normal, and centres are places of the chart.
+  SpaceEstimate space{};
   /// Number of contacts that lie apart, of which margins are the worst; 0: no margins, or no
   /// contact.
   std::size_t contacts = 0;

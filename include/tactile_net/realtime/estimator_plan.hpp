@@ -71,6 +71,8 @@ struct EstimatorPlan {
   // For skins.
   /// The cells, `values` of them; `spacing` is the root of a cell's area. Absent: a line.
   std::optional<PlanCells> cells{};
+  /// Of a curved skin, whose cells are those of its chart. Absent: flat.
+  std::optional<PlanSpace> space{};
   /// Taxels, < count, that are never called outliers: a load beyond the skin's edge looks just so.
   std::vector<std::uint32_t> unjudged{};
 

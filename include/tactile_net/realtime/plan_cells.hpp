@@ -1,5 +1,6 @@
 /// @file
-/// The cells of a surface, and by what a controller tells those that touch from empty ones.
+/// The cells of a surface, by what a controller tells those that touch from empty ones, and what
+/// they amount to in space.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +28,15 @@ struct PlanCells {
   std::size_t window_columns = 0;  ///< columns that it reaches, < columns
 
   [[nodiscard]] double area() const noexcept { return spacing_y * spacing_z; }
+};
+
+/// What the tractions of a curved skin's cells amount to in the sensor's own axes.
+struct PlanSpace {
+  /// Force along x, y and z [N] and moment about x, y and z through a point that the plan's maker
+  /// chose [N m], of 1 Pa: six rows of a number for each traction.
+  std::vector<double> wrench{};
+  /// The mean place of each cell [m]: x of all, then y, then z.
+  std::vector<double> places{};
 };
 
 }  // namespace tactile_net

@@ -32,8 +32,10 @@ enum class PlanVersion : std::uint32_t {
   /// for their grids of one row.
   lines = 9,
   cone = 10,  ///< constraints that frames obey, and of a line its values as cells
+  /// What a curved skin's tractions amount to in space. Constraints are then there or not.
+  space = 11,
 };
-inline constexpr auto newest_plan_version = PlanVersion::cone;
+inline constexpr auto newest_plan_version = PlanVersion::space;
 
 /// The bytes of a plan.
 /// @throw std::invalid_argument  as `check(plan)`

@@ -7,14 +7,14 @@
 
 namespace tactile_net::report {
 
-std::vector<std::string> estimate_columns(bool skin) {
-  std::vector<std::string> names = columns_of<ContactEstimate>(skin);
+std::vector<std::string> estimate_columns(bool skin, bool curved) {
+  std::vector<std::string> names = columns_of<ContactEstimate>(skin, false, curved);
   names.emplace_back("status");
   return names;
 }
 
-std::vector<double> estimate_values(const ContactEstimate& estimate, bool skin) {
-  std::vector<double> values = values_of(estimate, skin);
+std::vector<double> estimate_values(const ContactEstimate& estimate, bool skin, bool curved) {
+  std::vector<double> values = values_of(estimate, skin, false, curved);
   if (std::isnan(estimate.normal_force)) values.assign(values.size(), ContactEstimate::unknown);
   return values;
 }

@@ -2,10 +2,25 @@
 /// Private. What a controller says of a frame, as columns of numbers.
 #pragma once
 
+#include <array>
+#include <cmath>
+
 #include "tactile_net/numeric/fields.hpp"
 #include "tactile_net/realtime/contact_estimator.hpp"
 
 namespace tactile_net {
+
+namespace report {
+
+/// A vector of a curved skin's estimate; none of a flat one.
+inline IfAny<std::array<double, 3>> in_space(const ContactEstimate& estimate,
+                                             std::array<double, 3> SpaceEstimate::*which) {
+  const std::array<double, 3>& vector = estimate.space.*which;
+  if (std::isnan(vector[0])) return {};
+  return {vector};
+}
+
+}  // namespace report
 
 template <>
 struct Fields<ContactEstimate> {
@@ -42,6 +57,19 @@ struct Fields<ContactEstimate> {
             "The centre along y of the contact that has the margins.", Of::skins),
       field("margin_centre_z", &E::margin_centre_z, Measure::length,
             "The centre along z of the contact that has the margins.", Of::skins),
+      field(
+          "force", [](const E& e) { return report::in_space(e, &SpaceEstimate::force); },
+          Measure::load, "The force that acts on the skin, along x, y and z of the sensor.",
+          Of::skins),
+      field(
+          "moment", [](const E& e) { return report::in_space(e, &SpaceEstimate::moment); },
+          Measure::moment, "Its moment about `moment_about`.", Of::skins),
+      field(
+          "centre_in_space", [](const E& e) { return report::in_space(e, &SpaceEstimate::centre); },
+          Measure::length,
+          "The mean of the places that press, in the sensor's axes: it lies below a convex "
+          "surface.",
+          Of::skins),
       field("contacts", &E::contacts, "How many contacts lie apart; margins are the worst one's."),
       field("residual_rms", &E::residual_rms,
             "What the tractions leave of the weighted readings, root mean square."),

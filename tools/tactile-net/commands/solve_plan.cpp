@@ -119,13 +119,15 @@ DataVerdict data_of(const ContactEstimate& estimate, const EstimatorPlan& plan) 
 /// What a controller would have said of the contact, one frame a row.
 class ContactsFile {
  public:
-  ContactsFile(const std::string& path, bool skin, bool with_time, const Streams& streams)
-      : skin_(skin),
+  ContactsFile(const std::string& path, const EstimatorPlan& plan, bool with_time,
+               const Streams& streams)
+      : skin_(plan.cells.has_value()),
+        curved_(plan.space.has_value()),
         output_(path, &streams.out),
-        sink_(output_.stream(), report::estimate_columns(skin), with_time) {}
+        sink_(output_.stream(), report::estimate_columns(skin_, curved_), with_time) {}
 
   void add(std::string_view time, const ContactEstimate& estimate, std::string_view status) {
-    sink_.add(time, report::estimate_values(estimate, skin_), status);
+    sink_.add(time, report::estimate_values(estimate, skin_, curved_), status);
   }
   void flush() { sink_.flush(); }
   void commit() {
@@ -139,6 +141,7 @@ class ContactsFile {
 
  private:
   bool skin_;
+  bool curved_;
   frames::OutputFile output_;
   frames::CsvSink sink_;
 };
@@ -154,7 +157,7 @@ class Replay {
         tractions_(options.output, shape.columns, file.source().has_time(), streams.out),
         progress_(streams) {
     if (!options.contacts.empty())
-      contacts_.emplace(options.contacts, shape.skin, file.source().has_time(), streams);
+      contacts_.emplace(options.contacts, plan, file.source().has_time(), streams);
   }
 
   void run() {
