@@ -13,7 +13,8 @@
 namespace tactile_net {
 namespace {
 
-constexpr FileKind part_file{"part of circuits/parts", "name, kind, maker, sheet and [figures]"};
+constexpr FileKind part_file{"part of circuits/parts",
+                             "name, kind, maker, sheet, package, price, [pins] and [figures]"};
 
 /// What a figure of a data sheet is in a deck.
 struct PartFigure {
@@ -63,6 +64,46 @@ void take(OpAmpPart& part, const PartFigure& figure, std::vector<double> values,
   part.figures.push_back({std::string(figure.name), std::move(values), std::move(at)});
 }
 
+struct PinKey {
+  std::string_view name;
+  std::vector<int> OpAmpPart::Pins::*member;
+};
+
+constexpr PinKey pins_of_one_output[] = {{"in_plus", &OpAmpPart::Pins::in_plus},
+                                         {"in_minus", &OpAmpPart::Pins::in_minus},
+                                         {"out", &OpAmpPart::Pins::out_plus},
+                                         {"supply_plus", &OpAmpPart::Pins::supply_plus},
+                                         {"supply_minus", &OpAmpPart::Pins::supply_minus}};
+
+constexpr PinKey pins_of_two_outputs[] = {{"in_plus", &OpAmpPart::Pins::in_plus},
+                                          {"in_minus", &OpAmpPart::Pins::in_minus},
+                                          {"out_plus", &OpAmpPart::Pins::out_plus},
+                                          {"out_minus", &OpAmpPart::Pins::out_minus},
+                                          {"common_mode", &OpAmpPart::Pins::common_mode},
+                                          {"supply_plus", &OpAmpPart::Pins::supply_plus},
+                                          {"supply_minus", &OpAmpPart::Pins::supply_minus},
+                                          {"power_down", &OpAmpPart::Pins::power_down}};
+
+void read_pins(Table table, OpAmpPart& part) {
+  const std::span<const PinKey> keys = part.outputs == Outputs::complementary
+                                           ? std::span<const PinKey>(pins_of_two_outputs)
+                                           : std::span<const PinKey>(pins_of_one_output);
+  for (const PinKey& key : keys) {
+    const auto value = table.required(key.name, "the number of the pin, or [1, 7] of two");
+    if (!value) continue;
+    std::vector<int>& pins = part.pins.*key.member;
+    if (value->is_list()) {
+      for (const double pin : value->numbers(positive).value_or(std::vector<double>{}))
+        pins.push_back(static_cast<int>(pin));
+    } else if (const auto pin = value->integer(1, 400)) {
+      pins = {static_cast<int>(*pin)};
+    }
+  }
+  if (const auto place = table.required("at", "where the data sheet says it"))
+    part.pins.at = place->text().value_or("");
+  table.finish();
+}
+
 void read_figures(Table table, OpAmpPart& part) {
   for (const PartFigure& figure : part_figures) {
     const auto own = table_of(table.value(figure.name));
@@ -96,9 +137,12 @@ OpAmpPart part_of(const OpAmpPartFile& file) {
   text("name", part.name);
   text("maker", part.maker);
   text("sheet", part.sheet);
-  if (const auto package = table.value("package")) part.package = package->text().value_or("");
+  text("package", part.package);
+  text("price", part.price);
   if (const auto kind = table.required("kind", "what it is"))
     if (kind->one_of("kind of part", kinds).value_or(0) == 1) part.outputs = Outputs::complementary;
+  if (const auto pins = table_of(table.required("pins", "what its pins are for")))
+    read_pins(*pins, part);
   if (const auto figures = table_of(table.required("figures", "what its data sheet says")))
     read_figures(*figures, part);
   table.finish();

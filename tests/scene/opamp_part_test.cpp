@@ -6,6 +6,8 @@
 #include <complex>
 #include <filesystem>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
@@ -57,6 +59,42 @@ TEST_CASE("every file of circuits/parts is a part, and every figure says where i
     if (!driven.bandwidth) driven.bandwidth = 1e7;  // the table lacks it: a scene states it
     CHECK_NOTHROW(check(driven));
   }
+}
+
+TEST_CASE("every pin of a part has one purpose, and its package has it", "[opamp_part]") {
+  for (const OpAmpPart& one : opamp_parts()) {
+    CAPTURE(one.name, one.package);
+    const OpAmpPart::Pins& pins = one.pins;
+    CHECK_FALSE(pins.at.empty());
+    const bool two = one.outputs == Outputs::complementary;
+    const std::size_t amplifiers = pins.amplifiers();
+    CHECK(amplifiers >= 1);
+    for (const auto* const signal : {&pins.in_minus, &pins.out_plus})
+      CHECK(signal->size() == amplifiers);
+    for (const auto* const signal : {&pins.out_minus, &pins.common_mode, &pins.power_down})
+      CHECK(signal->size() == (two ? amplifiers : 0));
+    CHECK_FALSE(pins.supply_plus.empty());
+    CHECK_FALSE(pins.supply_minus.empty());
+
+    std::set<int> used;
+    std::size_t named = 0;
+    for (const auto* const of :
+         {&pins.in_plus, &pins.in_minus, &pins.out_plus, &pins.out_minus, &pins.common_mode,
+          &pins.supply_plus, &pins.supply_minus, &pins.power_down}) {
+      used.insert(of->begin(), of->end());
+      named += of->size();
+    }
+    CHECK(used.size() == named);
+    const int count = std::stoi(one.package.substr(one.package.find_last_of('-') + 1));
+    CHECK(*used.begin() >= 1);
+    CHECK(*used.rbegin() <= count);
+    const std::set<std::string> prices = {"under 1 dollar", "1 to 3 dollars", "over 3 dollars"};
+    CHECK(prices.contains(one.price));
+  }
+  const OpAmpPart& sold = part("THS4551");
+  CHECK(sold.pins.in_plus == std::vector{8});
+  CHECK(sold.pins.power_down == std::vector{7});
+  CHECK(part("OPA1656").pins.out_plus == std::vector{1, 7});  // two amplifiers
 }
 
 TEST_CASE("a part's figures are a deck's: of two outputs each has half of their difference",

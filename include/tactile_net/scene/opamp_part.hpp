@@ -18,7 +18,7 @@ struct OpAmpPart {
   std::string name{};     ///< by which it is ordered: "THS4551"
   std::string maker{};    ///< "Texas Instruments"
   std::string sheet{};    ///< the data sheet's title, number and date
-  std::string package{};  ///< "SO-8"; empty: not known
+  std::string package{};  ///< "SO-8"
   /// Complementary of a fully differential amplifier.
   Outputs outputs = Outputs::single;
   /// As a deck has it: of a fully differential amplifier gain, bandwidth and slew are of one
@@ -28,6 +28,26 @@ struct OpAmpPart {
   std::optional<double> least_supply{}, most_supply{};  ///< between its supply pins [V]
   std::optional<double> headroom{};        ///< of an output to either supply [V]; absent: not known
   std::optional<double> supply_current{};  ///< [A]
+
+  /// What one costs, by a class: "under 1 dollar", "1 to 3 dollars" or "over 3 dollars" of a
+  /// hundred, as distributors typically ask. A scene's own price is what counts.
+  std::string price{};
+
+  /// Numbers of the package's pins, from 1. Of a signal one for each amplifier that the package
+  /// holds; of a supply all of them, to be joined. Pins that are not named stay open.
+  struct Pins {
+    std::vector<int> in_plus{}, in_minus{};
+    std::vector<int> out_plus{};   ///< of an op-amp of one output that one
+    std::vector<int> out_minus{};  ///< empty: one output
+    std::vector<int> supply_plus{}, supply_minus{};
+    std::vector<int> common_mode{};  ///< takes the outputs' mean voltage; empty: has none
+    std::vector<int> power_down{};   ///< works while it is high; empty: has none
+    std::string at{};                ///< where the data sheet says it
+
+    /// How many amplifiers the package holds.
+    [[nodiscard]] std::size_t amplifiers() const noexcept { return in_plus.size(); }
+  };
+  Pins pins{};
 
   /// A figure as the data sheet has it, and where it stands there.
   struct Figure {
