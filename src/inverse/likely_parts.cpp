@@ -15,8 +15,8 @@ namespace {
 /// Over the largest probability: of as many components as there are, all together are less than
 /// a billionth.
 constexpr double never_counted = 1e-15;
-constexpr Index alphas_apart = 4;       // those at which every window is looked at
 constexpr double least_outside = 1e-6;  // of |g|^2, told by a difference
+constexpr Index looked_apart = LoadPrior::Tables::looked_apart;
 
 /// Each term of q, alpha beta^2 / (gamma^2 + alpha), rises with alpha and is concave in it: between
 /// two alphas q lies above its chord. And q = g'(I + K C K' / alpha)^-1 g rises with the tangential
@@ -55,9 +55,8 @@ class LikelyParts {
  private:
   /// A window's readings onto what its tractions make of them.
   struct Look {
-    // By an entry, or by an outline: of each class before its matrix rotates them, and then.
+    Eigen::VectorXd within{};  // by an outline: before a weight's matrix rotates them
     Eigen::VectorXd beta{}, square{};
-    std::vector<Eigen::MatrixXd> classes{}, rotated{};
     double outside = 0.0;    // what of |g|^2 no traction in the window explains
     Eigen::VectorXd left{};  // q of each alpha, or less
     double most = 0.0;       // of log p
@@ -81,13 +80,19 @@ class LikelyParts {
     if (look.outside < least_outside * square_)
       look.outside = (g - entry.u * look.beta).squaredNorm();
   }
-  [[nodiscard]] double left(std::size_t entry, const Look& look, Index a) const {
-    const double alpha = tables_.alphas(a);
-    const auto inside = [&] {
-      if (tables_.is_long()) return tables_.outline(entry).left(look.rotated, alpha)(0);
-      return (alpha * look.square.array() / (tables_.entry(entry).gamma2.array() + alpha)).sum();
-    };
-    return std::max(least_, look.outside + inside());
+  /// q of these alphas.
+  [[nodiscard]] Eigen::VectorXd left(std::size_t entry, const Look& look,
+                                     const std::vector<Index>& at) const {
+    const Eigen::VectorXd alphas = tables_.alphas(at);
+    Eigen::VectorXd inside(alphas.size());
+    if (tables_.is_long()) {
+      inside = tables_.outline(entry).damped(alphas).left(look.beta);
+    } else {
+      const Eigen::VectorXd& gamma2 = tables_.entry(entry).gamma2;
+      for (Index i = 0; i < inside.size(); ++i)
+        inside(i) = (alphas(i) * look.square.array() / (gamma2.array() + alphas(i))).sum();
+    }
+    return (inside.array() + look.outside).max(least_);
   }
   [[nodiscard]] double log_likelihood(double q) const {
     return std::isinf(known_) ? -0.5 * q : -0.5 * degrees_ * std::log(known_ + q);
@@ -96,42 +101,38 @@ class LikelyParts {
   /// At all windows of a shape.
   void look_at(const LoadPrior::Tables::Shape& shape, std::vector<Look>& looks) const {
     const Index count = tables_.alphas.size();
+    for (const std::size_t w : shape.windows) looks[w].left.resize(count);
+    const auto looked_at = Eigen::seq(Index{0}, count - 1, Eigen::fix<looked_apart>);
     if (tables_.is_long()) {
       Eigen::MatrixXd g(reflected_.front().size(), std::ssize(shape.windows));
       for (Index k = 0; k < g.cols(); ++k)
         g.col(k) = readings(shape.windows[static_cast<std::size_t>(k)]);
-      const auto within = shape.range->coordinates(g);
-      const auto rotated = tables_.outline(shape.first).rotated(within.classes);
+      const LoadPrior::Tables::Outline& outline = tables_.outline(shape.first);
+      const auto seen = shape.range->coordinates(g);
+      const Eigen::MatrixXd rotated = outline.rotated(seen.within);
+      const Eigen::MatrixXd left = outline.looks->left(rotated);
       for (Index k = 0; k < g.cols(); ++k) {
         Look& look = looks[shape.windows[static_cast<std::size_t>(k)]];
-        look.outside = within.outside(k);
-        for (std::size_t c = 0; c < rotated.size(); ++c) {
-          look.classes.emplace_back(within.classes[c].col(k));
-          look.rotated.emplace_back(rotated[c].col(k));
-        }
-        look.left.resize(count);
-      }
-      for (Index a = 0; a < count; a += alphas_apart) {
-        const Eigen::RowVectorXd all =
-            tables_.outline(shape.first).left(rotated, tables_.alphas(a)) + within.outside;
-        for (Index k = 0; k < g.cols(); ++k)
-          looks[shape.windows[static_cast<std::size_t>(k)]].left(a) = std::max(least_, all(k));
+        look.outside = seen.outside(k);
+        look.within = seen.within.col(k);
+        look.beta = rotated.col(k);
+        look.left(looked_at) = (left.col(k).array() + look.outside).max(least_);
       }
     } else {
+      std::vector<Index> at;
+      for (Index a = 0; a < count; a += looked_apart) at.push_back(a);
       for (const std::size_t w : shape.windows) {
         project(tables_.entry(shape.first), w, looks[w]);
-        looks[w].left.resize(count);
-        for (Index a = 0; a < count; a += alphas_apart)
-          looks[w].left(a) = left(shape.first, looks[w], a);
+        looks[w].left(looked_at) = left(shape.first, looks[w], at);
       }
     }
     for (const std::size_t w : shape.windows) {
       Look& look = looks[w];
-      for (Index a = alphas_apart; a < count; a += alphas_apart)
-        for (Index i = a - alphas_apart + 1; i < a; ++i) {
+      for (Index a = looked_apart; a < count; a += looked_apart)
+        for (Index i = a - looked_apart + 1; i < a; ++i) {
           const double share = (tables_.alphas(i) - tables_.alphas(a)) /
-                               (tables_.alphas(a - alphas_apart) - tables_.alphas(a));
-          look.left(i) = (1.0 - share) * look.left(a) + share * look.left(a - alphas_apart);
+                               (tables_.alphas(a - looked_apart) - tables_.alphas(a));
+          look.left(i) = (1.0 - share) * look.left(a) + share * look.left(a - looked_apart);
         }
       look.most = -std::numeric_limits<double>::infinity();
       for (Index a = 0; a < count; ++a)
@@ -143,20 +144,21 @@ class LikelyParts {
     const LoadPrior::Tables::Shape& shape = tables_.shapes[tables_.windows[w].shape];
     for (std::size_t i = 0; i < tables_.tangential_weights.size(); ++i) {
       const std::size_t entry = shape.first + i;
-      const Eigen::VectorXd& log_prior = tables_.log_prior(entry);
+      const Eigen::VectorXd& log_prior = tables_.entry(entry).log_prior;
       Found found{.window = w, .entry = entry};
       for (Index a = 0; a < tables_.alphas.size(); ++a)
         if (log_prior(a) + log_likelihood(look.left(a)) > best_ + std::log(never_counted))
           found.alphas.push_back(a);
       if (found.alphas.empty()) continue;
       if (i > 0 && tables_.is_long())
-        look.rotated = tables_.outline(entry).rotated(look.classes);
+        look.beta = tables_.outline(entry).rotated(look.within);
       else if (i > 0)
         project(tables_.entry(entry), w, look);
-      for (const Index a : found.alphas) {
-        look.left(a) = left(entry, look, a);
-        found.left.push_back(look.left(a));
-        found.log.push_back(log_prior(a) + log_likelihood(look.left(a)));
+      const Eigen::VectorXd exactly = left(entry, look, found.alphas);
+      look.left(found.alphas) = exactly;
+      found.left.assign(exactly.begin(), exactly.end());
+      for (std::size_t k = 0; k < found.alphas.size(); ++k) {
+        found.log.push_back(log_prior(found.alphas[k]) + log_likelihood(found.left[k]));
         best_ = std::max(best_, found.log.back());
       }
       found.beta = look.beta;
@@ -180,14 +182,13 @@ class LikelyParts {
       for (std::size_t i = 0; i < found.log.size(); ++i)
         if (found.log[i] > unlikely * all)
           part.sizes.push_back(
-              {.alpha = tables_.alphas(found.alphas[i]),
+              {.at = found.alphas[i],
+               .alpha = tables_.alphas(found.alphas[i]),
                .probability = found.log[i] / kept,
                .scale2 = std::isinf(known_) ? 1.0 : (known_ + found.left[i]) / degrees_});
       if (part.sizes.empty()) continue;
       part.entry = &tables_.entry(found.entry);
-      part.beta = tables_.is_long()
-                      ? Eigen::VectorXd(part.entry->u.transpose() * readings(found.window))
-                      : std::move(found.beta);
+      part.beta = std::move(found.beta);
       parts.push_back(std::move(part));
     }
     return parts;

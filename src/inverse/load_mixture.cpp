@@ -61,9 +61,7 @@ LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& 
       likely_parts(tables, g, known, noise.rms ? 0.0 : least_sigma * least_sigma));
   for (const Part& part : *parts)
     for (const Part::Size& size : part.sizes)
-      mixture.used_ +=
-          size.probability *
-          (part.entry->gamma2.array() / (part.entry->gamma2.array() + size.alpha)).sum();
+      mixture.used_ += size.probability * part.entry->used(size.at);
   mixture.parts_ = std::move(parts);
   return mixture;
 }
@@ -91,9 +89,10 @@ double LoadMixture::alpha_quantile(double p) const {
 std::vector<double> LoadMixture::mean() const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(tables_->tractions_count());
   for (const LoadPrior::Part& part : *parts_) {
-    Eigen::VectorXd filtered = Eigen::VectorXd::Zero(part.beta.size());
-    for (const LoadPrior::Part::Size& size : part.sizes)
-      filtered += size.probability * part.filtered(size.alpha);
+    Eigen::VectorXd probabilities(std::ssize(part.sizes));
+    for (Index i = 0; i < probabilities.size(); ++i)
+      probabilities(i) = part.sizes[static_cast<std::size_t>(i)].probability;
+    const Eigen::VectorXd filtered = tables_->filtered(part) * probabilities;
     tables_->add(*part.window, tables_->details(*part.entry)->roots * filtered, all);
   }
   all *= sigma_;
@@ -102,27 +101,28 @@ std::vector<double> LoadMixture::mean() const {
 
 /// Of one window and weight: what it knows of the sums that it has a share in.
 struct LoadSums::Piece {
+  const LoadPrior::Part* part = nullptr;
   std::vector<Index> sums{};  // which of all
   Eigen::MatrixXd known{};    // what readings tell of each, a row each
   Eigen::MatrixXd rest{};     // and what none shows, a column each; without columns: nothing
   // Of each size a column.
-  Eigen::MatrixXd over{};  // 1 / (gamma^2 + alpha)
   Eigen::RowVectorXd scale2{}, alphas{};
   Eigen::MatrixXd means{};               // of each sum a row
   std::vector<Eigen::MatrixXd> model{};  // what each component's factor may change of it
   Index first = 0;                       // component of the mixture
 
   /// Of two of the window's sums, for each size.
-  [[nodiscard]] Eigen::RowVectorXd covariances(Index a, Index b) const {
-    Eigen::RowVectorXd all = known.row(a).cwiseProduct(known.row(b)) * over;
+  [[nodiscard]] Eigen::RowVectorXd covariances(const LoadPrior::Tables& tables, Index a,
+                                               Index b) const {
+    Eigen::RowVectorXd all = tables.products(*part, known.row(a), known.row(b));
     if (rest.cols() > 0) all.array() += rest.col(a).dot(rest.col(b)) / alphas.array();
     all.array() *= scale2.array();
     for (const Eigen::MatrixXd& one : model) all += one.row(a).cwiseProduct(one.row(b));
     return all;
   }
   /// Of each sum, for each size.
-  [[nodiscard]] Eigen::MatrixXd variances() const {
-    Eigen::MatrixXd all = known.cwiseAbs2() * over;
+  [[nodiscard]] Eigen::MatrixXd variances(const LoadPrior::Tables& tables) const {
+    Eigen::MatrixXd all = tables.spreads(*part, known);
     if (rest.cols() > 0) all += rest.colwise().squaredNorm().transpose() * alphas.cwiseInverse();
     all.array().rowwise() *= scale2.array();
     for (const Eigen::MatrixXd& one : model) all += one.cwiseAbs2();
@@ -132,6 +132,8 @@ struct LoadSums::Piece {
 
 /// Of all components; zero where a window has no share in a sum.
 struct LoadSums::Table {
+  std::shared_ptr<const LoadPrior::Tables> tables{};
+  std::shared_ptr<const std::vector<LoadPrior::Part>> parts{};
   double sigma = 1.0;
   double degrees = 0.0;
   std::vector<Piece> pieces{};
@@ -147,7 +149,8 @@ struct LoadSums::Table {
       const Index i = at(a);
       const Index j = at(b);
       if (std::max(i, j) < std::ssize(piece.sums))
-        all.segment(piece.first, piece.over.cols()) = piece.covariances(i, j).transpose();
+        all.segment(piece.first, piece.alphas.size()) =
+            piece.covariances(*tables, i, j).transpose();
     }
     return all;
   }
@@ -208,7 +211,9 @@ LoadSums LoadMixture::sums(std::span<const std::vector<double>> weights) const {
     all.col(k) = as_eigen(std::span(one));
   }
   const auto count = static_cast<Index>(components());
-  LoadSums::Table table{.sigma = sigma_,
+  LoadSums::Table table{.tables = tables_,
+                        .parts = parts_,
+                        .sigma = sigma_,
                         .degrees = degrees_,
                         .probabilities = Eigen::VectorXd(count),
                         .means = Eigen::MatrixXd::Zero(count, all.cols()),
@@ -228,10 +233,10 @@ LoadSums LoadMixture::sums(std::span<const std::vector<double>> weights) const {
     }
     const auto details = tables_->details(*part.entry);
     const Index own = inside.rows() / tables_->components;
-    LoadSums::Piece piece{.sums = shared, .over = part.over(), .first = first};
+    const Eigen::MatrixXd filtered = tables_->filtered(part);
+    LoadSums::Piece piece{.part = &part, .sums = shared, .first = first};
     piece.known = Eigen::MatrixXd::Zero(inside.cols(), details->roots.cols());
-    piece.means = Eigen::MatrixXd::Zero(inside.cols(), piece.over.cols());
-    const Eigen::MatrixXd filtered = part.filtered();
+    piece.means = Eigen::MatrixXd::Zero(inside.cols(), filtered.cols());
     for (Index u = 0; u < tables_->components; ++u) {
       const Eigen::MatrixXd of_one =
           inside.middleRows(u * own, own).transpose() * details->roots.middleRows(u * own, own);
@@ -242,8 +247,8 @@ LoadSums LoadMixture::sums(std::span<const std::vector<double>> weights) const {
     }
     if (details->v.cols() < details->v.rows())
       piece.rest = tables_->sums(*part.entry, inside) - details->v * piece.known.transpose();
-    piece.scale2.resize(piece.over.cols());
-    piece.alphas.resize(piece.over.cols());
+    piece.scale2.resize(filtered.cols());
+    piece.alphas.resize(filtered.cols());
     for (Index i = 0; i < piece.alphas.size(); ++i) {
       const LoadPrior::Part::Size& size = part.sizes[static_cast<std::size_t>(i)];
       piece.scale2(i) = size.scale2;
@@ -252,7 +257,7 @@ LoadSums LoadMixture::sums(std::span<const std::vector<double>> weights) const {
     }
     const auto here = Eigen::seqN(first, piece.alphas.size());
     table.means(here, shared) = piece.means.transpose();
-    table.variances(here, shared) = piece.variances().transpose();
+    table.variances(here, shared) = piece.variances(*tables_).transpose();
     first += piece.alphas.size();
     table.pieces.push_back(std::move(piece));
   }
@@ -292,8 +297,8 @@ std::vector<Distribution> LoadMixture::of_tractions() const {
   for (std::size_t i = 0; i < count; ++i) all[i].reserve(sizes[i] + 1);
   for (const LoadPrior::Part& part : *parts_) {
     const auto details = tables_->details(*part.entry);
-    const Eigen::MatrixXd means = details->roots * part.filtered();
-    const Eigen::MatrixXd seen = details->roots.cwiseAbs2() * part.over();
+    const Eigen::MatrixXd means = details->roots * tables_->filtered(part);
+    const Eigen::MatrixXd seen = tables_->spreads(part, *details);
     const std::vector<double>& signs = tables_->reflections[part.window->reflection].tractions;
     const auto own = means.rows() / tables_->components;
     for (Index i = 0; i < means.rows(); ++i) {

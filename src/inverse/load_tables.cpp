@@ -69,7 +69,6 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
   find_reflections(problem);
   add_windows(problem, options);
   entries_.resize(shapes.size() * tangential_weights.size());
-  made_ = std::make_unique<std::once_flag[]>(entries_.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i].first = i * tangential_weights.size();
   kept_.resize(entries_.size());
   asked_.resize(entries_.size());
@@ -180,36 +179,43 @@ std::vector<Index> LoadPrior::Tables::columns_of(const LinearProblem& problem,
   return columns;
 }
 
-/// The whole surface, which sizes alphas, and then shape after shape by whoever is free.
+void LoadPrior::Tables::size_alphas(double largest_gamma) {
+  if (!(largest_gamma > 0.0)) throw std::invalid_argument(nothing_is_read);
+  alphas.resize(mixture_alphas);
+  for (Index a = 0; a < mixture_alphas; ++a)
+    alphas(a) = largest_gamma * largest_gamma * most_alpha * std::ldexp(1.0, -static_cast<int>(a));
+}
+
 void LoadPrior::Tables::prepare(std::size_t threads) {
-  std::call_once(made_[0], [&] {
-    entries_[0] = decomposed(0);
-    const double largest = entries_[0].gamma(0);
-    if (!(largest > 0.0)) throw std::invalid_argument(nothing_is_read);
-    alphas.resize(mixture_alphas);
-    for (Index a = 0; a < mixture_alphas; ++a)
-      alphas(a) = largest * largest * most_alpha * std::ldexp(1.0, -static_cast<int>(a));
-    weigh(entries_[0]);
-  });
-  const auto sum_up = [&](Shape& shape) {
-    shape.most_log_prior = log_prior(shape.first);
-    for (std::size_t i = 1; i < tangential_weights.size(); ++i)
-      shape.most_log_prior = shape.most_log_prior.cwiseMax(log_prior(shape.first + i));
+  const auto make_all = [this](std::size_t of) {
+    Shape& shape = shapes[of];
+    const std::size_t weights = tangential_weights.size();
+    if (is_long_) {
+      outline_all(of);
+    } else {
+      for (std::size_t i = 0; i < weights; ++i) {
+        Entry& entry = entries_[shape.first + i];
+        entry = decomposed(shape.first + i);
+        if (alphas.size() == 0) size_alphas(entry.gamma(0));
+        weigh(entry);
+      }
+    }
+    shape.most_log_prior = entries_[shape.first].log_prior;
+    for (std::size_t i = 1; i < weights; ++i)
+      shape.most_log_prior = shape.most_log_prior.cwiseMax(entries_[shape.first + i].log_prior);
   };
+  if (is_long_) outlines_.resize(entries_.size());
+  make_all(0);
   if (!is_long_) {
-    for (Shape& shape : shapes) sum_up(shape);
+    for (std::size_t i = 1; i < shapes.size(); ++i) make_all(i);
     return;
   }
-  outlines_.resize(entries_.size());
-  std::atomic<std::size_t> next = 0;
+  std::atomic<std::size_t> next = 1;
   std::mutex mutex;
   std::exception_ptr failure;
   const auto work = [&] {
     try {
-      for (std::size_t i = next++; i < shapes.size(); i = next++) {
-        outline_all(i);
-        sum_up(shapes[i]);
-      }
+      for (std::size_t i = next++; i < shapes.size(); i = next++) make_all(i);
     } catch (...) {
       const std::lock_guard lock(mutex);
       failure = std::current_exception();
@@ -225,14 +231,6 @@ void LoadPrior::Tables::prepare(std::size_t threads) {
     work();
   }
   if (failure) std::rethrow_exception(failure);
-}
-
-const LoadPrior::Tables::Entry& LoadPrior::Tables::entry(std::size_t at) const {
-  std::call_once(made_[at], [&] {
-    entries_[at] = decomposed(at);
-    weigh(entries_[at]);
-  });
-  return entries_[at];
 }
 
 /// Of y and of z with both, or of one exchange: those that undo themselves and one another.
@@ -298,12 +296,15 @@ LoadPrior::Tables::Shown LoadPrior::Tables::shown(const Shape& shape) const {
   if (!by.empty() && by.front()->exchanged) shape.coordinates.part_exchanged(seen);
   made.classes = classes_by(by);
   // Half of a class's rows, or three quarters, are nothing but rounding.
-  const auto own_rows = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd {
-    if (by.empty()) return reduced(x);
-    std::vector<Index> kept;
+  const auto own_rows = [&](const Eigen::MatrixXd& x) {
+    Rows rows;
     for (Index i = 0; i < x.rows(); ++i)
-      if (x.row(i).cwiseAbs().maxCoeff() > least_entry) kept.push_back(i);
-    return reduced(x(kept, Eigen::indexing::all));
+      if (by.empty() || x.row(i).cwiseAbs().maxCoeff() > least_entry) rows.kept.push_back(i);
+    rows.seen = x(rows.kept, Eigen::indexing::all);
+    if (rows.seen.rows() <= x.cols()) return rows;
+    rows.qr.emplace(rows.seen);
+    rows.seen = rows.qr->triangle();
+    return rows;
   };
   for (const Eigen::SparseMatrix<double>& one : made.classes) {
     const Eigen::MatrixXd of_class = by.empty() ? seen : Eigen::MatrixXd(seen * one);
@@ -325,7 +326,8 @@ LoadPrior::Tables::Entry LoadPrior::Tables::decomposed(std::size_t at) const {
   std::vector<Svd> parts;
   std::vector<Value> values;
   for (std::size_t c = 0; c < shown.classes.size(); ++c) {
-    const Eigen::MatrixXd both = reduced(stacked(shown.normal[c], shown.tangential[c] / weight));
+    const Eigen::MatrixXd both =
+        reduced(stacked(shown.normal[c].seen, shown.tangential[c].seen / weight));
     parts.push_back(both.rows() == both.cols() ? singular_value_decomposition(both)
                                                : long_singular_value_decomposition(both));
     for (Index k = 0; k < parts[c].values.size(); ++k)
@@ -356,108 +358,13 @@ void LoadPrior::Tables::weigh(Entry& entry) const {
   entry.gamma.conservativeResize(seen);
   entry.gamma2 = entry.gamma.cwiseAbs2();
   entry.log_prior.resize(mixture_alphas);
-  for (Index a = 0; a < mixture_alphas; ++a)
+  entry.used.resize(mixture_alphas);
+  for (Index a = 0; a < mixture_alphas; ++a) {
+    const Eigen::ArrayXd damped = entry.gamma2.array() + alphas(a);
     entry.log_prior(a) = log_prior(shapes[entry.shape], entry.tangential_weight, a) +
-                         0.5 * (alphas(a) / (entry.gamma2.array() + alphas(a))).log().sum();
-}
-
-/// Of a class with fewer values than readings the QR is the shape's: what a weight changes are
-/// rows of its triangle.
-void LoadPrior::Tables::outline_all(std::size_t of) {
-  Shape& shape = shapes[of];
-  const Shown shown = this->shown(shape);
-  Range range{.classes = classifying(shape).empty() ? decltype(shown.classes){} : shown.classes};
-  std::vector<Eigen::MatrixXd> transposed;  // where there is a QR, its triangle
-  for (std::size_t c = 0; c < shown.classes.size(); ++c) {
-    const Eigen::MatrixXd both = stacked(shown.normal[c], shown.tangential[c]);
-    if (both.rows() < both.cols()) {
-      range.within.emplace_back(std::in_place, Eigen::MatrixXd(both.transpose()));
-      transposed.push_back(range.within.back()->triangle());
-    } else {
-      range.within.emplace_back();
-      transposed.emplace_back(both.transpose());
-    }
+                         0.5 * (alphas(a) / damped).log().sum();
+    entry.used(a) = (entry.gamma2.array() / damped).sum();
   }
-  for (std::size_t i = 0; i < tangential_weights.size(); ++i) {
-    const double weight = tangential_weights[i];
-    Outline& outline = outlines_[shape.first + i];
-    outline.size = shown.size;
-    for (std::size_t c = 0; c < transposed.size(); ++c) {
-      Eigen::MatrixXd weighted = transposed[c];
-      weighted.rightCols(shown.tangential[c].rows()) /= weight;
-      if (weighted.rows() < weighted.cols())
-        weighted = reduced(weighted.transpose()).transpose().eval();
-      outline.classes.emplace_back(weighted);
-    }
-    outline.log_prior.resize(mixture_alphas);
-    for (Index a = 0; a < mixture_alphas; ++a) {
-      outline.log_prior(a) = log_prior(shape, weight, a);
-      for (std::size_t c = 0; c < outline.classes.size(); ++c)
-        outline.log_prior(a) -=
-            0.5 *
-            (outline.triangle(c, alphas(a)).diagonal.array().square() / alphas(a)).log().sum();
-    }
-  }
-  shape.range = std::make_shared<const Range>(std::move(range));
-}
-
-LoadPrior::Tables::Range::Coordinates LoadPrior::Tables::Range::coordinates(
-    const Eigen::MatrixXd& readings) const {
-  Coordinates made{.outside = Eigen::RowVectorXd::Zero(readings.cols())};
-  for (std::size_t c = 0; c < within.size(); ++c) {
-    Eigen::MatrixXd own =
-        classes.empty() ? readings : Eigen::MatrixXd(classes[c].transpose() * readings);
-    if (within[c]) {
-      own = within[c]->rotate(own);
-      const Index shown = within[c]->columns();
-      made.outside += own.bottomRows(own.rows() - shown).colwise().squaredNorm();
-      own.conservativeResize(shown, Eigen::NoChange);
-    }
-    made.classes.push_back(std::move(own));
-  }
-  return made;
-}
-
-std::vector<Eigen::MatrixXd> LoadPrior::Tables::Outline::rotated(
-    const std::vector<Eigen::MatrixXd>& x) const {
-  std::vector<Eigen::MatrixXd> all;
-  for (std::size_t c = 0; c < classes.size(); ++c) all.push_back(classes[c].rotate(x[c]));
-  return all;
-}
-
-/// From the last row on: sqrt(alpha) is rotated into the diagonal, and what that leaves of the
-/// number above it into the next one's sqrt(alpha).
-LoadPrior::Tables::Outline::Triangle LoadPrior::Tables::Outline::triangle(std::size_t of,
-                                                                          double alpha) const {
-  const Eigen::VectorXd& d = classes[of].diagonal();
-  const Eigen::VectorXd& e = classes[of].above();
-  Triangle made{.diagonal = Eigen::VectorXd(d.size()), .above = Eigen::VectorXd(e.size())};
-  double damped = alpha;  // the square of what is to be rotated
-  for (Index i = d.size(); i-- > 0;) {
-    const double value = size * d(i);
-    const double r2 = value * value + damped;
-    made.diagonal(i) = std::sqrt(r2);
-    if (i == 0) break;
-    const double beside = size * e(i - 1);
-    made.above(i - 1) = beside * value / made.diagonal(i);
-    damped = alpha + beside * beside * (damped / r2);
-  }
-  return made;
-}
-
-Eigen::RowVectorXd LoadPrior::Tables::Outline::left(const std::vector<Eigen::MatrixXd>& rotated,
-                                                    double alpha) const {
-  Eigen::RowVectorXd all = Eigen::RowVectorXd::Zero(rotated.front().cols());
-  for (std::size_t c = 0; c < rotated.size(); ++c) {
-    const Triangle r = triangle(c, alpha);
-    Eigen::RowVectorXd y = Eigen::RowVectorXd::Zero(all.size());
-    for (Index i = r.diagonal.size(); i-- > 0;) {
-      const double above = i + 1 < r.diagonal.size() ? r.above(i) : 0.0;
-      y = (rotated[c].row(i) - above * y) / r.diagonal(i);
-      all += y.cwiseAbs2();
-    }
-  }
-  return alpha * all;
 }
 
 Eigen::MatrixXd LoadPrior::Tables::tractions(const Entry& entry, const Eigen::MatrixXd& c) const {
@@ -498,20 +405,28 @@ void LoadPrior::Tables::add(const Window& window, const Eigen::VectorXd& inside,
 
 /// V by a QR of (K T)'U = V diag(gamma), its columns descending: R is the diagonal to a rounding of
 /// its largest entry, so U diag(gamma) V' is K T as well as a decomposition makes it.
-LoadPrior::Tables::Details LoadPrior::Tables::make(const Entry& entry) const {
-  const Shape& shape = shapes[entry.shape];
-  const Eigen::MatrixXd kernel = kernel_(Eigen::indexing::all, shape.columns);
-  const Index n = kernel.cols();
-  const Index shown = entry.gamma.size();
+Eigen::MatrixXd LoadPrior::Tables::value_vectors(const Entry& entry) const {
+  const Eigen::MatrixXd kernel = kernel_(Eigen::indexing::all, shapes[entry.shape].columns);
   const HouseholderQr qr(sums(entry, kernel.transpose() * entry.u) *
                          entry.gamma.cwiseInverse().asDiagonal());
-  Details made{.v = qr.rotate_back(Eigen::MatrixXd::Identity(n, shown))};
+  Eigen::MatrixXd v = qr.rotate_back(Eigen::MatrixXd::Identity(kernel.cols(), entry.gamma.size()));
   const Eigen::VectorXd diagonal = qr.triangle().diagonal();
-  for (Index i = 0; i < shown; ++i)
-    if (diagonal(i) < 0.0) made.v.col(i) *= -1.0;
+  for (Index i = 0; i < diagonal.size(); ++i)
+    if (diagonal(i) < 0.0) v.col(i) *= -1.0;
+  return v;
+}
+
+void LoadPrior::Tables::make(const Entry& entry, Details& made) const {
+  made.v = is_long_ ? outlined_vectors(index_of(entry)) : value_vectors(entry);
   made.roots = tractions(entry, made.v);
+  const Shape& shape = shapes[entry.shape];
+  const Index n = made.v.rows();
   made.hidden = Eigen::VectorXd::Zero(n);
-  if (shown == n) return made;
+  if (is_long_) made.spreads.resize(static_cast<std::size_t>(mixture_alphas));
+  if (made.v.cols() == n) {
+    if (is_long_) made.v.resize(0, 0);
+    return;
+  }
   const Index own = shape.coordinates.count();
   for (Index u = 0; u < components; ++u)
     made.hidden.segment(u * own, own) =
@@ -528,21 +443,23 @@ LoadPrior::Tables::Details LoadPrior::Tables::make(const Entry& entry) const {
   left = sums(entry, left);
   left -= made.v * made.roots(little, Eigen::indexing::all).transpose();
   made.hidden(little) = left.colwise().squaredNorm();
-  return made;
 }
 
 std::shared_ptr<const LoadPrior::Tables::Details> LoadPrior::Tables::details(
     const Entry& entry) const {
-  const auto at = static_cast<std::size_t>(&entry - entries_.data());
+  const std::size_t at = index_of(entry);
   {
     const std::lock_guard lock(mutex_);
     asked_[at] = ++asks_;
     if (kept_[at]) return kept_[at];
   }
   // Not under the lock: two threads may make the same, which is the same.
-  auto made = std::make_shared<const Details>(make(entry));
+  const auto own = std::make_shared<Details>();
+  make(entry, *own);
+  const std::shared_ptr<const Details> made = own;
   const auto numbers = [](const Details& one) {
-    return static_cast<std::size_t>(one.v.size() + one.roots.size() + one.hidden.size());
+    return static_cast<std::size_t>(one.v.size() + one.roots.size()) +
+           static_cast<std::size_t>(one.hidden.size()) * (1 + one.spreads.size());
   };
   const std::lock_guard lock(mutex_);
   if (kept_[at]) return kept_[at];

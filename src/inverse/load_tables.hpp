@@ -7,9 +7,9 @@
 /// window that is its own image is decomposed class by class. What only answers need is made when a
 /// frame finds a window likely.
 ///
-/// Of many readings a window's singular vectors are worked out when a frame finds it likely: what
-/// tells that, q and the determinant, a bidiagonal matrix gives as exactly, at a fifth of the time.
-/// No answer depends on what was worked out before.
+/// Of many readings no singular vectors are worked out: what tells how likely a window is, and what
+/// it then knows of tractions, a bidiagonal matrix gives as exactly (damped_bidiagonal.hpp), at a
+/// tenth of the time. No answer depends on what was worked out before.
 #pragma once
 
 #include <array>
@@ -18,8 +18,10 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "inverse/damped_bidiagonal.hpp"
 #include "inverse/mirror_classes.hpp"
 #include "inverse/weighting.hpp"
 #include "inverse/window_places.hpp"
@@ -53,6 +55,9 @@ class WindowCoordinates {
 };
 
 struct LoadPrior::Tables {
+  /// Of the alphas those at which every window is looked at: each fourth, the first one too.
+  static constexpr int looked_apart = 4;
+
   /// Of readings and of tractions: y -> -y, z -> -z, both or none, and then y and z exchanged or
   /// not.
   struct Reflection {
@@ -86,62 +91,73 @@ struct LoadPrior::Tables {
   struct Entry {
     std::size_t shape = 0;
     double tangential_weight = 1.0;
+    Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
+    Eigen::VectorXd used{};       // of each alpha, tr H
+    // Of few readings K T = U diag(gamma) V'.
     Eigen::MatrixXd u{};
     Eigen::VectorXd gamma{}, gamma2{};
-    Eigen::VectorXd log_prior{};  // of each alpha, with the log of det(I - H)^(1/2)
   };
   /// The readings that a shape shows in, class by class: orthonormal columns.
   struct Range {
     std::vector<Eigen::SparseMatrix<double>> classes{};  // none: all of them
-    /// Of each class, where fewer values than readings are in it; of the shape, not of a weight.
-    std::vector<std::optional<HouseholderQr>> within{};
+    /// Of each class, where fewer values than readings are in it, what these can show, a column
+    /// each; of the shape, not of a weight.
+    std::vector<Eigen::MatrixXd> within{};
     struct Coordinates {
-      std::vector<Eigen::MatrixXd> classes{};
+      Eigen::MatrixXd within{};      // class after class
       Eigen::RowVectorXd outside{};  // the squares of what no traction explains
     };
     /// @param readings  a column a frame
     [[nodiscard]] Coordinates coordinates(const Eigen::MatrixXd& readings) const;
   };
-  /// Of a shape and a weight, by a bidiagonal matrix of each class: K C K' = U B B' U'.
+  /// Of a shape and a weight, class by class: K T = U B V', B bidiagonal.
   struct Outline {
-    std::vector<Bidiagonalisation> classes{};
-    double size = 1.0;            // B is over it
-    Eigen::VectorXd log_prior{};  // as an entry's
+    std::vector<Bidiagonalisation> classes{};  // over a power of two
+    std::vector<Eigen::MatrixXd> u{};          // of each class; of the least weight alone
+    Eigen::VectorXd diagonal{}, above{};       // of B, with 0 between two classes
+    std::optional<DampedBidiagonal> looks{};   // of the least weight: alphas that are looked at
 
-    /// R upper bidiagonal of a class: B B' + alpha = R R', without a square.
-    struct Triangle {
-      Eigen::VectorXd diagonal, above;
-    };
-    [[nodiscard]] Triangle triangle(std::size_t of, double alpha) const;
-    /// U'x of each class.
-    [[nodiscard]] std::vector<Eigen::MatrixXd> rotated(const std::vector<Eigen::MatrixXd>& x) const;
-    /// alpha c'(B B' + alpha)^-1 c of each column. @param rotated  c of each class
-    [[nodiscard]] Eigen::RowVectorXd left(const std::vector<Eigen::MatrixXd>& rotated,
-                                          double alpha) const;
+    /// U'x. @param x  coordinates of the range
+    [[nodiscard]] Eigen::MatrixXd rotated(const Eigen::MatrixXd& x) const;
+    [[nodiscard]] DampedBidiagonal damped(Eigen::VectorXd alphas) const {
+      return {diagonal, above, std::move(alphas)};
+    }
   };
   /// What answers need of an entry.
   struct Details {
-    Eigen::MatrixXd v{};
+    Eigen::MatrixXd v{};       // of an outline that hides nothing: not kept
     Eigen::MatrixXd roots{};   // T V, a row a value
     Eigen::VectorXd hidden{};  // the squares of what no reading shows of each value
+    /// Of each alpha, of an outline, what the noise leaves of each value: kept when it is made.
+    mutable std::vector<Eigen::VectorXd> spreads{};
+    mutable std::mutex mutex{};
   };
 
   /// @param least_parted  readings: of fewer a decomposition takes a millisecond, as a thread does,
-  ///                      and is neither parted into classes nor given one, nor put off
+  ///                      and is neither parted into classes nor given one, nor outlined
   Tables(const LinearProblem& problem, const LoadPriorOptions& options,
          std::size_t least_parted = 128);
 
   [[nodiscard]] std::size_t entries_count() const noexcept { return entries_.size(); }
-  /// Decomposed when it is asked for first. Several threads may ask.
-  [[nodiscard]] const Entry& entry(std::size_t at) const;
-  /// Whether entries are decomposed when they are asked for, and there are outlines.
+  [[nodiscard]] const Entry& entry(std::size_t at) const { return entries_[at]; }
+  /// Whether there are outlines, and no singular vectors.
   [[nodiscard]] bool is_long() const noexcept { return is_long_; }
   /// @pre  is_long()
   [[nodiscard]] const Outline& outline(std::size_t at) const { return outlines_[at]; }
-  /// Of the log of an entry's probability, what no reading changes. @pre  it is made, or is_long()
-  [[nodiscard]] const Eigen::VectorXd& log_prior(std::size_t at) const {
-    return is_long_ ? outlines_[at].log_prior : entry(at).log_prior;
+  [[nodiscard]] std::size_t index_of(const Entry& entry) const {
+    return static_cast<std::size_t>(&entry - entries_.data());
   }
+
+  /// Of a frame's part what each of its sizes filters U'g to, a column each: times `roots` the
+  /// mean.
+  [[nodiscard]] Eigen::MatrixXd filtered(const Part& part) const;
+  /// Of each sum of V, a row each, what noise of 1 leaves, a column a size.
+  [[nodiscard]] Eigen::MatrixXd spreads(const Part& part, const Eigen::MatrixXd& sums) const;
+  /// Of each value. @param details  of the part's entry
+  [[nodiscard]] Eigen::MatrixXd spreads(const Part& part, const Details& details) const;
+  /// Of two sums what they share.
+  [[nodiscard]] Eigen::RowVectorXd products(const Part& part, const Eigen::RowVectorXd& a,
+                                            const Eigen::RowVectorXd& b) const;
 
   /// Kept as long as there is room: those that were asked for longest ago go. Several threads may
   /// ask.
@@ -174,7 +190,7 @@ struct LoadPrior::Tables {
   std::vector<Reflection> reflections{};     // none first
   std::vector<Shape> shapes{};
   std::vector<Window> windows{};             // the whole surface first
-  std::size_t room = std::size_t{12} << 20;  // numbers of details: 96 MB
+  std::size_t room = std::size_t{32} << 20;  // numbers of details: 256 MB
 
  private:
   void find_reflections(const LinearProblem& problem);
@@ -183,17 +199,26 @@ struct LoadPrior::Tables {
   [[nodiscard]] std::vector<Eigen::Index> columns_of(const LinearProblem& problem,
                                                      const WindowPlace& place,
                                                      const Reflection& by) const;
-  /// All entries, or of many readings their outlines.
+  /// The whole surface, which sizes alphas, and then shape after shape by whoever is free.
   void prepare(std::size_t threads);
+  /// Rows of T'K': as many as readings are enough.
+  struct Rows {
+    std::vector<Eigen::Index> kept{};   // of all; others are nothing but rounding
+    std::optional<HouseholderQr> qr{};  // of these, where they are more
+    Eigen::MatrixXd seen{};             // a column a reading
+    /// Of all the rows. @param x  of those seen
+    [[nodiscard]] Eigen::MatrixXd back(const Eigen::MatrixXd& x, Eigen::Index all) const;
+  };
   /// A shape's values as the readings show them, of weight 1, over a power of two.
   struct Shown {
     double size = 1.0;
     std::vector<Eigen::SparseMatrix<double>> classes{};
-    std::vector<Eigen::MatrixXd> normal{}, tangential{};  // of each class, a column a reading
+    std::vector<Rows> normal{}, tangential{};  // of each class
   };
   [[nodiscard]] Shown shown(const Shape& shape) const;
   [[nodiscard]] Entry decomposed(std::size_t at) const;
   void outline_all(std::size_t shape);
+  void size_alphas(double largest_gamma);
   /// Leaves out what no reading shows, and adds what is known of it before anything is read.
   void weigh(Entry& entry) const;
   [[nodiscard]] double log_prior(const Shape& shape, double tangential_weight,
@@ -203,7 +228,13 @@ struct LoadPrior::Tables {
   /// Combinations of readings, orthonormal columns: no traction of the shape mixes two classes.
   [[nodiscard]] std::vector<Eigen::SparseMatrix<double>> classes_by(
       std::span<const Reflection* const> by) const;
-  [[nodiscard]] Details make(const Entry& entry) const;
+  /// T, V and what they hide.
+  void make(const Entry& entry, Details& details) const;
+  /// 1 / (gamma^2 + alpha), a column for each size.
+  [[nodiscard]] Eigen::MatrixXd over(const Part& part) const;
+  [[nodiscard]] Eigen::MatrixXd value_vectors(const Entry& entry) const;
+  /// The same of an outline.
+  [[nodiscard]] Eigen::MatrixXd outlined_vectors(std::size_t at) const;
   /// T or T' of each component, over its weight.
   [[nodiscard]] Eigen::MatrixXd of_components(const Entry& entry, const Eigen::MatrixXd& values,
                                               auto map) const;
@@ -212,8 +243,7 @@ struct LoadPrior::Tables {
   double prior_power_;
   bool is_long_;
   std::vector<Outline> outlines_{};  // of each entry; of few readings none
-  mutable std::vector<Entry> entries_{};
-  mutable std::unique_ptr<std::once_flag[]> made_{};  // of each entry
+  std::vector<Entry> entries_{};
   mutable std::mutex mutex_{};
   mutable std::vector<std::shared_ptr<const Details>> kept_{};  // of each entry
   mutable std::vector<std::size_t> asked_{};                    // when it was asked for
@@ -225,30 +255,18 @@ struct LoadPrior::Tables {
 struct LoadPrior::Part {
   const Tables::Entry* entry = nullptr;
   const Tables::Window* window = nullptr;
-  Eigen::VectorXd beta{};  // over sigma
+  Eigen::VectorXd beta{};  // U'g over sigma
   struct Size {
+    Eigen::Index at = 0;  // which alpha
     double alpha = 0.0;
     double probability = 0.0;
     double scale2 = 1.0;  // of variances: (nu + q) / (nu + rows)
   };
   std::vector<Size> sizes{};  // those that are likely
 
-  /// 1 / (gamma^2 + alpha), a column for each size.
-  [[nodiscard]] Eigen::MatrixXd over() const {
-    Eigen::MatrixXd all(beta.size(), std::ssize(sizes));
-    for (Eigen::Index i = 0; i < all.cols(); ++i)
-      all.col(i) = (entry->gamma2.array() + sizes[static_cast<std::size_t>(i)].alpha).inverse();
-    return all;
-  }
-  /// What each component of the decomposition is filtered to.
-  [[nodiscard]] Eigen::VectorXd filtered(double alpha) const {
-    return entry->gamma.array() / (entry->gamma2.array() + alpha) * beta.array();
-  }
-  /// A column for each size.
-  [[nodiscard]] Eigen::MatrixXd filtered() const {
-    Eigen::MatrixXd all(beta.size(), std::ssize(sizes));
-    for (Eigen::Index i = 0; i < all.cols(); ++i)
-      all.col(i) = filtered(sizes[static_cast<std::size_t>(i)].alpha);
+  [[nodiscard]] Eigen::VectorXd alphas() const {
+    Eigen::VectorXd all(std::ssize(sizes));
+    for (Eigen::Index i = 0; i < all.size(); ++i) all(i) = sizes[static_cast<std::size_t>(i)].alpha;
     return all;
   }
 };

@@ -20,11 +20,16 @@ class Bidiagonalisation {
   /// b12, b23 ...
   [[nodiscard]] const Eigen::VectorXd& above() const noexcept { return above_; }
   [[nodiscard]] Eigen::MatrixXd rotate(const Eigen::MatrixXd& x) const;  ///< U' x, U square
+  [[nodiscard]] Eigen::MatrixXd right_vectors() const;                   ///< V, square
 
  private:
   struct Factors;
   std::unique_ptr<const Factors> factors_;
   Eigen::VectorXd diagonal_, above_;
 };
+
+/// Of B, from its numbers. O(columns^2).
+[[nodiscard]] double largest_singular_value(const Eigen::VectorXd& diagonal,
+                                            const Eigen::VectorXd& above);
 
 }  // namespace tactile_net

@@ -25,7 +25,7 @@ double gaussian_density(double z) {
 }
 double gaussian_cdf(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
-constexpr double most_terms_of_student = 400.0;
+constexpr double most_terms_of_student = 2000.0;
 
 /// The table that this thread asked for last: those of a frame's distributions are one.
 const StudentCdf& tabled_student(int degrees) {

@@ -92,6 +92,33 @@ Eigen::MatrixXd Bidiagonalisation::rotate(const Eigen::MatrixXd& x) const {
   return factors_->householderU().adjoint() * x;
 }
 
+Eigen::MatrixXd Bidiagonalisation::right_vectors() const {
+  const Eigen::Index n = diagonal_.size();
+  // Eigen asks for one that may change, and changes nothing.
+  return Factors(*factors_).householderV() * Eigen::MatrixXd::Identity(n, n);
+}
+
+namespace {
+
+/// Of [0 B'; B 0], in the order that Golub and Kahan found, what stands beside the diagonal of
+/// zeros: b11, b12, b22, b23 ...
+Eigen::VectorXd beside_zeros(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& above) {
+  const Eigen::Index n = diagonal.size();
+  Eigen::VectorXd beside(2 * n - 1);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    beside(2 * i) = diagonal(i);
+    if (i + 1 < n) beside(2 * i + 1) = above(i);
+  }
+  return beside;
+}
+
+}  // namespace
+
+double largest_singular_value(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& above) {
+  return largest_tridiagonal_eigenvalue(Eigen::VectorXd::Zero(2 * diagonal.size()),
+                                        beside_zeros(diagonal, above));
+}
+
 /// Of the bidiagonal matrix B of A: the eigenvalues of [0 B'; B 0], a tridiagonal matrix in the
 /// order that Golub and Kahan found, are the singular values and their negatives. No divide and
 /// conquer, see above.
@@ -103,13 +130,10 @@ Eigen::VectorXd singular_values(const Eigen::MatrixXd& a) {
   const double size = power_of_two(a);
   const Eigen::internal::UpperBidiagonalization<Eigen::MatrixXd> bidiagonal(a / size);
   const Eigen::MatrixXd b = bidiagonal.bidiagonal().toDenseMatrix();
-  Eigen::VectorXd beside(2 * n - 1);  // b11, b12, b22, b23 ...
-  for (Eigen::Index i = 0; i < n; ++i) {
-    beside(2 * i) = b(i, i);
-    if (i + 1 < n) beside(2 * i + 1) = b(i, i + 1);
-  }
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(Eigen::VectorXd::Zero(2 * n), beside, Eigen::EigenvaluesOnly);
+  solver.computeFromTridiagonal(Eigen::VectorXd::Zero(2 * n),
+                                beside_zeros(b.diagonal(), b.diagonal<1>()),
+                                Eigen::EigenvaluesOnly);
   return size * solver.eigenvalues().tail(n).reverse().cwiseMax(0.0);
 }
 
