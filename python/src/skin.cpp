@@ -61,7 +61,7 @@ std::tuple<Array, Array, std::pair<double, double>> cell_places(const SharedSkin
 std::optional<std::tuple<Array, Array, Array, Array>> surface_of(const SharedSkin& self) {
   const SkinScene& scene = self.scene();
   if (!scene.sensor.curved) return std::nullopt;
-  const std::vector<SurfaceCell> cells = scene.sensor.curved->surface.cells(grid(scene));
+  const std::vector<SurfaceCell> cells = cells_of(scene.sensor, grid(scene));
   std::vector<double> middles;
   std::vector<double> frames;
   std::vector<double> areas;

@@ -61,22 +61,45 @@ std::size_t shared(const Corners& a, const Corners& b) {
   }));
 }
 
-/// The length of a row of quadrilaterals that lie row after row.
-/// @throw std::runtime_error  they do not
+bool is_triangle(const Corners& cell) { return cell[2] == cell[3]; }
+
+/// The length of a row of quadrilaterals that lie row after row; 0: they do not.
 std::size_t row_length(const std::vector<Corners>& cells) {
-  const std::string rule =
-      "the cells must be quadrilaterals in rows and columns, one row after the other, of which "
-      "neighbours share two corners";
+  if (std::any_of(cells.begin(), cells.end(), is_triangle)) return 0;
   std::size_t length = 2;
   while (length < cells.size() && shared(cells[0], cells[length]) != 2) ++length;
-  if (length >= cells.size() || cells.size() % length != 0) throw std::runtime_error(rule);
+  if (length >= cells.size() || cells.size() % length != 0) return 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if ((i + 1) % length != 0 && shared(cells[i], cells[i + 1]) != 2)
-      throw std::runtime_error(rule);
-    if (i + length < cells.size() && shared(cells[i], cells[i + length]) != 2)
-      throw std::runtime_error(rule);
+    if ((i + 1) % length != 0 && shared(cells[i], cells[i + 1]) != 2) return 0;
+    if (i + length < cells.size() && shared(cells[i], cells[i + length]) != 2) return 0;
   }
   return length;
+}
+
+/// Of triangles, whose last corner stands there twice, and of quadrilaterals.
+std::vector<Corners> corners_of(const NpzFile& file, std::size_t vertices) {
+  const NpzArray cells = file.array("cells", 4 * most_corners);
+  const std::size_t wide = cells.shape.size() == 2 ? cells.shape[1] : 0;
+  if (!cells.texts.empty() || (wide != 3 && wide != 4) || cells.shape[0] == 0)
+    throw std::runtime_error("the array cells has the shape " + shape_of(cells) +
+                             ", not (any, 3) or (any, 4)");
+  std::vector<Corners> corners(cells.shape[0]);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double corner = k < wide ? cells.numbers[wide * i + k] : -1.0;
+      if (k == 3 && corner == -1.0) {
+        corners[i][3] = corners[i][2];
+        continue;
+      }
+      if (!(corner >= 0.0 && corner < static_cast<double>(vertices)) ||
+          corner != std::floor(corner))
+        throw std::runtime_error("cell " + std::to_string(i) +
+                                 " has a corner that is no vertex: it names three or four of " +
+                                 std::to_string(vertices) + ", from 0, and -1 fills up a triangle");
+      corners[i][k] = static_cast<std::size_t>(corner);
+    }
+  }
+  return corners;
 }
 
 /// Where each reading of the skin stands in the file.
@@ -156,21 +179,10 @@ GivenKernel read_kernel_file(const std::filesystem::path& path, const SkinArray&
       number_in(file, "youngs_modulus").value_or(material.youngs_modulus) / material.youngs_modulus;
 
   const NpzArray vertices = numbers(file, "vertices", 3 * most_corners, {0, 3});
-  const NpzArray quads = numbers(file, "cells", 4 * most_corners, {0, 4});
-  std::vector<Corners> corners(quads.shape[0]);
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double corner = quads.numbers[4 * i + k];
-      if (!(corner >= 0.0 && corner < static_cast<double>(vertices.shape[0])) ||
-          corner != std::floor(corner))
-        throw std::runtime_error("cell " + std::to_string(i) +
-                                 " has a corner that is no vertex; triangles, with a corner of -1, "
-                                 "are not taken");
-      corners[i][k] = static_cast<std::size_t>(corner);
-    }
+  const std::vector<Corners> corners = corners_of(file, vertices.shape[0]);
   GivenKernel kernel{.from = path.filename().string()};
   kernel.columns = row_length(corners);
-  kernel.rows = corners.size() / kernel.columns;
+  kernel.rows = kernel.columns > 0 ? corners.size() / kernel.columns : 0;
   std::optional<NpzArray> frames;
   if (file.has("frames"))
     frames = numbers(file, "frames", 9 * most_corners, {corners.size(), 3, 3});
@@ -192,6 +204,7 @@ GivenKernel read_kernel_file(const std::filesystem::path& path, const SkinArray&
         throw std::runtime_error("the frame of cell " + std::to_string(i) +
                                  " is not three unit vectors at right angles, right-handed");
     kernel.cells.push_back(quadrilateral(points, frame));
+    if (kernel.rows == 0) kernel.corners.push_back(points);
   }
   if (file.has("F") && file.has("M")) {
     const NpzArray forces = numbers(file, "F", 9 * most_corners, {corners.size(), 3, 3});

@@ -324,6 +324,17 @@ std::string fewer_cells(const SkinScene& scene, const Units& units) {
   return "fewer taxels, or taxels nearer to one another";
 }
 
+/// Of a curved skin all must lie on its surface, and on what a given kernel knows.
+void check_cells(const Value& at, const SurfaceGrid& made, const SkinScene& scene) {
+  if (!scene.sensor.curved) return;
+  try {
+    (void)cells_of(scene.sensor, made);
+  } catch (const std::invalid_argument& error) {
+    at.problem("makes cells that its surface has not: " + std::string(error.what()),
+               "a smaller reconstruct.margin, or taxels of one side alone");
+  }
+}
+
 void check_grid(const std::optional<Value>& at, const Read& read, const SkinScene& scene) {
   if (!at || !read.whole) return;
   std::string cells;
@@ -331,7 +342,10 @@ void check_grid(const std::optional<Value>& at, const Read& read, const SkinScen
     const SurfaceGrid made = grid(scene);
     const std::size_t unknowns = components(scene) * made.count();
     const std::size_t most = most_tractions(scene);
-    if (unknowns <= most) return;
+    if (unknowns <= most) {
+      check_cells(*at, made, scene);
+      return;
+    }
     cells = std::to_string(made.rows) + " x " + std::to_string(made.columns) + " cells with " +
             std::to_string(unknowns) + " unknown tractions, more than " + std::to_string(most);
     if (most == most_skin_tractions && unknowns <= most_large_skin_tractions)
@@ -393,19 +407,21 @@ void read_kernel(const Value& value, const std::filesystem::path& folder, SkinSc
   if (value.is_text() && value.text().value_or("").ends_with(".npz")) {
     const auto path = path_beside(value, folder, "kernel = \"k.npz\"");
     if (!path) return;
-    for (const auto& [own, what] : {std::pair(scene.reconstruct.grid.spacing, "spacing"),
-                                    std::pair(scene.reconstruct.grid.margin, "margin")})
-      if (own)
-        value.problem(
-            "brings its own cells, and reconstruct." + std::string(what) + " asks for others",
-            "remove that");
     try {
       scene.sensor =
           with_kernel(scene.sensor, read_kernel_file(*path, scene.sensor, scene.material));
     } catch (const std::exception& error) {
       value.problem("names a file that is not in order: " + std::string(error.what()),
                     "docs/kernels.md says what it holds; tools/pad_kernel.py writes one");
+      return;
     }
+    const auto& given = scene.sensor.curved->given;
+    for (const auto& [own, what] : {std::pair(scene.reconstruct.grid.spacing, "spacing"),
+                                    std::pair(scene.reconstruct.grid.margin, "margin")})
+      if (own && given->rows > 0)
+        value.problem(
+            "brings its own cells, and reconstruct." + std::string(what) + " asks for others",
+            "remove that");
     return;
   }
   if (const auto kernel = one_named<CurvedKernel>(value, "kernel, or file \"k.npz\""))

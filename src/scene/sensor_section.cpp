@@ -314,8 +314,13 @@ void read_uneven_skin(Table& table, const std::optional<Value>& surface, const V
     if (factor)
       factor->problem("applies to flat skins: a curved one's taxels have places in space",
                       "remove it");
+    const auto stated = table_of(surface);
+    const auto options =
+        stated ? read_surface(*stated, folder, read.units) : std::optional<CurvedSkinOptions>{};
+    if (stated && !options) return;
     const auto make = [&](std::vector<FileTaxel> all) {
-      return curved_skin_of(std::move(all), axes, surface, read.units);
+      return curved_skin_of(std::move(all), axes, options.value_or(CurvedSkinOptions{}),
+                            read.units);
     };
     return put_uneven(std::move(rows), file, "a curved skin", make, read, skin);
   }

@@ -2,6 +2,7 @@
 /// The table [surface], of skins that are curved. Private.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -24,13 +25,19 @@ template <typename Enum>
 [[nodiscard]] std::optional<SpaceVector> read_three(const Value& value, const Rule& rule,
                                                     const Unit& unit, std::string_view example);
 
+/// The table [surface]; absent: it names a mesh that is not in order, which has been said.
+/// @param folder  of the scene's file
+[[nodiscard]] std::optional<CurvedSkinOptions> read_surface(Table table,
+                                                            const std::filesystem::path& folder,
+                                                            const Units& units);
+
 /// The skin of a file's taxels below the surface that a scene states.
 ///
 /// @param axes     `sensor.frame`: along which axes displacements are read
-/// @param surface  the table
+/// @param options  of the surface
 /// @throw std::invalid_argument  as `curved_skin`; the extent is that of other units
 [[nodiscard]] SkinArray curved_skin_of(std::vector<FileTaxel> rows,
-                                       const std::optional<Value>& axes,
-                                       const std::optional<Value>& surface, const Units& units);
+                                       const std::optional<Value>& axes, CurvedSkinOptions options,
+                                       const Units& units);
 
 }  // namespace tactile_net

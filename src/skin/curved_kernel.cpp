@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -13,6 +16,7 @@
 #include <vector>
 
 #include "numeric/require.hpp"
+#include "skin/resampled_kernel.hpp"
 #include "tactile_net/elasticity/space/ball_kernel.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/skin/curved_skin.hpp"
@@ -20,8 +24,10 @@
 namespace tactile_net {
 namespace {
 
-/// Balls whose curvature differs by less than this, relative, share their tables.
+/// Balls whose curvature differs by less than this, relative or over the thickness, share their
+/// tables, which are those of their mean.
 constexpr double curvature_step = 0.04;
+constexpr double bend_step = 1e-3;
 /// A layer on a ball that is less curved than this, over its thickness, is flat.
 constexpr double flat_below = 1e-9;
 
@@ -63,31 +69,37 @@ class PlaceKernel {
   std::optional<BallKernel> ball_{};
 };
 
-/// Made once for each depth and each curvature, of many curvatures for steps of it.
+/// Made once for each depth and each curvature, of surfaces that bend differently for groups of it.
 class PlaceKernels {
  public:
   PlaceKernels(const Material& material, const CurvedSkin& skin)
-      : material_(material),
-        is_flat_(skin.kernel == CurvedKernel::flat),
-        in_steps_(skin.shape == SurfaceShape::points) {}
+      : material_(material), is_flat_(skin.kernel == CurvedKernel::flat) {
+    if (skin.shape == SurfaceShape::sphere) return;
+    std::vector<double> all;
+    for (const SurfacePlace& place : skin.above) all.push_back(place.mean_curvature);
+    std::sort(all.begin(), all.end());
+    const double h = material.layer->thickness;
+    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+      const double step = std::max(curvature_step * std::abs(all[first]), bend_step / h);
+      while (end < all.size() && all[end] - all[first] <= step) ++end;
+      const double mean = std::accumulate(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                          all.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+                          static_cast<double>(end - first);
+      groups_.emplace(all[first], std::abs(mean) * h < flat_below ? 0.0 : mean);
+    }
+  }
 
   const PlaceKernel& operator()(double curvature, double depth) {
-    const double taken = is_flat_ ? 0.0 : in_steps_ ? rounded(curvature) : curvature;
+    const double taken = is_flat_          ? 0.0
+                         : groups_.empty() ? curvature
+                                           : std::prev(groups_.upper_bound(curvature))->second;
     return made_.try_emplace({taken, depth}, material_, taken, depth).first->second;
   }
 
  private:
-  [[nodiscard]] double rounded(double curvature) const {
-    const double size = std::abs(curvature) * material_.layer->thickness;
-    if (size < flat_below) return 0.0;
-    const double step = std::log1p(curvature_step);
-    return std::copysign(std::exp(std::round(std::log(size) / step) * step), curvature) /
-           material_.layer->thickness;
-  }
-
   Material material_;
   bool is_flat_;
-  bool in_steps_;
+  std::map<double, double> groups_{};  // from the least of each group to its mean
   std::map<std::pair<double, double>, PlaceKernel> made_{};
 };
 
@@ -149,13 +161,18 @@ void check_curved(const SkinArray& skin, const Material& material) {
 namespace {
 
 /// Of a kernel that is given, each value per area of the chart.
-void add_given_kernel(const GivenKernel& given, LinearProblem& problem) {
+void add_given_kernel(const SkinArray& skin, LinearProblem& problem) {
+  const GivenKernel& given = *skin.curved->given;
+  const ResampledKernel resampled =
+      has_own_cells(skin) ? ResampledKernel{} : resampled_kernel(skin, problem.grid);
+  const std::vector<SurfaceCell>& on = has_own_cells(skin) ? given.cells : resampled.cells;
+  const Matrix& kernel = has_own_cells(skin) ? given.kernel : resampled.kernel;
   const std::size_t cells = problem.grid.count();
   double size = 0.0;
   for (std::size_t row = 0; row < problem.sites.size(); ++row)
     for (std::size_t i = 0; i < problem.kernel.columns; ++i) {
-      const double per_area = problem.grid.area() / given.cells[i % cells].area;
-      problem.kernel(row, i) = problem.weights[row] * per_area * given.kernel(row, i);
+      const double per_area = problem.grid.area() / on[i % cells].area;
+      problem.kernel(row, i) = problem.weights[row] * per_area * kernel(row, i);
       size = std::hypot(size, problem.kernel(row, i));
     }
   problem.kernel_error = std::numeric_limits<double>::epsilon() * size;
@@ -210,7 +227,7 @@ CurvedReadings::~CurvedReadings() = default;
 void CurvedReadings::add_kernel(LinearProblem& problem) const {
   constexpr double least_depth_in_parts = 1.2;  // from there on a point serves for a part
   const SkinArray& skin = tables_->skin;
-  if (skin.curved->given) return add_given_kernel(*skin.curved->given, problem);
+  if (skin.curved->given) return add_given_kernel(skin, problem);
   const SurfaceGrid& grid = problem.grid;
   const std::size_t cells = grid.count();
   const double spacing = std::max(grid.spacing_y, grid.spacing_z);
@@ -282,13 +299,12 @@ SurfaceGrid grid_around(const SkinLoad& load, double spacing) {
 std::vector<double> CurvedReadings::readings(std::span<const SkinLoad> loads) const {
   const SkinArray& skin = tables_->skin;
   std::vector<double> all(tables_->read.size());
-  if (const auto& given = skin.curved->given) {
-    const SurfaceGrid grid = given_grid(skin);
+  if (skin.curved->given) {
+    const SurfaceGrid grid = grid_of(skin, {});
     const std::vector<double> means = cell_means(loads, grid);
+    const Matrix readings = kernel(grid, 3);
     for (std::size_t row = 0; row < all.size(); ++row)
-      for (std::size_t i = 0; i < means.size(); ++i)
-        all[row] +=
-            given->kernel(row, i) * means[i] * grid.area() / given->cells[i % grid.count()].area;
+      for (std::size_t i = 0; i < means.size(); ++i) all[row] += readings(row, i) * means[i];
     return all;
   }
   const double spacing = 0.25 * least_depth(skin);

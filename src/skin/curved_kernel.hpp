@@ -20,7 +20,10 @@ void check_curved(const SkinArray& skin, const Material& material);
 [[nodiscard]] std::size_t nearest_cell(std::span<const SurfaceCell> cells,
                                        const SpaceVector& point);
 
-/// The grid of the chart of a skin whose kernel is given.
+/// Whether a kernel is given whose cells, in rows and columns, are the answer's.
+[[nodiscard]] bool has_own_cells(const SkinArray& skin) noexcept;
+
+/// The grid of the chart of such a skin.
 [[nodiscard]] SurfaceGrid given_grid(const SkinArray& skin);
 
 /// What tractions on a curved skin cause: the tables of every taxel, made once. Threads may share

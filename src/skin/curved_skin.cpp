@@ -11,6 +11,7 @@
 
 #include "numeric/decompositions.hpp"
 #include "numeric/require.hpp"
+#include "skin/mesh_chart.hpp"
 
 namespace tactile_net {
 namespace {
@@ -219,6 +220,23 @@ HeightField height_above(const CurvedSurface& sphere, const Above& above) {
   return field;
 }
 
+/// The place of the surface whose normal goes through a point.
+/// @param near  where to begin
+SpaceVector foot_of(const SpaceVector& point, const CurvedSurface& surface,
+                    const SpaceVector& near) {
+  CurvedSurface::Charted at = surface.chart(near);
+  SurfacePlace place = surface.at(at.y, at.z);
+  for (int step = 0; step < 50; ++step) {
+    // By as much as the point lies beside the normal: the depth over the radius is left.
+    const SpaceVector from = combined(1.0, point, -1.0, place.point);
+    const SpaceVector beside = combined(1.0, from, -dot(from, place.frame[0]), place.frame[0]);
+    if (length(beside) <= 1e-12 * length(from)) break;
+    at = surface.chart(combined(1.0, place.point, 1.0, beside));
+    place = surface.at(at.y, at.z);
+  }
+  return place.point;
+}
+
 double rms_outside(const CurvedSurface& surface, const Above& above) {
   double square = 0.0;
   for (const SpaceVector& point : above.points)
@@ -238,17 +256,29 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
       std::all_of(taxels.begin(), taxels.end(), [](const CurvedTaxel& one) { return one.normal; });
   const bool is_stated = options.centre || options.radius;
   const bool is_sphere = options.shape == SurfaceShape::sphere;
-  require(!is_stated || options.shape != SurfaceShape::points,
+  const bool is_mesh = options.shape == SurfaceShape::mesh;
+  const bool is_smooth = is_mesh || options.shape == SurfaceShape::points;
+  require(!is_stated || !is_smooth,
           "centre and radius are a sphere's: leave them out, or choose the shape sphere");
-  require(has_normals || is_sphere || is_stated,
-          "every taxel of a curved skin needs its outward normal, unless it lies below a sphere: "
-          "give nx, ny, nz, or the shape sphere");
+  require(has_normals || is_sphere || is_mesh || is_stated,
+          "every taxel of a curved skin needs its outward normal, unless it lies below a sphere or "
+          "a mesh: give nx, ny, nz, or one of these shapes");
+  require(is_mesh == (options.mesh != nullptr),
+          is_mesh ? "the shape mesh needs a mesh: give its file"
+                  : "a mesh is of the shape mesh: choose that, or leave the mesh out");
+  std::optional<MeshNormals> mesh_normals;
+  if (is_mesh) {
+    check(*options.mesh);
+    mesh_normals.emplace(*options.mesh);
+    if (!has_normals)
+      for (CurvedTaxel& taxel : taxels) taxel.normal = mesh_normals->nearest_to(taxel.place);
+  }
   const bool is_hole = options.radius && *options.radius < 0.0;
 
   // The sphere, and with it the normals where none are given.
   std::optional<Sphere> fitted;
   Above above;
-  if (!has_normals) {
+  if (!has_normals && !is_mesh) {
     if (!(options.centre && options.radius)) fitted = sphere_around(taxels, is_hole);
     for (CurvedTaxel& taxel : taxels) {
       const SpaceVector outward =
@@ -272,9 +302,10 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
       most = std::max(most, length(combined(1.0, point, -1.0, middle)));
     return most;
   }();
-  const double turned = (has_normals ? sphere_of_normals(above) : *fitted).curvature * extent;
+  const double turned =
+      (has_normals || is_mesh ? sphere_of_normals(above) : *fitted).curvature * extent;
   constexpr double some = 0.05;  // flatter surfaces may be either
-  require(turned > -some || is_hole || options.shape == SurfaceShape::points,
+  require(turned > -some || is_hole || is_smooth,
           "the normals point to the middle of a sphere, as in a hole: turn them outward, or state "
           "the radius of a hole, which is < 0");
   require(turned < some || !is_hole,
@@ -294,6 +325,19 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
   if (shape == SurfaceShape::points) {
     surface = surface_of(*fitted, above, options.reference, height_above(surface, above));
     residual = rms_outside(surface, above);
+  } else if (shape == SurfaceShape::mesh) {
+    std::vector<BelowMesh> below;
+    for (std::size_t i = 0; i < taxels.size(); ++i)
+      below.push_back({taxels[i].name.empty() ? std::to_string(i) : taxels[i].name, above.points[i],
+                       above.normals[i], taxels[i].depth});
+    MeshHeight mesh = mesh_height(*options.mesh, *mesh_normals, surface, below);
+    surface = surface_of(*fitted, above, options.reference, std::move(mesh.height));
+    residual = mesh.residual;
+    for (std::size_t i = 0; i < taxels.size() && !has_normals; ++i) {
+      above.points[i] = foot_of(taxels[i].place, surface, above.points[i]);
+      const auto at = surface.chart(above.points[i]);
+      above.normals[i] = multiple(-1.0, surface.at(at.y, at.z).frame[0]);
+    }
   }
   require(residual <= depth,
           std::string("the places above the taxels lie ") + shortest(residual) +
@@ -316,8 +360,9 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
     require(dot(above.normals[i], place.frame[0]) < -0.8,
             "the normal of " + taxel_of(taxels[i], i) +
                 " is turned by more than 36 degrees from the surface through the taxels: check "
-                "it, or choose the shape points");
-    place.point = above.points[i];
+                "it" +
+                (shape == SurfaceShape::sphere ? ", or choose the shape points" : ""));
+    if (shape != SurfaceShape::mesh) place.point = above.points[i];
     place.frame = surface.frame(above.normals[i]);
     skin.above.push_back(place);
     charted.push_back({.name = std::move(taxels[i].name),

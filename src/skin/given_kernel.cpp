@@ -9,6 +9,7 @@
 
 #include "numeric/require.hpp"
 #include "skin/curved_kernel.hpp"
+#include "skin/resampled_kernel.hpp"
 #include "tactile_net/skin/curved_skin.hpp"
 
 namespace tactile_net {
@@ -40,10 +41,13 @@ class Lattice {
 };
 
 void check_given(const GivenKernel& kernel, std::size_t readings) {
-  require(kernel.rows >= 2 && kernel.columns >= 2,
+  const bool is_lattice = kernel.rows > 0 || kernel.columns > 0;
+  const std::size_t count = is_lattice ? kernel.rows * kernel.columns : kernel.corners.size();
+  require(!is_lattice || (kernel.rows >= 2 && kernel.columns >= 2),
           "the cells of a kernel must lie in two rows and two columns at least");
-  const std::size_t count = kernel.rows * kernel.columns;
-  require(kernel.cells.size() == count, "cells", "be rows * columns", kernel.cells.size());
+  require(kernel.cells.size() == count, "cells",
+          is_lattice ? "be rows * columns" : "be as many as corners are given of",
+          kernel.cells.size());
   require(kernel.kernel.rows == readings, "rows of K", "be one for each reading of the skin",
           kernel.kernel.rows);
   require(kernel.kernel.columns == 3 * count, "columns of K", "be three for each cell",
@@ -147,8 +151,10 @@ SurfaceCell quadrilateral(const std::array<SpaceVector, 4>& corners, const Surfa
   // The area vector of the rim is that of any surface in it.
   const SpaceVector twice = cross(combined(1.0, corners[2], -1.0, corners[0]),
                                   combined(1.0, corners[3], -1.0, corners[1]));
-  const SpaceVector middle = combined(0.25, combined(1.0, corners[0], 1.0, corners[1]), 0.25,
-                                      combined(1.0, corners[2], 1.0, corners[3]));
+  const SpaceVector three =
+      combined(1.0, combined(1.0, corners[0], 1.0, corners[1]), 1.0, corners[2]);
+  const SpaceVector middle = corners[2] == corners[3] ? multiple(1.0 / 3.0, three)
+                                                      : combined(0.25, three, 0.25, corners[3]);
   SurfaceCell cell{.middle = {.point = middle, .frame = frame}, .area = 0.5 * length(twice)};
   cell.first_moment = multiple(cell.area, middle);
   cell.force = {multiple(-0.5, twice), multiple(cell.area, frame[1]),
@@ -191,6 +197,12 @@ SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
   require(skin.curved != nullptr, "a kernel from a file is of a curved skin");
   check_given(kernel, reading_count(skin));
   CurvedSkin curved = *skin.curved;
+  if (kernel.rows == 0) {
+    curved.given = std::make_shared<const GivenKernel>(std::move(kernel));
+    SkinArray array = skin;
+    array.curved = std::make_shared<const CurvedSkin>(std::move(curved));
+    return array;
+  }
   curved.given = std::make_shared<const GivenKernel>(along_frames(std::move(kernel)));
   const GivenKernel& given = *curved.given;
   SkinArray placed = skin;
@@ -216,6 +228,16 @@ SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
   SkinArray array = uneven_skin(std::move(taxels));
   array.curved = placed.curved;
   return array;
+}
+
+std::vector<SurfaceCell> cells_of(const SkinArray& skin, const SurfaceGrid& grid) {
+  require(skin.curved != nullptr, "cells in space are of a curved skin");
+  if (!skin.curved->given) return skin.curved->surface.cells(grid);
+  return has_own_cells(skin) ? skin.curved->given->cells : resampled_kernel(skin, grid).cells;
+}
+
+bool has_own_cells(const SkinArray& skin) noexcept {
+  return skin.curved && skin.curved->given && skin.curved->given->rows > 0;
 }
 
 SkinArray with_kernel(SkinArray skin, CurvedKernel kernel) {

@@ -41,7 +41,7 @@ TaxelRange taxel_range(const SkinArray& skin, double Taxel::*coordinate) {
 SurfaceGrid grid_of(const SkinArray& skin, const SkinGridOptions& options) {
   check(skin);
   check_spacing_and_margin(options.spacing, options.margin);
-  if (skin.curved && skin.curved->given) return given_grid(skin);
+  if (has_own_cells(skin)) return given_grid(skin);
   const double depth = least_depth(skin);
   const double margin = options.margin.value_or(depth);
   const auto [y_from, y_to] = taxel_range(skin, &Taxel::y);

@@ -119,8 +119,7 @@ LinearProblem problem_without_kernel(const SkinArray& skin, const Material& mate
                         .tangential_weight = options.tangential_weight,
                         .unknown_offsets = options.unknown_offsets};
   if (skin.curved)
-    problem.cells =
-        std::make_shared<const std::vector<SurfaceCell>>(skin.curved->surface.cells(problem.grid));
+    problem.cells = std::make_shared<const std::vector<SurfaceCell>>(cells_of(skin, problem.grid));
   problem.measure = area_ratio(skin, problem.grid);
   problem.smoothing_length = options.smoothing_length.value_or(mean_depth(problem.sites));
   problem.weights = row_weights(problem.sites, options.dead_taxels, options.channel_rms);

@@ -15,16 +15,12 @@
 #include "tactile_net/skin/resultant.hpp"
 #include "tactile_net/skin/space_wrench.hpp"
 #include "tests/catch.hpp"
+#include "tests/skin/curved_skins.hpp"
 #include "tests/skin/skins.hpp"
 
 using namespace tactile_net;
 
 namespace {
-
-const std::vector<Quantity> moves = {Quantity::displacement_x, Quantity::displacement_y,
-                                     Quantity::displacement_z};
-const Material skin_on_core{
-    .youngs_modulus = 2.5e5, .poisson_ratio = 0.48, .layer = Layer{4e-3, Base::bonded}};
 
 /// Columns: where the sensor's axes point.
 struct Turn {
@@ -47,30 +43,6 @@ Turn turn_about(const SpaceVector& axis, double angle, const SpaceVector& shift)
     e = combined(1.0, combined(std::cos(angle), e, std::sin(angle), cross(n, e)),
                  (1.0 - std::cos(angle)) * dot(n, e), n);
   return turn;
-}
-
-/// Taxels below an ellipsoid of these half axes, or a sphere; z out at the apex.
-std::vector<CurvedTaxel> taxels_below(const SpaceVector& half_axes, double reach, int count,
-                                      double depth, const std::vector<Quantity>& reads) {
-  std::vector<CurvedTaxel> taxels;
-  for (int i = 0; i < count; ++i)
-    for (int j = 0; j < count; ++j) {
-      const double x = reach * (2.0 * i / (count - 1.0) - 1.0);
-      const double y = reach * (2.0 * j / (count - 1.0) - 1.0);
-      const SpaceVector at = {x, y,
-                              half_axes[2] * std::sqrt(1.0 - std::pow(x / half_axes[0], 2) -
-                                                       std::pow(y / half_axes[1], 2))};
-      SpaceVector normal = {at[0] / std::pow(half_axes[0], 2), at[1] / std::pow(half_axes[1], 2),
-                            at[2] / std::pow(half_axes[2], 2)};
-      normal = multiple(1.0 / length(normal), normal);
-      taxels.push_back({"t" + std::to_string(i) + "_" + std::to_string(j),
-                        combined(1.0, at, -depth, normal), normal, depth, reads});
-    }
-  return taxels;
-}
-
-std::vector<CurvedTaxel> ball_taxels(double radius, int count = 5) {
-  return taxels_below({radius, radius, radius}, 5e-3, count, 1.2e-3, moves);
 }
 
 /// Smooth tractions that are not 0 anywhere.

@@ -23,6 +23,7 @@
 #include "tactile_net/numeric/matrix.hpp"
 #include "tactile_net/skin/array.hpp"
 #include "tactile_net/skin/curved_surface.hpp"
+#include "tactile_net/skin/surface_mesh.hpp"
 
 namespace tactile_net {
 
@@ -36,14 +37,15 @@ struct CurvedTaxel {
 };
 
 /// What a curved skin's surface is.
-enum class SurfaceShape { sphere, points };
+enum class SurfaceShape { sphere, points, mesh };
 
 template <>
 struct Enumerators<SurfaceShape> {
   static constexpr Enumerator<SurfaceShape> all[] = {
       {SurfaceShape::sphere, "sphere", "A ball, or a round hole."},
       {SurfaceShape::points, "points",
-       "A smooth surface through the places above the taxels, of any curvature."}};
+       "A smooth surface through the places above the taxels, of any curvature."},
+      {SurfaceShape::mesh, "mesh", "A smooth surface through a mesh of triangles."}};
 };
 
 /// Along which axes displacements are read; other quantities are always the surface's own.
@@ -73,6 +75,8 @@ struct CurvedSkinOptions {
   std::optional<SpaceVector> centre{};  ///< of the sphere [m]; absent: it is fitted
   /// Of the sphere's outer surface [m], < 0: of a hole; absent: it is fitted.
   std::optional<double> radius{};
+  /// Of the shape mesh, which needs it: the outer surface, around the taxels at least.
+  std::shared_ptr<const SurfaceMesh> mesh{};
   SpaceVector reference = {0.0, 1.0, 0.0};  ///< that every frame's y is as near as possible to
   ReadingAxes axes = ReadingAxes::local;
   CurvedKernel kernel = CurvedKernel::ball;
@@ -80,16 +84,22 @@ struct CurvedSkinOptions {
 
 /// What tractions on cells of a curved skin cause, by whatever computation: of a pad whose layer is
 /// no ball's.
+///
+/// Cells that lie in rows and columns are the answer's own. Of others, such as triangles, the
+/// answer has the chart's cells, and each bears the mean of what these bear over it.
 struct GivenKernel {
   std::string from{};                ///< the name of its file
-  std::size_t rows = 0;              ///< of cells, >= 2
-  std::size_t columns = 0;           ///< of cells, >= 2
+  std::size_t rows = 0;              ///< of cells, >= 2; 0: they lie in no rows and columns
+  std::size_t columns = 0;           ///< of cells, >= 2; 0 as rows
   std::vector<SurfaceCell> cells{};  ///< row after row
+  /// Of cells in no rows and columns: counterclockwise from outside; a triangle has the last twice.
+  std::vector<std::array<SpaceVector, 4>> corners{};
   /// Readings in the skin's order x (3 cells, all normal tractions first) [unit of a reading / Pa].
   Matrix kernel{};
 };
 
-/// A cell between four corners, with the frame at its middle.
+/// A cell between four corners, or three of which the last stands there twice, with the frame at
+/// its middle.
 /// @param corners  counterclockwise from outside [m]
 [[nodiscard]] SurfaceCell quadrilateral(const std::array<SpaceVector, 4>& corners,
                                         const SurfaceFrame& frame);
@@ -101,29 +111,37 @@ struct CurvedSkin {
   ReadingAxes axes = ReadingAxes::local;
   CurvedKernel kernel = CurvedKernel::ball;
   std::vector<SurfacePlace> above{};  ///< the place of the surface above each taxel
-  double residual = 0.0;  ///< of these places about the surface that was fitted, rms [m]
+  /// Of these places, or of the mesh, about the surface that was fitted, rms [m].
+  double residual = 0.0;
   /// In place of `kernel`; null: that says it.
   std::shared_ptr<const GivenKernel> given{};
 };
 
 /// A curved skin.
 ///
-/// @param taxels  one at least; with normals, or else below a sphere
+/// @param taxels  one at least; with normals, or else below a sphere or a mesh
 /// @throw std::invalid_argument  as `check`; a normal is missing, no unit vector within 1e-3 or
 ///                               points into the pad; a centre or a radius without a sphere; a
 ///                               sphere that the taxels do not lie below, or whose radius they do
-///                               not tell; the reference is within 10 degrees of a normal; an
-///                               extent above 1 m or below 1 mm, as of other units
+///                               not tell; a mesh that is not in order, open or turned inside out
+///                               above a taxel, lying over itself, too rough, or at another depth
+///                               than a taxel says; the reference is within 10 degrees of a normal;
+///                               an extent above 1 m or below 1 mm, as of other units
 [[nodiscard]] SkinArray curved_skin(std::vector<CurvedTaxel> taxels,
                                     const CurvedSkinOptions& options = {});
 
-/// The same skin with that kernel: its chart is then the lattice of the kernel's cells, rows along
-/// the frames' y.
+/// The same skin with that kernel: where its cells lie in rows and columns the skin's chart is then
+/// their lattice, rows along the frames' y.
 ///
 /// @param skin  curved
 /// @throw std::invalid_argument  a size does not fit; a number is not finite, or the kernel is 0; a
 ///                               cell is turned inside out, or none lies above a taxel
 [[nodiscard]] SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel);
 [[nodiscard]] SkinArray with_kernel(SkinArray skin, CurvedKernel kernel);
+
+/// The cells that tractions of a curved skin are solved for: a given kernel's, or the surface's.
+/// @param grid  of the skin's chart
+/// @throw std::invalid_argument  a cell lies beyond the chart, or beyond a given kernel's cells
+[[nodiscard]] std::vector<SurfaceCell> cells_of(const SkinArray& skin, const SurfaceGrid& grid);
 
 }  // namespace tactile_net

@@ -14,12 +14,25 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "tactile_net/sensing/surface_cells.hpp"
 #include "tactile_net/sensing/surface_grid.hpp"
 
 namespace tactile_net {
+
+/// A rectangle of a chart [m].
+struct ChartBox {
+  double y_least = -std::numeric_limits<double>::infinity();
+  double y_most = std::numeric_limits<double>::infinity();
+  double z_least = -std::numeric_limits<double>::infinity();
+  double z_most = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool holds(double y, double z) const noexcept {
+    return y >= y_least && y <= y_most && z >= z_least && z <= z_most;
+  }
+};
 
 /// A polynomial of two variables: the terms of degree 0, then those of degree 1, and so on, in each
 /// degree by rising powers of z.
@@ -28,6 +41,8 @@ struct HeightField {
   double length = 1.0;  ///< what y and z are divided by [m], > 0
   /// (degree + 1) (degree + 2) / 2 coefficients [m]; empty: 0 everywhere.
   std::vector<double> coefficients{};
+  /// Where it is known; it is asked for nowhere else.
+  ChartBox known{};
 
   struct Value {
     double height = 0.0;   ///< [m]
@@ -56,7 +71,8 @@ class CurvedSurface {
 
   /// The place at (y, z) of the chart [m].
   /// @throw std::invalid_argument  it lies beyond the chart's end, `most_angle` from the apex, or
-  ///                               the reference is within 10 degrees of its normal
+  ///                               where the height is not known; or the reference is within 10
+  ///                               degrees of its normal
   [[nodiscard]] SurfacePlace at(double y, double z) const;
 
   /// A place, and how it moves with y and z of the chart.

@@ -54,8 +54,9 @@ std::vector<SpaceVector> corners_between(const GivenKernel& given) {
 
 Json surface_json(const CurvedSkin& curved, const SurfaceGrid& grid,
                   const std::optional<Units>& units, std::span<const ShownForce> frames) {
-  const std::vector<SpaceVector> corners =
-      curved.given ? corners_between(*curved.given) : corners_on_chart(curved.surface, grid);
+  const std::vector<SpaceVector> corners = curved.given && curved.given->rows > 0
+                                               ? corners_between(*curved.given)
+                                               : corners_on_chart(curved.surface, grid);
   std::vector<SpaceVector> above;
   above.reserve(curved.above.size());
   for (const SurfacePlace& place : curved.above) above.push_back(place.point);
