@@ -87,6 +87,14 @@ FitProblem::FitProblem(const PressModel& model, const PressLog& log,
     press_rows.push_back(rows);
   }
   number_presses();
+  for (std::size_t p = 0; p < log.presses.size(); ++p) {
+    const Press& press = log.presses[p];
+    const Place seen = seen_middle(p).value_or(Place{});
+    radius_.push_back(press.radius ? model.relative_radius(*press.radius,
+                                                           press.position.value.value_or(seen.y),
+                                                           press.position_z.value.value_or(seen.z))
+                                   : 0.0);
+  }
 }
 
 void FitProblem::number_presses() noexcept {
@@ -112,6 +120,10 @@ void FitProblem::count_columns(std::span<const bool> unread) {
     if (parameter == PadParameter::thickness)
       free = free && model_.material().layer && !options_.at_base;
     if (parameter == PadParameter::shift_z) free = free && model_.is_skin();
+    if (parameter == PadParameter::pitch && free && model_.is_curved())
+      throw std::invalid_argument(
+          "pitch_sd is of taxels on a plane: those of a curved skin have places in space, which "
+          "are taken as exact; leave it out");
     pad_column_[i] = free ? columns_++ : no_column;
   }
   const std::size_t n = sites.size();
@@ -155,10 +167,12 @@ void FitProblem::set_ranges() {
   const double depth = model_.depth();
   set(PadParameter::depth,
       std::log(std::max(shallowest, std::min(0.5, 0.2 * model_.pitch() / depth))),
-      std::log(std::min(most_times, std::max(2.0, reach_ / depth))));
+      std::log(std::min(
+          {most_times, std::max(2.0, reach_ / depth), model_.most_thickness() / deepest()})));
   const double thickness = model_.material().layer ? model_.material().layer->thickness : depth;
   set(PadParameter::thickness, -std::log(most_times),
-      std::log(std::max(most_times, thickest * reach_ / thickness)));
+      std::log(std::min(std::max(most_times, thickest * reach_ / thickness),
+                        model_.most_thickness() / thickness)));
   set(PadParameter::poisson_ratio, 0.0, 0.5);
   set(PadParameter::youngs_modulus, -std::log(most_modulus), std::log(most_modulus));
   set(PadParameter::crosstalk, 0.0, model_.most_crosstalk());
@@ -227,7 +241,7 @@ std::vector<PressPrior> FitProblem::press_priors(const FitState& state, std::siz
   }
   if (press.radius) {
     const ContactForce rod =
-        model_.contact_force(material_at(state.pad), std::exp(at.log_half_width), *press.radius);
+        model_.contact_force(material_at(state.pad), std::exp(at.log_half_width), radius_[p]);
     const double sd = std::max(options_.half_width_sd, least_tie_sd) * rod.by_log_half_width;
     PressPrior tie{.residual = (rod.log_force - at.log_force) / sd};
     tie.by_press[0] = -1.0 / sd;
@@ -355,10 +369,15 @@ void FitProblem::hold_press(PressState& state, const PressRows& rows) const {
                                       std::log(2.0 * reach_));
 }
 
-double FitProblem::log_room(const PadState& pad) const {
+double FitProblem::deepest() const {
   double deepest = 0.0;
   for (const Site& site : model_.sites()) deepest = std::max(deepest, site.depth);
-  return std::log(model_.material().layer->thickness / deepest) + pad.log_thickness - pad.log_depth;
+  return deepest;
+}
+
+double FitProblem::log_room(const PadState& pad) const {
+  return std::log(model_.material().layer->thickness / deepest()) + pad.log_thickness -
+         pad.log_depth;
 }
 
 void FitProblem::hold_thickness(PadState& pad) const {
@@ -375,8 +394,8 @@ void FitProblem::follow_exact_ties(FitState& state) const {
   const Material material = material_at(state.pad);
   for (std::size_t p = 0; p < state.presses.size(); ++p)
     if (log_.presses[p].radius && press_rows[p].column[2] != no_column)
-      state.presses[p].log_half_width = std::log(model_.contact_half_width(
-          material, std::exp(state.presses[p].log_force), *log_.presses[p].radius));
+      state.presses[p].log_half_width = std::log(
+          model_.contact_half_width(material, std::exp(state.presses[p].log_force), radius_[p]));
 }
 
 }  // namespace tactile_net

@@ -174,6 +174,8 @@ class FitProblem {
   void hold_thickness(PadState& pad) const;
   /// Centres and half widths that ran away are put back where an indenter of this array can be.
   void hold_press(PressState& state, const PressRows& rows) const;
+  /// The depth of the deepest taxel, nominal [m].
+  [[nodiscard]] double deepest() const;
   /// Steps along a tie that is all but exact would be short: each is put back onto it.
   void follow_exact_ties(FitState& state) const;
 
@@ -185,6 +187,7 @@ class FitProblem {
   double reach_ = 0.0;      ///< the array's length
   std::vector<bool> used_{};
   std::vector<double> noise_{};
+  std::vector<double> radius_{};  ///< of each press' ball relative to the pad
   std::array<std::size_t, pad_parameter_count> pad_column_{};
   std::vector<std::size_t> gain_of_{};
   std::vector<std::vector<std::size_t>> gain_blocks_{};  // gains that share a mean

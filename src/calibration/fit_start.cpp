@@ -46,9 +46,9 @@ FitState FitProblem::start(double depth_factor) const {
     at.center = press.position.value.value_or(seen.y);
     at.center_z = press.position_z.value.value_or(seen.z);
     at.disc = press.disc;
+    const double radius = radius_[state.presses.size()];
     if (press.radius && !press.half_width.value && press.force.value)
-      at.log_half_width =
-          std::log(model_.contact_half_width(material, *press.force.value, *press.radius));
+      at.log_half_width = std::log(model_.contact_half_width(material, *press.force.value, radius));
     if (press.force.value) {
       at.log_force = std::log(*press.force.value);
     } else {
@@ -71,7 +71,7 @@ FitState FitProblem::start(double depth_factor) const {
         at.log_force = std::log(std::max(both, 1e-3 * std::abs(both) + 1e-12 * square) / square);
         if (press.radius && !press.half_width.value)
           at.log_half_width =
-              std::log(model_.contact_half_width(material, std::exp(at.log_force), *press.radius));
+              std::log(model_.contact_half_width(material, std::exp(at.log_force), radius));
       }
     }
     state.presses.push_back(at);

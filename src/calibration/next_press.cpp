@@ -119,9 +119,12 @@ NextPress repeated(const PressModel& model, const Material& pad, const Press& lo
                    const FittedPress& done, double force) {
   NextPress one{.half_width = done.half_width.value, .force = force, .disc = log.disc};
   if (log.disc != DiscProfile::sphere) return one;
-  one.radius =
-      log.radius ? *log.radius : model.indenter_radius(pad, one.half_width, done.force.value);
-  one.half_width = model.contact_half_width(pad, force, one.radius);
+  const double y = done.center.value;
+  const double z = done.center_z.value;
+  const double relative = log.radius ? model.relative_radius(*log.radius, y, z)
+                                     : model.indenter_radius(pad, one.half_width, done.force.value);
+  one.radius = log.radius ? *log.radius : model.radius_of_relative(relative, y, z);
+  one.half_width = model.contact_half_width(pad, force, relative);
   return one;
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "calibration/pad_readings.hpp"
 #include "numeric/require.hpp"
+#include "skin/curved_kernel.hpp"
 #include "tactile_net/calibration/ball_contact.hpp"
 #include "tactile_net/elasticity/space/skin_kernel.hpp"
 #include "tactile_net/skin/signal_layout.hpp"
@@ -62,7 +64,14 @@ PressModel::PressModel(const SkinArray& skin, const Material& material, double c
       pitch_(std::max(skin.pitch_y, skin.pitch_z)),
       crosstalk_(crosstalk) {
   check(skin);
-  require_flat(skin, "calibration");
+  if (skin.curved) {
+    check_curved(skin, material);
+    if (skin.curved->given)
+      throw std::invalid_argument(
+          "the kernel is given by a file, which knows one depth, one thickness and one pad: "
+          "calibrate under kernel = \"ball\"");
+    curved_ = skin.curved;
+  }
   for (const Site& site : sites()) check_quantity(site.quantity, Traction::normal, material);
   check_and_finish(crosstalk);
 }
@@ -96,6 +105,32 @@ PadState PressModel::nominal() const noexcept {
   pad.poisson_ratio = material_.poisson_ratio;
   pad.crosstalk = crosstalk_;
   return pad;
+}
+
+double PressModel::most_thickness() const noexcept {
+  constexpr double most = 0.9;  // of the radius
+  double curvature = 0.0;
+  if (curved_)
+    for (const SurfacePlace& place : curved_->above)
+      curvature = std::max(curvature, place.mean_curvature);
+  return curvature > 0.0 ? most / curvature : std::numeric_limits<double>::infinity();
+}
+
+double PressModel::curvature_at(double y, double z) const {
+  return curved_ ? curved_->surface.at(y, z).mean_curvature : 0.0;
+}
+
+double PressModel::relative_radius(double radius, double y, double z) const {
+  const double curvature = curvature_at(y, z);
+  require(1.0 / radius + curvature > 0.0, "radius",
+          "be less than that of the hole it is pressed into, " + shortest(-1.0 / curvature),
+          radius);
+  return 1.0 / (1.0 / radius + curvature);
+}
+
+double PressModel::radius_of_relative(double relative, double y, double z) const {
+  const double left = 1.0 / relative - curvature_at(y, z);
+  return left > 0.0 ? 1.0 / left : std::numeric_limits<double>::infinity();
 }
 
 ContactForce PressModel::contact_force(const Material& material, double half_width,
@@ -137,7 +172,11 @@ PressReadings PressModel::readings(const PadState& pad, std::span<const PressSta
                    .depth_factor = std::exp(pad.log_depth),
                    .material = material_,
                    .tied_to_base = tied_to_base,
-                   .by_friction = by_friction};
+                   .by_friction = by_friction,
+                   .curved = curved_.get(),
+                   .nominal_thickness = material_.layer ? material_.layer->thickness : 0.0,
+                   .shift_y = pad.shift,
+                   .shift_z = pad.shift_z};
   taxels.material.poisson_ratio = pad.poisson_ratio;
   taxels.material.youngs_modulus *= std::exp(pad.log_modulus);
   if (taxels.material.layer) taxels.material.layer->thickness *= std::exp(pad.log_thickness);
@@ -146,7 +185,10 @@ PressReadings PressModel::readings(const PadState& pad, std::span<const PressSta
     throw std::invalid_argument(
         "a layer that slips on its base holds no drag: under one its displacements along the skin "
         "are infinite; press straight down");
-  (is_skin_ ? add_skin_readings : add_line_readings)(taxels, presses, with_derivatives, out);
+  const auto add = is_curved() ? add_curved_readings
+                   : is_skin_  ? add_skin_readings
+                               : add_line_readings;
+  add(taxels, presses, with_derivatives, out);
   if (!with_derivatives) {
     apply_crosstalk(layout_, pad.crosstalk, out.value, nullptr);
     return out;
@@ -157,8 +199,9 @@ PressReadings PressModel::readings(const PadState& pad, std::span<const PressSta
   for (std::size_t p = 0; p < presses.size(); ++p)
     for (std::size_t j = 0; j < n; ++j) {
       at(PadParameter::shift)(p, j) = -out.by_center(p, j);
-      at(PadParameter::pitch)(p, j) =
-          -out.by_center(p, j) * (y[j] - pad.shift) - out.by_center_z(p, j) * (z[j] - pad.shift_z);
+      if (!is_curved())
+        at(PadParameter::pitch)(p, j) = -out.by_center(p, j) * (y[j] - pad.shift) -
+                                        out.by_center_z(p, j) * (z[j] - pad.shift_z);
       at(PadParameter::shift_z)(p, j) = -out.by_center_z(p, j);
       if (traits(sites()[j].quantity).kind != QuantityKind::stress)
         at(PadParameter::youngs_modulus)(p, j) = -out.value(p, j);

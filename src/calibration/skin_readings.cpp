@@ -2,10 +2,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "calibration/contact_radii.hpp"
 #include "calibration/indenter_transform.hpp"
 #include "calibration/pad_readings.hpp"
 #include "calibration/skin_waves.hpp"
@@ -17,55 +17,8 @@ namespace tactile_net {
 namespace {
 
 constexpr double most_skin_panels = 400.0;
-constexpr std::size_t points = 20;  // of a panel of radii
 /// A press whose derivatives are asked for turns a wave of order 3 into one of order 4.
 constexpr std::size_t orders = most_skin_wave_order + 2;
-
-/// Radii between which readings are interpolated: Chebyshev's points on panels as wide as the
-/// depth, and wider where the load is far. The functions' singularities lie a depth beside the
-/// radii of the contact: 20 points resolve them to 1e-12.
-class Radii {
- public:
-  Radii(double depth, double largest_contact, double farthest) {
-    edges_.push_back(0.0);
-    while (edges_.back() <= farthest) {
-      const double from = edges_.back();
-      edges_.push_back(from + std::max(depth, 0.5 * (from - largest_contact)));
-      for (std::size_t i = 0; i < points; ++i)
-        r.push_back(0.5 * (from + edges_.back() - (edges_.back() - from) * std::cos(angle(i))));
-    }
-  }
-  std::vector<double> r{};
-
-  struct At {
-    Eigen::Index first = 0;  ///< of the panel's points
-    Eigen::Matrix<double, points, 1> share{};
-  };
-  [[nodiscard]] At at(double radius) const {
-    const auto above = std::upper_bound(edges_.begin() + 1, edges_.end() - 1, radius);
-    At result{.first = (above - edges_.begin() - 1) * static_cast<Eigen::Index>(points)};
-    double sum = 0.0;  // the barycentric formula
-    for (std::size_t i = 0; i < points; ++i) {
-      const double apart = radius - r[static_cast<std::size_t>(result.first) + i];
-      auto& share = result.share(static_cast<Eigen::Index>(i));
-      if (apart == 0.0) {
-        result.share.setZero();
-        share = 1.0;
-        return result;
-      }
-      share = (i % 2 == 0 ? 1.0 : -1.0) * std::sin(angle(i)) / apart;
-      sum += share;
-    }
-    result.share /= sum;
-    return result;
-  }
-
- private:
-  static double angle(std::size_t i) {
-    return std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(points);
-  }
-  std::vector<double> edges_{};
-};
 
 /// What is summed over the nodes: the wave itself, its derivatives, and it times k with the order
 /// one lower and one higher, which its derivatives by the place are made of.
@@ -164,7 +117,7 @@ class DepthReadings {
     const double from_y = y - presses_[p].center;
     const double from_z = z - presses_[p].center_z;
     const double r = std::hypot(from_y, from_z);
-    const Radii::At at = radii_.at(r);
+    const ContactRadii::At at = radii_.at(r);
     const Turn turn(r > 0.0 ? from_y / r : 1.0, r > 0.0 ? from_z / r : 0.0);
     Field field = sum(skin_terms(quantity, Traction::normal), at, p, turn);
     if (drags_) {
@@ -216,18 +169,19 @@ class DepthReadings {
     [[nodiscard]] Field mirrored() const { return {sums, along_z, along_y}; }
   };
 
-  [[nodiscard]] Field sum(const std::vector<SkinTerm>& terms, const Radii::At& at, std::size_t p,
-                          const Turn& turn) const {
+  [[nodiscard]] Field sum(const std::vector<SkinTerm>& terms, const ContactRadii::At& at,
+                          std::size_t p, const Turn& turn) const {
     Field field;
     for (const SkinTerm& term : terms) {
       const auto wave = static_cast<std::size_t>(term.wave);
       const std::size_t n = skin_wave_order[wave];
       std::array<double, columns> sums{};
       for (std::size_t column = 0; column < columns_; ++column)
-        sums[column] = term.factor * tables_[wave][column]
-                                         .row(static_cast<Eigen::Index>(p))
-                                         .segment(at.first, static_cast<Eigen::Index>(points))
-                                         .dot(at.share);
+        sums[column] =
+            term.factor * tables_[wave][column]
+                              .row(static_cast<Eigen::Index>(p))
+                              .segment(at.first, static_cast<Eigen::Index>(ContactRadii::points))
+                              .dot(at.share);
       const double angle = term.sine ? turn.sine[n] : turn.cosine[n];
       for (const Column column : {value, by_depth, by_thickness, by_nu, by_width})
         field.sums[column] += sums[column] * angle;
@@ -254,7 +208,7 @@ class DepthReadings {
   std::span<const PressState> presses_;
   bool drags_;
   std::size_t columns_;
-  Radii radii_;
+  ContactRadii radii_;
   std::array<Eigen::MatrixXd, orders> bessel_{};                         // nodes x radii
   Eigen::MatrixXd load_{};                                               // presses x nodes
   std::array<std::array<RowMajor, columns>, skin_wave_count> tables_{};  // presses x radii

@@ -60,6 +60,14 @@ struct Dual {
     return a.chained(image, image);
   }
   friend Dual expm1(const Dual& a) { return a.chained(std::expm1(a.value), std::exp(a.value)); }
+  friend Dual log1p(const Dual& a) { return a.chained(std::log1p(a.value), 1.0 / (1.0 + a.value)); }
 };
+
+/// A number without its derivatives.
+[[nodiscard]] inline double plain(double number) { return number; }
+template <std::size_t N>
+[[nodiscard]] double plain(const Dual<N>& number) {
+  return number.value;
+}
 
 }  // namespace tactile_net

@@ -73,33 +73,16 @@ class PlaceKernel {
 class PlaceKernels {
  public:
   PlaceKernels(const Material& material, const CurvedSkin& skin)
-      : material_(material), is_flat_(skin.kernel == CurvedKernel::flat) {
-    if (skin.shape == SurfaceShape::sphere) return;
-    std::vector<double> all;
-    for (const SurfacePlace& place : skin.above) all.push_back(place.mean_curvature);
-    std::sort(all.begin(), all.end());
-    const double h = material.layer->thickness;
-    for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
-      const double step = std::max(curvature_step * std::abs(all[first]), bend_step / h);
-      while (end < all.size() && all[end] - all[first] <= step) ++end;
-      const double mean = std::accumulate(all.begin() + static_cast<std::ptrdiff_t>(first),
-                                          all.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-                          static_cast<double>(end - first);
-      groups_.emplace(all[first], std::abs(mean) * h < flat_below ? 0.0 : mean);
-    }
-  }
+      : material_(material), curvatures_(skin, material.layer->thickness) {}
 
   const PlaceKernel& operator()(double curvature, double depth) {
-    const double taken = is_flat_          ? 0.0
-                         : groups_.empty() ? curvature
-                                           : std::prev(groups_.upper_bound(curvature))->second;
+    const double taken = curvatures_.taken(curvature);
     return made_.try_emplace({taken, depth}, material_, taken, depth).first->second;
   }
 
  private:
   Material material_;
-  bool is_flat_;
-  std::map<double, double> groups_{};  // from the least of each group to its mean
+  KernelCurvatures curvatures_;
   std::map<std::pair<double, double>, PlaceKernel> made_{};
 };
 
@@ -123,15 +106,32 @@ LoadPlaces places_of(const CurvedSurface& surface, const SurfaceGrid& grid, std:
   return all;
 }
 
-/// The axes along which a taxel reads a quantity: x, y and z of the quantity's kind, each with its
-/// share of the reading.
-struct AxisShares {
-  std::array<Quantity, 3> quantities{};
-  std::array<double, 3> shares{};
-  std::size_t count = 0;
-};
+}  // namespace
 
-AxisShares shares_of(Quantity quantity, const SurfaceFrame& taxel, ReadingAxes axes) {
+KernelCurvatures::KernelCurvatures(const CurvedSkin& skin, double thickness)
+    : is_flat_(skin.kernel == CurvedKernel::flat) {
+  if (skin.shape == SurfaceShape::sphere) return;
+  std::vector<double> all;
+  for (const SurfacePlace& place : skin.above) all.push_back(place.mean_curvature);
+  std::sort(all.begin(), all.end());
+  for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+    const double step = std::max(curvature_step * std::abs(all[first]), bend_step / thickness);
+    while (end < all.size() && all[end] - all[first] <= step) ++end;
+    const double mean = std::accumulate(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                        all.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+                        static_cast<double>(end - first);
+    groups_.emplace(all[first], std::abs(mean) * thickness < flat_below ? 0.0 : mean);
+  }
+}
+
+double KernelCurvatures::taken(double curvature) const {
+  if (is_flat_) return 0.0;
+  if (groups_.empty()) return curvature;
+  const auto after = groups_.upper_bound(curvature);
+  return after == groups_.begin() ? after->second : std::prev(after)->second;
+}
+
+AxisShares axis_shares(Quantity quantity, const SurfaceFrame& taxel, ReadingAxes axes) {
   if (axes == ReadingAxes::local || traits(quantity).kind != QuantityKind::displacement)
     return {.quantities = {quantity}, .shares = {1.0}, .count = 1};
   const auto along = static_cast<std::size_t>(traits(quantity).first);
@@ -140,8 +140,6 @@ AxisShares shares_of(Quantity quantity, const SurfaceFrame& taxel, ReadingAxes a
       .shares = {taxel[0][along], taxel[1][along], taxel[2][along]},
       .count = 3};
 }
-
-}  // namespace
 
 void check_curved(const SkinArray& skin, const Material& material) {
   require(material.layer.has_value(),
@@ -213,7 +211,7 @@ CurvedReadings::CurvedReadings(const SkinArray& skin, const Material& material) 
   const CurvedSkin& curved = *skin.curved;
   for (const Site& site : sites(skin)) {
     tables->rows[site.taxel].push_back(tables->read.size());
-    tables->read.push_back(shares_of(site.quantity, curved.above[site.taxel].frame, curved.axes));
+    tables->read.push_back(axis_shares(site.quantity, curved.above[site.taxel].frame, curved.axes));
   }
   if (!curved.given)
     for (std::size_t taxel = 0; taxel < skin.taxels.size(); ++taxel)

@@ -2,11 +2,15 @@
 /// The kernel of a curved skin's problem. Private.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "tactile_net/sensing/surface_cells.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 #include "tactile_net/skin/load.hpp"
 #include "tactile_net/skin/problem.hpp"
 
@@ -15,6 +19,29 @@ namespace tactile_net {
 /// What a curved skin asks of its material.
 /// @throw std::invalid_argument  it is no bonded layer, or thicker than its surface's radius
 void check_curved(const SkinArray& skin, const Material& material);
+
+/// The curvature of the ball whose kernel a taxel takes: that of a sphere, and of surfaces that
+/// bend differently the mean of a group of taxels, so that few kernels are made.
+class KernelCurvatures {
+ public:
+  KernelCurvatures(const CurvedSkin& skin, double thickness);
+  /// @param curvature  of the surface above a taxel [1/m]
+  [[nodiscard]] double taken(double curvature) const;
+
+ private:
+  bool is_flat_;
+  std::map<double, double> groups_{};  // from the least of each group to its mean
+};
+
+/// The axes along which a taxel reads a quantity: x, y and z of the quantity's kind, each with its
+/// share of the reading.
+struct AxisShares {
+  std::array<Quantity, 3> quantities{};
+  std::array<double, 3> shares{};
+  std::size_t count = 0;
+};
+[[nodiscard]] AxisShares axis_shares(Quantity quantity, const SurfaceFrame& taxel,
+                                     ReadingAxes axes);
 
 /// Whose middle is the nearest. @pre  there is a cell
 [[nodiscard]] std::size_t nearest_cell(std::span<const SurfaceCell> cells,

@@ -1,6 +1,6 @@
 /// @file
 /// Logs of presses on a skin whose truth is known, simulated by the exact forward model, which
-/// knows nothing of the calibration's.
+/// knows nothing of the calibration's; on a dome by sums of point loads.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "tactile_net/calibration/press_fit.hpp"
 #include "tactile_net/skin/forward.hpp"
 #include "tactile_net/skin/signal_layout.hpp"
+#include "tests/calibration/curved_pads.hpp"
 
 namespace tactile_net {
 
@@ -26,6 +27,8 @@ struct SkinLogOptions {
   bool states_radius = true;  ///< of the balls; else the contact's
   double friction = 0.0;      ///< most of a press' drag, to any side; it is stated within 0.1
   double shift_y = 0.0, shift_z = 0.0;  ///< of the skin on its stage [m]
+  double dome = 0.0;                    ///< its radius; 0: a flat skin
+  Stand stand{};                        ///< of the dome
 };
 
 struct SimulatedSkinLog {
@@ -48,16 +51,24 @@ inline SimulatedSkinLog simulated_skin_log(unsigned seed, const SkinLogOptions& 
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   SimulatedSkinLog result;
-  result.truth = {.rows = options.side,
-                  .columns = options.side,
-                  .pitch_y = 2e-3,
-                  .pitch_z = 2e-3,
-                  .depths = {1.8e-3},
-                  .reads = options.reads};
+  const auto skin = [&](double depth) -> SkinArray {
+    if (options.dome != 0.0)
+      return dome({.side = options.side,
+                   .radius = options.dome,
+                   .depth = depth,
+                   .reads = options.reads,
+                   .stand = options.stand});
+    return {.rows = options.side,
+            .columns = options.side,
+            .pitch_y = 2e-3,
+            .pitch_z = 2e-3,
+            .depths = {depth},
+            .reads = options.reads};
+  };
+  result.truth = skin(1.8e-3);
   result.pad = {.youngs_modulus = 2.2e5, .poisson_ratio = 0.46};
   if (options.layer) result.pad.layer = Layer{4e-3, Base::bonded};
-  result.nominal = result.truth;
-  result.nominal.depths = {1.5e-3};
+  result.nominal = skin(1.5e-3);
   result.nominal_pad = result.pad;
   result.nominal_pad.youngs_modulus = 2e5;
   if (options.layer) result.nominal_pad.layer->thickness = 3.6e-3;
@@ -79,15 +90,26 @@ inline SimulatedSkinLog simulated_skin_log(unsigned seed, const SkinLogOptions& 
     const double z = place(p % across);
     const double radius = options.at_one_place ? 5e-3 : uniform(3e-3, 8e-3);
     const double force = uniform(0.3, 1.0);
-    const double a = ball_contact_radius(result.pad, force, radius);
+    const double relative =
+        options.dome != 0.0 ? 1.0 / (1.0 / radius + 1.0 / options.dome) : radius;
+    const double a = ball_contact_radius(result.pad, force, relative);
     SkinContact contact{
         .y = y - options.shift_y, .z = z - options.shift_z, .radius = a, .force = force};
     if (options.friction > 0.0) {
       contact.friction = uniform(0.0, options.friction);
       contact.direction = uniform(-3.1, 3.1);
     }
-    const std::vector<SkinLoad> loads{contact};
-    clean.push_back(exact.readings(loads));
+    if (options.dome != 0.0) {
+      PressState state{.log_force = std::log(force), .center = contact.y};
+      state.log_half_width = std::log(a);
+      state.center_z = contact.z;
+      state.friction = contact.friction * std::cos(contact.direction);
+      state.friction_z = contact.friction * std::sin(contact.direction);
+      clean.push_back(summed_readings(result.truth, result.pad, state, 24));
+    } else {
+      const std::vector<SkinLoad> loads{contact};
+      clean.push_back(exact.readings(loads));
+    }
     Press press{.number = p + 1};
     if (options.states_force) press.force = {force * (1.0 + 0.01 * normal(random)), 0.01 * force};
     press.position = {y + 1e-4 * normal(random), 1e-4};

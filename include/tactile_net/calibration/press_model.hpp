@@ -9,8 +9,8 @@
 ///
 ///     cylinder  2 J1(z)/z        punch (no rounded edge)  J0(z)        wedge  1/z integral_0^z J0
 ///
-/// For a skin, at the distance r from the contact's middle and the angle theta from the y axis,
-/// sums of
+/// For a flat skin, at the distance r from the contact's middle and the angle theta from the y
+/// axis, sums of
 ///
 ///     F/(2 pi) cos(n theta) integral_0^inf k phi(k a) T(k) J_n(k r) dk,    n = 0, 1, 2,
 ///
@@ -18,6 +18,10 @@
 /// (docs/internals/space.md; skin_waves.hpp) and
 ///
 ///     sphere  3 j1(z)/z        punch  sin(z)/z        cone  2 (1 - cos z)/z^2
+///
+/// For a curved skin the same sums over spherical harmonics: a layer on a ball, bonded to it
+/// (ball_kernel.hpp), whose radius is that of the mean curvature above each taxel. A drag is along
+/// one direction at the contact's middle, and turns with the arcs from there.
 #pragma once
 
 #include <array>
@@ -80,13 +84,16 @@ struct PressReadings {
 ///
 /// Costs presses x nodes x readings multiplications a quantity, nodes some 20 times the distance
 /// of the farthest taxel over the depth; of a skin presses x nodes x radii, some 20 radii for each
-/// depth of that distance. Const, and thread-safe. A copy shares what it is made of.
+/// depth of that distance; of a curved one presses x degrees x radii for each curvature and depth,
+/// degrees some 40 times the radius over the depth. Const, and thread-safe. A copy shares what it
+/// is made of.
 class PressModel {
  public:
   /// @param crosstalk  fraction to each neighbour, as the effect has it: part of the nominal pad
   /// @throw std::invalid_argument  the array, the material or the fraction is out of range, taxels
-  ///                               have widths, a layer slips under what a skin reads, or the skin
-  ///                               is curved
+  ///                               have widths, a layer slips under what a skin reads; a curved
+  ///                               skin's pad is no bonded layer thinner than its radius, or its
+  ///                               kernel is given
   PressModel(const SensorArray& array, const Material& material, double crosstalk = 0.0);
   PressModel(const SkinArray& skin, const Material& material, double crosstalk = 0.0);
 
@@ -102,6 +109,16 @@ class PressModel {
   [[nodiscard]] PressReadings readings(const PadState& pad, std::span<const PressState> presses,
                                        bool with_derivatives, bool tied_to_base = false,
                                        bool by_friction = false) const;
+
+  /// The radius [m] of what touches a plane as a ball of this radius touches the skin at a place:
+  /// 1 / (1 / radius + mean curvature), after Hertz. On a flat pad the radius itself.
+  /// @throw std::invalid_argument  the skin is a hole there, and no wider than the ball
+  [[nodiscard]] double relative_radius(double radius, double y, double z) const;
+  /// The radius of the ball whose relative radius this is there; infinite where a flat punch, or
+  /// less, would do.
+  [[nodiscard]] double radius_of_relative(double relative, double y, double z) const;
+
+  // Of the following, radii are relative ones.
 
   /// The force that a contact of this half width needs: `rod_force`, on a skin `ball_force`.
   [[nodiscard]] ContactForce contact_force(const Material& material, double half_width,
@@ -120,6 +137,10 @@ class PressModel {
   [[nodiscard]] double most_crosstalk() const noexcept;
 
   [[nodiscard]] bool is_skin() const noexcept { return is_skin_; }
+  [[nodiscard]] bool is_curved() const noexcept { return curved_ != nullptr; }
+  /// The thickness [m] that a fit may not exceed: most of the least radius of a curved skin;
+  /// infinite on a flat one.
+  [[nodiscard]] double most_thickness() const noexcept;
   [[nodiscard]] const Material& material() const noexcept { return material_; }
   [[nodiscard]] const std::vector<Site>& sites() const noexcept { return layout_.readings; }
   [[nodiscard]] const std::vector<Channel>& channels() const noexcept { return layout_.channels; }
@@ -128,6 +149,7 @@ class PressModel {
 
  private:
   void check_and_finish(double crosstalk);
+  [[nodiscard]] double curvature_at(double y, double z) const;
 
   Material material_;
   bool is_skin_;
@@ -135,6 +157,7 @@ class PressModel {
   double pitch_;
   double depth_ = 0.0;
   double crosstalk_;
+  std::shared_ptr<const CurvedSkin> curved_{};
 };
 
 }  // namespace tactile_net

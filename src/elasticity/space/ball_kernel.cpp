@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "elasticity/space/ball_sums.hpp"
 #include "elasticity/space/ball_tables.hpp"
 #include "elasticity/space/layer_field.hpp"
 #include "elasticity/space/reading_size.hpp"
@@ -29,8 +30,7 @@ void check_ball(const Material& material, double radius, double depth) {
           "be less than the surface's least radius of curvature, " + shortest(radius),
           material.layer->thickness);
   const double least =
-      std::min(std::abs(radius), BallTables::farthest * material.layer->thickness) /
-      most_radii_a_depth;
+      std::min(std::abs(radius), farthest_ball * material.layer->thickness) / most_radii_a_depth;
   require(depth >= least, "depth",
           "be at least 1 / 16000 of the radius, or of 320 thicknesses where that is less: " +
               shortest(least),

@@ -13,12 +13,10 @@ namespace tactile_net {
 /// 2 G.
 ///
 /// Each is a sum over the spherical harmonics of all degrees, whose amplitudes (`BallModes`) fall
-/// as (1 - depth / radius)^n. It costs O(radius / depth): from `farthest` thicknesses of radius on,
-/// where the field is a power series in the curvature, ten sums at smaller radii are interpolated.
+/// as (1 - depth / radius)^n. It costs O(radius / depth): from `farthest_ball` thicknesses of
+/// radius on ten sums at smaller radii are interpolated (ball_sums.hpp).
 class BallTables {
  public:
-  static constexpr double farthest = 320.0;
-
   /// @param nu         Poisson's ratio, [0, 0.5]
   /// @param curvature  thickness over radius: in (0, 1) on a ball, < 0 in a hole
   /// @param depth      in (0, 1], in units of the thickness

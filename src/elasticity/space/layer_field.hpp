@@ -13,13 +13,13 @@ namespace tactile_net {
 
 /// Tables times their angles at a place (y, z), for a load along z in exchanged axes: tables of f /
 /// r^j and the place in units of the thickness, or tables of f and the place's direction.
-template <class Table>
+template <class Table, class Number = double>
 struct LayerField {
   const Table& table;
   Traction load;
-  double y, z;
+  Number y, z;
 
-  [[nodiscard]] double stress(Axis a, Axis b) const noexcept {
+  [[nodiscard]] Number stress(Axis a, Axis b) const noexcept {
     using enum LayerTable;
     a = turned(a);
     b = turned(b);
@@ -34,14 +34,14 @@ struct LayerField {
       return normal ? 2.0 * y * z * table(normal_deviator)
                     : z * table(tangential_deviator) +
                           z * (3.0 * y * y - z * z) * table(tangential_deviator_turning);
-    const double trace = normal ? table(normal_trace) : y * table(tangential_trace);
-    const double deviator =
+    const Number trace = normal ? table(normal_trace) : y * table(tangential_trace);
+    const Number deviator =
         normal ? (y * y - z * z) * table(normal_deviator)
                : y * table(tangential_deviator) +
                      y * (y * y - 3.0 * z * z) * table(tangential_deviator_turning);
     return a == Axis::y ? trace + deviator : trace - deviator;
   }
-  [[nodiscard]] double displacement(Axis a) const noexcept {
+  [[nodiscard]] Number displacement(Axis a) const noexcept {
     using enum LayerTable;
     a = turned(a);
     const bool normal = load == Traction::normal;
@@ -55,7 +55,7 @@ struct LayerField {
   [[nodiscard]] Axis turned(Axis a) const noexcept {
     return load == Traction::tangential_z ? exchanged(a) : a;
   }
-  [[nodiscard]] double vector(Axis a, LayerTable mean, LayerTable turning) const noexcept {
+  [[nodiscard]] Number vector(Axis a, LayerTable mean, LayerTable turning) const noexcept {
     return a == Axis::y ? table(mean) + (y * y - z * z) * table(turning)
                         : 2.0 * y * z * table(turning);
   }
