@@ -45,7 +45,7 @@ LinearProblem ball_problem() {
   const Material pad{
       .youngs_modulus = 2.5e5, .poisson_ratio = 0.48, .layer = Layer{4e-3, Base::bonded}};
   return make_problem(curved_skin(taxels, {.shape = SurfaceShape::sphere}), pad,
-                      {.smoothing_length = 2e-3});
+                      {.smoothing_length = 2e-3, .grid = {.spacing = 1.5e-3}});
 }
 
 /// What the skin reads of a smooth press with a drag, at a place off its middle.
