@@ -2,6 +2,7 @@
 #include "tactile_net/simulator/step_response.hpp"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "tactile_net/network/state_space.hpp"
@@ -62,6 +63,28 @@ TEST_CASE("ngspice settles in the certificate's time", "[spice][step_response][l
       REQUIRE(seen.end == TransientEnd::settles);
       CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.02));
       CHECK(seen.end_error < 1e-3);
+    }
+  }
+}
+
+TEST_CASE("converters with second poles and slew settle in ngspice in the certificate's time",
+          "[spice][step_response]") {
+  const ArrayNetwork network = array_network(9, 1e-2);
+  for (const Realization one : {Realization::nic, Realization::rail}) {
+    double linear = 0.0;
+    for (const std::optional<double> slew : {std::optional<double>{}, std::optional{2e6}}) {
+      RealizationOptions options{.opamp = {.bandwidth = 1e7, .second_pole = 4e7, .slew = slew}};
+      const Certificate certificate = certify(one, network.problem, options);
+      const Circuit circuit = realize(one, network.problem, options);
+      CAPTURE(name(one), slew.value_or(0.0));
+      REQUIRE(certificate.stability == Stability::stable);
+      const double settling = *certificate.dynamics->settling_seconds;
+      Ngspice ngspice;
+      const Transient seen = settle(ngspice, circuit, certificate, at_rest(circuit));
+      REQUIRE(seen.end == TransientEnd::settles);
+      CHECK_THAT(*seen.settling_seconds, WithinRel(settling, slew ? 0.05 : 0.02));
+      if (slew) CHECK(settling > 1.2 * linear);  // it is what the slew makes of it
+      linear = settling;
     }
   }
 }
