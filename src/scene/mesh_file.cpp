@@ -127,7 +127,7 @@ SurfaceMesh read_obj(std::string_view text, const Unit& unit) {
 }
 
 /// Corners at one place are one vertex.
-class Corners {
+class MergedCorners {
  public:
   void add(const std::array<SpaceVector, 3>& corners) {
     require_room(mesh_);
@@ -140,7 +140,7 @@ class Corners {
     mesh_.triangles.push_back(triangle);
   }
   [[nodiscard]] std::size_t count() const noexcept { return mesh_.triangles.size(); }
-  [[nodiscard]] SurfaceMesh mesh() && { return std::move(mesh_); }
+  [[nodiscard]] SurfaceMesh take() { return std::move(mesh_); }
 
  private:
   SurfaceMesh mesh_{};
@@ -148,7 +148,7 @@ class Corners {
 };
 
 SurfaceMesh read_stl_text(std::string_view text, const Unit& unit) {
-  Corners corners;
+  MergedCorners corners;
   std::vector<SpaceVector> loop;
   bool ended = false;
   Lines lines(text);
@@ -174,7 +174,7 @@ SurfaceMesh read_stl_text(std::string_view text, const Unit& unit) {
     throw std::runtime_error("it ends after triangle " + std::to_string(corners.count()) +
                              " without \"endsolid\": it is cut short; copy it again");
   if (corners.count() == 0) throw std::runtime_error("it holds no triangle");
-  return std::move(corners).mesh();
+  return corners.take();
 }
 
 std::uint32_t little(std::string_view bytes, std::size_t at) {
@@ -198,7 +198,7 @@ SurfaceMesh read_stl_binary(std::string_view bytes, const Unit& unit) {
     throw std::runtime_error("it announces " + std::to_string(count) + " triangles and holds " +
                              std::to_string(held) +
                              ": it is cut short or no .stl file; copy it again");
-  Corners corners;
+  MergedCorners corners;
   for (std::size_t i = 0; i < count; ++i) {
     std::array<SpaceVector, 3> places{};
     for (std::size_t k = 0; k < 9; ++k) {
@@ -211,7 +211,7 @@ SurfaceMesh read_stl_binary(std::string_view bytes, const Unit& unit) {
     }
     corners.add(places);
   }
-  return std::move(corners).mesh();
+  return corners.take();
 }
 
 /// Some binary files begin with "solid" too: only text has a facet.

@@ -253,33 +253,63 @@ TEST_CASE("sums of a curved skin's tractions are the resultant about any point",
 
 TEST_CASE("a skin that is turned and moved gives turned forces", "[skin][curved][property]") {
   const Turn turn = turn_about({0.3, -0.5, 0.8}, 1.1, {0.1, -0.05, 0.02});
-  const auto shape = GENERATE(SurfaceShape::sphere, SurfaceShape::points);
-  const std::vector<CurvedTaxel> taxels = ball_taxels(15e-3, 6);
+  const auto shape = GENERATE(SurfaceShape::sphere, SurfaceShape::points, SurfaceShape::mesh);
+  const SpaceVector half_axes = shape == SurfaceShape::sphere ? SpaceVector{15e-3, 15e-3, 15e-3}
+                                                              : SpaceVector{12e-3, 20e-3, 14e-3};
+  const std::vector<CurvedTaxel> taxels = taxels_below(half_axes, 5e-3, 6, 1.2e-3, moves);
   std::vector<CurvedTaxel> turned = taxels;
   for (CurvedTaxel& taxel : turned) {
     taxel.place = turn.place(taxel.place);
     taxel.normal = turn.direction(*taxel.normal);
   }
-  const SkinArray skin = curved_skin(taxels, {.shape = shape, .axes = ReadingAxes::sensor});
-  const SkinArray other = curved_skin(
-      turned,
-      {.shape = shape, .reference = turn.direction({0, 1, 0}), .axes = ReadingAxes::sensor});
-  const LinearProblem problem = make_problem(skin, skin_on_core);
-  const LinearProblem moved = make_problem(other, skin_on_core);
-  std::mt19937 random(5);
-  std::normal_distribution<double> number(0.0, 1e-5);
-  std::vector<double> readings(problem.sites.size());
-  for (double& one : readings) one = number(random);
-  const std::size_t taxel_count = taxels.size();
-  std::vector<double> seen(readings.size());
-  for (std::size_t i = 0; i < taxel_count; ++i) {
-    const SpaceVector there =
-        turn.direction({readings[i], readings[taxel_count + i], readings[2 * taxel_count + i]});
-    for (std::size_t k = 0; k < 3; ++k) seen[k * taxel_count + i] = there[k];
+  CurvedSkinOptions options{.shape = shape, .axes = ReadingAxes::sensor};
+  CurvedSkinOptions turned_options = options;
+  if (shape == SurfaceShape::mesh) {
+    SurfaceMesh mesh = ellipsoid_mesh(half_axes, 8e-3, 16);
+    options.mesh = std::make_shared<const SurfaceMesh>(mesh);
+    for (SpaceVector& vertex : mesh.vertices) vertex = turn.place(vertex);
+    turned_options.mesh = std::make_shared<const SurfaceMesh>(std::move(mesh));
   }
-  const auto force_of = [](const LinearProblem& one, const std::vector<double>& frame) {
+  turned_options.reference = turn.direction(options.reference);
+  const SkinArray skin = curved_skin(taxels, options);
+  const LinearProblem problem = make_problem(skin, skin_on_core);
+  const LinearProblem moved = make_problem(curved_skin(turned, turned_options), skin_on_core);
+  REQUIRE(moved.grid.count() == problem.grid.count());
+  const std::size_t taxel_count = taxels.size();
+  const auto turned_readings = [&](const auto& of) {
+    std::vector<double> seen(3 * taxel_count);
+    for (std::size_t i = 0; i < taxel_count; ++i) {
+      const SpaceVector there =
+          turn.direction({of(i), of(taxel_count + i), of(2 * taxel_count + i)});
+      for (std::size_t k = 0; k < 3; ++k) seen[k * taxel_count + i] = there[k];
+    }
+    return seen;
+  };
+  double apart = 0.0;
+  for (std::size_t column = 0; column < problem.kernel.columns; ++column) {
+    const std::vector<double> seen =
+        turned_readings([&](std::size_t row) { return problem.kernel(row, column); });
+    for (std::size_t row = 0; row < seen.size(); ++row)
+      apart = std::hypot(apart, seen[row] - moved.kernel(row, column));
+  }
+  CHECK(apart <= 1e-11 * norm(problem.kernel.values));
+  const std::vector<SkinLoad> loads = {
+      SkinContact{.y = 0.7e-3,
+                  .z = -1.4e-3,
+                  .radius = 2e-3,
+                  .force = 0.3,
+                  .friction = 0.4,
+                  .direction = 1.0},
+      SkinContact{.y = -2e-3, .z = 2e-3, .radius = 1.5e-3, .force = 0.1}};
+  std::vector<double> readings = exact_readings(skin, skin_on_core, loads);
+  std::mt19937 random(5);
+  std::normal_distribution<double> number(0.0, 1e-7);
+  for (double& one : readings) one += number(random);
+  const std::vector<double> seen = turned_readings([&](std::size_t i) { return readings[i]; });
+  const auto force_of = [](const LinearProblem& one, const std::vector<double>& frame,
+                           double alpha) {
     const TikhonovFamily family(one);
-    const std::vector<double> f = family.solve(family.analyse(frame), 1e-14);
+    const std::vector<double> f = family.solve(family.analyse(frame), alpha);
     SpaceVector force{};
     for (std::size_t i = 0; i < f.size(); ++i) {
       const SurfaceCell& cell = (*one.cells)[i % one.grid.count()];
@@ -288,9 +318,11 @@ TEST_CASE("a skin that is turned and moved gives turned forces", "[skin][curved]
     }
     return force;
   };
-  const SpaceVector expected = turn.direction(force_of(problem, readings));
-  const SpaceVector found = force_of(moved, seen);
-  CHECK(length(combined(1.0, found, -1.0, expected)) <= 1e-8 * length(expected));
+  for (const double alpha : {1e-18, 1e-20, 1e-22}) {
+    const SpaceVector expected = turn.direction(force_of(problem, readings, alpha));
+    const SpaceVector found = force_of(moved, seen, alpha);
+    CHECK(length(combined(1.0, found, -1.0, expected)) <= 1e-11 * length(expected));
+  }
 }
 
 TEST_CASE("what is no curved skin is refused with the rule", "[skin][curved]") {
