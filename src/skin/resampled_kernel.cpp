@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "numeric/require.hpp"
 
@@ -82,6 +83,40 @@ struct Share {
   double of_given = 0.0;
 };
 
+/// Of each of the chart's cells whether the given ones cover enough of it.
+/// @throw std::invalid_argument  near a taxel, or of many, they do not; or they cover one twice
+std::vector<bool> bearing(const SkinArray& skin, const SurfaceGrid& grid,
+                          std::span<const SurfaceCell> cells) {
+  constexpr double enough = 0.25;
+  constexpr double near_in_depths = 0.8;
+  const double near = near_in_depths * least_depth(skin);
+  const std::string advice =
+      ": let them reach one depth beyond the outermost taxels, or choose a smaller margin; are "
+      "they in metres, and in the sensor's axes?";
+  std::vector<bool> bears(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double covered = cells[i].area / (grid.area() * cells[i].middle.stretch);
+    const double y = grid.y(i / grid.columns);
+    const double z = grid.z(i % grid.columns);
+    const SpaceVector& at = cells[i].middle.point;
+    const std::string place =
+        " at (" + brief(at[0], 4) + ", " + brief(at[1], 4) + ", " + brief(at[2], 4) + ") m";
+    bears[i] = covered >= enough;
+    require(covered <= 1.5, "the kernel's cells lie over one another" + place);
+    const auto beside = std::find_if(
+        skin.taxels.begin(), skin.taxels.end(),
+        [&](const Taxel& taxel) { return std::hypot(taxel.y - y, taxel.z - z) <= near; });
+    require(bears[i] || beside == skin.taxels.end(),
+            "the kernel's cells leave out the surface" + place + ", beside " +
+                (beside == skin.taxels.end() ? std::string() : "taxel " + beside->name) + advice);
+  }
+  const auto absent = static_cast<std::size_t>(std::count(bears.begin(), bears.end(), false));
+  require(4 * absent <= cells.size(), "the kernel's cells leave out the surface below " +
+                                          std::to_string(absent) + " of " +
+                                          std::to_string(cells.size()) + " of its cells" + advice);
+  return bears;
+}
+
 }  // namespace
 
 ResampledKernel resampled_kernel(const SkinArray& skin, const SurfaceGrid& grid) {
@@ -115,27 +150,26 @@ ResampledKernel resampled_kernel(const SkinArray& skin, const SurfaceGrid& grid)
       for (std::size_t u = 0; u < 3; ++u) turned[t][v][u] = dot(cell.middle.frame[v], here[u]);
     for (const auto& [i, share] : borne) {
       shares.push_back({t, i, share});
-      SurfaceCell& own = result.cells[i];
-      own.area += share * cell.area;
-      for (std::size_t v = 0; v < 3; ++v)
-        for (std::size_t u = 0; u < 3; ++u) {
-          own.force[u] = combined(1.0, own.force[u], share * turned[t][v][u], cell.force[v]);
-          own.moment[u] = combined(1.0, own.moment[u], share * turned[t][v][u], cell.moment[v]);
-        }
+      result.cells[i].area += share * cell.area;
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const SurfaceCell& cell = result.cells[i];
-    const double covered = cell.area / (grid.area() * cell.middle.stretch);
-    const SpaceVector& at = cell.middle.point;
-    const std::string place =
-        " at (" + brief(at[0], 4) + ", " + brief(at[1], 4) + ", " + brief(at[2], 4) + ") m";
-    require(covered >= 0.5,
-            "the kernel's cells leave out the surface" + place +
-                ": let them cover a rectangle that reaches one depth beyond the outermost taxels, "
-                "or choose a smaller margin; are they in metres, and in the sensor's axes?");
-    require(covered <= 1.5, "the kernel's cells lie over one another" + place);
+  const std::vector<bool> bears = bearing(skin, grid, result.cells);
+  std::erase_if(shares, [&](const Share& one) { return !bears[one.cell]; });
+  for (const Share& one : shares) {
+    SurfaceCell& own = result.cells[one.cell];
+    const SurfaceCell& cell = given.cells[one.given];
+    for (std::size_t v = 0; v < 3; ++v)
+      for (std::size_t u = 0; u < 3; ++u) {
+        const double part = one.of_given * turned[one.given][v][u];
+        own.force[u] = combined(1.0, own.force[u], part, cell.force[v]);
+        own.moment[u] = combined(1.0, own.moment[u], part, cell.moment[v]);
+      }
   }
+  for (std::size_t i = 0; i < count; ++i)
+    if (SurfaceCell& cell = result.cells[i]; !bears[i]) {
+      cell.area = grid.area() * cell.middle.stretch;
+      cell.first_moment = multiple(cell.area, cell.middle.point);
+    }
   const std::size_t all = given.cells.size();
   result.kernel = {given.kernel.rows, 3 * count,
                    std::vector<double>(given.kernel.rows * 3 * count)};

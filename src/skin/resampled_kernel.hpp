@@ -12,7 +12,8 @@ namespace tactile_net {
 
 /// Each of the chart's cells stands for what the given ones bear when each has the mean over itself
 /// of the chart's tractions. So a cell's force and moment are those of the given cells' own
-/// tractions, which cause the readings: sums over the chart are theirs to rounding.
+/// tractions, which cause the readings: sums over the chart are theirs to rounding. Cells at the
+/// rim that the given ones hardly cover cause nothing.
 struct ResampledKernel {
   std::vector<SurfaceCell> cells{};
   /// Readings x (3 cells), of unit tractions on the chart's cells; as the given kernel.
@@ -20,8 +21,9 @@ struct ResampledKernel {
 };
 
 /// @pre  the skin has a given kernel without rows and columns
-/// @throw std::invalid_argument  given cells leave out half of one of the chart's, lie over one
-///                               another, or are turned inside out against the surface
+/// @throw std::invalid_argument  given cells leave out the surface beside a taxel, or more than a
+///                               quarter of it; they lie over one another, or are turned inside out
+///                               against the surface
 [[nodiscard]] ResampledKernel resampled_kernel(const SkinArray& skin, const SurfaceGrid& grid);
 
 }  // namespace tactile_net
