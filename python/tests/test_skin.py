@@ -25,6 +25,22 @@ def moving(skin: tn.Skin) -> tn.Skin:
     )
 
 
+def test_a_mesh_is_the_surface_of_a_skin() -> None:
+    skin = tn.Skin.load(PROJECT / "scenes/skins/mesh-finger.toml")
+    surface = skin.surface
+    assert surface is not None and skin.positions is not None and skin.normals is not None
+    assert len(surface.middles) == len(skin.y) * len(skin.z)
+    # Places are on the mesh, within what its triangles leave between its vertices.
+    lines = (PROJECT / "scenes/skins/mesh-finger.obj").read_text().splitlines()
+    vertices = 1e-3 * np.array([line.split()[1:] for line in lines if line.startswith("v ")], dtype=float)
+    for place in skin.positions:
+        assert np.linalg.norm(vertices - place, axis=1).min() < 0.7e-3
+    # The pressure of 1 Pa on each cell is minus its area along its normal.
+    assert np.allclose(np.linalg.norm(skin.normals, axis=1), 1.0)
+    assert np.allclose(np.linalg.norm(surface.forces[:, 0], axis=1), surface.areas, rtol=1e-2)
+    assert np.allclose(np.einsum("ni,ni->n", surface.forces[:, 0], surface.frames[:, 0]), surface.areas, rtol=1e-2)
+
+
 @pytest.mark.parametrize("path", SKINS, ids=lambda path: path.name)
 def test_every_shipped_skin_survives_a_dictionary(path: Path) -> None:
     scene = tn.Scene.load(path)
