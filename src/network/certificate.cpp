@@ -13,6 +13,7 @@
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "numeric/named.hpp"
+#include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/network/slewing.hpp"
 
 namespace tactile_net {
@@ -52,6 +53,17 @@ double least_eigenvalue_that_counts(const NetworkCircuit& circuit) {
 bool is_definite(const NetworkCircuit& circuit) {
   return traits(circuit.realization()).takes_readings ||
          circuit.eigenvalues().smallest > least_eigenvalue_that_counts(circuit);
+}
+
+/// Whether the rate that finite gain asks for at rest is at most two thirds of the slew: beyond,
+/// bends of rates about the rest differ by more than T8's dominance bears.
+bool slew_holds_outputs(const NetworkCircuit& circuit) {
+  const OpAmp& o = circuit.options().opamp;
+  if (!o.slew || !o.bandwidth) return true;
+  double largest = 0.0;
+  for (const double volts : operating_voltages(circuit.flat()))
+    largest = std::max(largest, std::abs(volts));
+  return 1.5 * angular_frequency(*o.bandwidth) * largest / o.dc_gain() <= *o.slew;
 }
 
 bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool definite,
@@ -99,6 +111,8 @@ bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool defi
       return !o.common_mode_rejection;
     case TheoremCondition::no_node_capacitance:
       return !options.node_capacitance;
+    case TheoremCondition::slew_holds_outputs:
+      return slew_holds_outputs(circuit);
   }
   return false;
 }

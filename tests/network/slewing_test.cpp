@@ -1,6 +1,8 @@
 // Circuits whose amplifiers cannot follow at any rate: T8, and settling with it.
 #include "tactile_net/network/slewing.hpp"
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -9,6 +11,7 @@
 #include "tactile_net/network/certificate.hpp"
 #include "tactile_net/network/opamp.hpp"
 #include "tests/catch.hpp"
+#include "tests/eigen.hpp"
 #include "tests/network/networks.hpp"
 #include "tests/network/problems.hpp"
 
@@ -213,6 +216,80 @@ TEST_CASE("T8: a circuit that slews loses energy from everywhere", "[slewing][th
   for (int k = 0; k < 200; ++k)
     CHECK(energy_rate(lattice, network.problem.matrix,
                       random_states(lattice.states(), generator, 10.0)) < 0.0);
+}
+
+TEST_CASE("T8 of a lattice holds at finite gain, while the slew holds the outputs",
+          "[slewing][theorem][property]") {
+  std::mt19937 generator(5);
+  const ArrayNetwork network = array_network(9, 1e-3);
+  // What holds 1 V at rest: 0.66 of the slew and less of it, then 0.67.
+  const auto opamp = [](double gain, double share) {
+    return OpAmp{
+        .gain = gain, .bandwidth = 1e6, .slew = 2.0 * std::numbers::pi * 1e6 / gain / share};
+  };
+  double volts = 0.0;
+  for (const double gain : {30.0, 1e3, 1e5})
+    for (const double share : {1e-3, 0.1, 0.5}) {
+      CAPTURE(gain, share);
+      const RealizationOptions options{.opamp = opamp(gain, share)};
+      const Circuit circuit = realize(Realization::lattice, network.problem, options);
+      const StateSpace system = state_space(circuit);
+      const std::size_t n = system.states();
+      // At rest a bent rate is what holds the output: (A + leak) x = unbent(leak x) - b.
+      Eigen::MatrixXd unslewed = view(system.dynamics);
+      Eigen::VectorXd leak = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n));
+      double limit = 0.0;
+      for (const StateSpace::Slewing& one : system.slewing) {
+        leak(static_cast<Eigen::Index>(one.state)) = one.leak;
+        limit = one.limit;
+      }
+      unslewed.diagonal() += leak;
+      const auto unbent = [&](double rate) {
+        double low = -1e3 * limit;
+        double high = 1e3 * limit;
+        for (int k = 0; k < 200; ++k) {
+          const double middle = 0.5 * (low + high);
+          (slewing_rate(middle, limit) < rate ? low : high) = middle;
+        }
+        return 0.5 * (low + high);
+      };
+      Eigen::VectorXd held = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n));
+      for (int k = 0; k < 200; ++k) {
+        Eigen::VectorXd right = leak.cwiseProduct(held);
+        for (double& one : right) one = unbent(one);
+        right -= view(std::span<const double>(system.drive));
+        held = unslewed.partialPivLu().solve(right);
+      }
+      const std::vector<double> rest(held.begin(), held.end());
+      REQUIRE(view(std::span<const double>(rates(system, rest))).norm() < 1e-6 * limit);
+      volts = 0.0;
+      for (const double one : steady_state(system)) volts = std::max(volts, std::abs(one));
+      const bool holds = certify(Realization::lattice, network.problem, options).slewing->holds();
+      CHECK(holds == (share * volts <= 2.0 / 3.0));
+      if (!holds) continue;
+      // Its energy about that rest falls from everywhere.
+      for (int k = 0; k < 200; ++k) {
+        const double size = std::pow(10.0, static_cast<double>(k % 6) - 4.0);
+        std::vector<double> x = random_states(n, generator, size);
+        for (std::size_t i = 0; i < n; ++i) x[i] += rest[i];
+        const std::vector<double> rate = rates(system, x);
+        double fall = 0.0;
+        for (std::size_t i = 0; i < network.problem.matrix.rows; ++i) {
+          double e = 0.0;
+          for (std::size_t j = 0; j < n; ++j) e += system.output(i, j) * (x[j] - rest[j]);
+          for (std::size_t m = 0; m < network.problem.matrix.rows; ++m) {
+            double slope = 0.0;
+            for (std::size_t j = 0; j < n; ++j) slope += system.output(m, j) * rate[j];
+            fall += e * network.problem.matrix(i, m) * slope;
+          }
+        }
+        CHECK(fall < 0.0);
+      }
+    }
+  // A gain so low that the slew does not hold the outputs is named.
+  const RealizationOptions weak{.opamp = opamp(30.0, 0.7 / volts)};
+  CHECK(certify(Realization::lattice, network.problem, weak).slewing->unmet.value().condition ==
+        TheoremCondition::slew_holds_outputs);
 }
 
 TEST_CASE("T8: a crossbar's op-amps may slew and be fast each as it likes",

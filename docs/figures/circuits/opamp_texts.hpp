@@ -32,7 +32,10 @@ and the lattice with one phi and no capacitance come to their answer from everyw
 D~ s = (c H + w R) e with s the voltages between the inputs, D~ = (D_s - H(0))/2 and V = e'(c H + w R) e/2, so V' = -s'D~ phi(s). D~ is symmetric, and as phi is odd and increasing,
 |s_i phi(s_j) + s_j phi(s_i)| <= s_i phi(s_i) + s_j phi(s_j): a pair of rows loses at most |D~_ij| of both. Rows of H sum to at most
 1/(1 + c) of D_s, so D~ is strictly diagonally dominant, and V' < 0. P > 0, so V has no other minimum and grows to all sides. Q.E.D.
-In the crossbar finite gain subtracts (W/A) e'P e of V'; of the lattice the proof takes it for infinite, since its s is not 0 at rest. Of least_squares, nic and rail nothing is proven: their energies have parts that slewing couples.
+*Finite gain* A subtracts (W/A) e'P e of V' in both. In the lattice an output v_i at rest is held by a rate W v_i/A, phi at s_i = a_i, and about it phi is no longer odd: s counted from there, it is
+psi_i(s) = phi(a_i + s) - phi(a_i). The deck's tanh makes psi_i(s)/phi(s) = (1 - t_i^2)/(1 + t_i tanh), within 1 +- |t_i|, t_i the share of the slew that holds the output. Since D~_ii >= (1 + c) sum_j |D~_ij|, V' < 0 as long as
+(1 + t)/(1 - t) <= 1 + c: t <= c/(2 + c) = 2/3. A rest exists: v'(c H + w R) v > 0, and v'D~ phi^-1(W v/A) >= 0 by the same pairs. `certify` compares W |v|/A with two thirds of the slew: a gain of 1e3 is enough for most.
+Of least_squares, nic and rail nothing is proven: their energies have parts that slewing couples.
 
 **1/f noise.** With a `noise_corner` f_c the op-amps' noise has the density e^2 (1 + f_c/f). Its variance diverges at low frequencies, so it is integrated from w0 = 2 pi 0.1 Hz up:
 what changes more slowly than in ten seconds is an offset. With Q = f_c (W e)^2/2 at the op-amps' states, its intensity at 1 Hz, and F = integral of Re (j w - A)^-1 dw/w from w0 on, the

@@ -117,6 +117,8 @@ enum class TheoremCondition {
   no_output_resistance,            ///< of the op-amps
   no_common_mode_error,            ///< of the op-amps
   no_node_capacitance,             ///< none at the network's nodes, or the residuals'
+  /// Of finite gain: what holds an output at rest is at most two thirds of the slew.
+  slew_holds_outputs,
 };
 
 /// What is proven of a realisation's stability (proofs: docs/circuits.md).

@@ -97,7 +97,7 @@ constexpr TheoremCondition lattice_conditions_of_slewing[] = {
     TheoremCondition::complementary_outputs, TheoremCondition::definite,
     TheoremCondition::no_input_capacitance,  TheoremCondition::no_second_pole,
     TheoremCondition::no_node_capacitance,   TheoremCondition::no_resistor_capacitance,
-    TheoremCondition::no_output_resistance};
+    TheoremCondition::no_output_resistance,  TheoremCondition::slew_holds_outputs};
 
 constexpr std::string_view statement =
     "Op-amps of equal bandwidth with complementary outputs: stable for any capacitance at their "
@@ -115,9 +115,10 @@ constexpr RealizationTraits lattice_traits{
     .theorem = {"T7", statement, lattice_conditions},
     .theorem_with_inverters = {"T7", statement, lattice_conditions_with_inverters},
     .theorem_of_slewing = {"T8",
-                           "Op-amps of one slew, one bandwidth and a gain that is taken for "
-                           "infinite, with complementary outputs: the circuit comes to its answer "
-                           "from everywhere, however far it slews.",
+                           "Op-amps of one slew, one bandwidth and one gain, with complementary "
+                           "outputs, of which none takes more than two thirds of the slew to be "
+                           "held at rest: the circuit comes to its answer from everywhere, however "
+                           "far it slews.",
                            lattice_conditions_of_slewing},
     .bandwidth_ratio = [](const RealizationOptions&) { return 0.5; },
     .build = lattice_circuit};

@@ -122,6 +122,8 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
       return "finite common-mode rejection";
     case TheoremCondition::no_node_capacitance:
       return "capacitance at the residuals' nodes";
+    case TheoremCondition::slew_holds_outputs:
+      return "a gain so low that an output takes more than two thirds of the slew to be held";
   }
   return {};
 }
