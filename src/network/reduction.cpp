@@ -346,6 +346,19 @@ Matrix Reduction::balance_sensitivities(std::span<const double> unknowns) const 
   return result;
 }
 
+Reduction::Branch Reduction::branch(std::size_t resistor) const {
+  if (!parts_->inner.empty())
+    throw std::invalid_argument("a resistor of converters or inverters is no branch of its own");
+  const auto [from, to] = ends(resistor);
+  const NodalMap::Branch between = parts_->nodes.between(from, to);
+  Branch result;
+  each_term(between.law,
+            [&](std::size_t row, double factor) { result.law.emplace_back(row, factor); });
+  each_term(between.voltage,
+            [&](std::size_t at, double factor) { result.voltage.emplace_back(at, factor); });
+  return result;
+}
+
 Reduction::Load Reduction::load(std::span<const double> unknowns) const {
   const NodalMap map = parts_->map_with(parts_->nominal);
   Load load;

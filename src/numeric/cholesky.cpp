@@ -18,6 +18,10 @@ bool Cholesky::is_positive_definite() const noexcept { return factors_->info() =
 
 double Cholesky::reciprocal_condition() const { return factors_->rcond(); }
 
+double Cholesky::log_determinant() const {
+  return 2.0 * factors_->matrixLLT().diagonal().array().log().sum();
+}
+
 void Cholesky::solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const { factors_->solveInPlace(x); }
 
 Eigen::MatrixXd Cholesky::solve_lower(const Eigen::MatrixXd& x) const {

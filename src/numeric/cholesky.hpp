@@ -17,6 +17,8 @@ class Cholesky {
 
   [[nodiscard]] bool is_positive_definite() const noexcept;
   [[nodiscard]] double reciprocal_condition() const;  ///< estimated, in the 1-norm
+  /// log det A. @pre  A is positive definite
+  [[nodiscard]] double log_determinant() const;
   /// x = A^-1 x, column by column. @pre  A is positive definite
   void solve_in_place(Eigen::Ref<Eigen::MatrixXd> x) const;
   /// L^-1 x.

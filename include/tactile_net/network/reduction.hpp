@@ -103,6 +103,14 @@ class Reduction {
   /// The same by the balance of every amplifier with complementary outputs.
   [[nodiscard]] Matrix balance_sensitivities(std::span<const double> unknowns) const;
 
+  /// How a resistor stands in S: a conductance g adds g law voltage', of rows and of unknowns with
+  /// their factors.
+  struct Branch {
+    std::vector<std::pair<std::size_t, double>> law{}, voltage{};
+  };
+  /// @throw std::invalid_argument  converters or inverters stand in the circuit
+  [[nodiscard]] Branch branch(std::size_t resistor) const;
+
   /// What the parts carry, given the unknowns z.
   struct Load {
     double largest_voltage = 0.0;  ///< of any node, amplifiers' outputs included [V]
