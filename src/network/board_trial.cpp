@@ -52,17 +52,17 @@ SelfTest self_test(const Reduction& reduction, const Matrix& matrix,
   const auto b = as_eigen(right_side);
   const Eigen::Index n = eigen_index(reduction.outputs());
   Equations equations;
-  struct Board {
+  struct Solved {
     Eigen::VectorXd answer;       // under the readings
     Eigen::MatrixXd by_currents;  // outputs by currents into the amplifiers' rows
   };
   const auto solve = [&](std::span<const double> siemens) {
     reduction.assemble(siemens, equations);
     const Eigen::MatrixXd inverse = Lu(as_eigen(equations.matrix)).inverse();
-    return Board{inverse.topRows(n) * as_eigen(std::span(equations.right_side)),
+    return Solved{inverse.topRows(n) * as_eigen(std::span(equations.right_side)),
                  inverse.topLeftCorner(n, n)};
   };
-  const Board exact = solve(reduction.siemens());
+  const Solved exact = solve(reduction.siemens());
   const Eigen::VectorXd direct = solve_definite(p, b);
   if (!exact.answer.allFinite() || !(direct.norm() > 0.0))
     throw std::domain_error("without an answer there is nothing to test");
@@ -78,7 +78,7 @@ SelfTest self_test(const Reduction& reduction, const Matrix& matrix,
     std::vector<double> siemens(reduction.siemens().begin(), reduction.siemens().end());
     for (std::size_t r = 0; r < siemens.size(); ++r)
       siemens[r] /= 1.0 + tolerances[r] * uniform(seed, k, r);
-    const Board board = solve(siemens);
+    const Solved board = solve(siemens);
     const Eigen::VectorXd f = board.answer / volts;
     const Eigen::VectorXd residual = b - p * f;
     const Eigen::VectorXd d = scale * (board.by_currents * residual);

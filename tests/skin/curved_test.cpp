@@ -367,7 +367,6 @@ TEST_CASE("what is no curved skin is refused with the rule", "[skin][curved]") {
   CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("bonded"));
   material.layer = Layer{16e-3, Base::bonded};
   CHECK_THROWS_WITH(make_problem(skin, material), ContainsSubstring("radius of curvature"));
-  CHECK_THROWS_WITH(PressModel(skin, skin_on_core), ContainsSubstring("knows flat skins alone"));
 }
 
 TEST_CASE("readings of loads on a curved skin are those of its problem's cells, and converge",
