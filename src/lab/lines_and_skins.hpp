@@ -103,17 +103,20 @@ namespace tactile_net::lab {
 }
 
 /// By the noise, the friction limit and the stiffness that the scene states: no stress above
-/// Young's modulus, no strain above 1, no displacement beyond the taxel's depth.
+/// Young's modulus, no strain above 1, no displacement beyond the taxel's depth or, where that is
+/// more, the rest of a layer below it.
 [[nodiscard]] DataLimits limits_of(const auto& problem) {
   const auto& scene = problem.scene();
   const double modulus = scene.material.youngs_modulus;
   DataLimits limits{.noise_rms = problem.stated_noise(),
                     .friction_limit = scene.reconstruct.friction_limit,
                     .largest_traction = modulus};
+  const double thickness = scene.material.layer ? scene.material.layer->thickness : 0.0;
   for (const Site& site : sites(scene.sensor)) {
+    const double reach = std::max(site.depth, thickness - site.depth);
     const QuantityKind kind = traits(site.quantity).kind;
     limits.largest_readings.push_back(kind == QuantityKind::strain         ? 1.0
-                                      : kind == QuantityKind::displacement ? site.depth
+                                      : kind == QuantityKind::displacement ? reach
                                                                            : modulus);
   }
   return limits;

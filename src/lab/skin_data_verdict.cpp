@@ -2,11 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "lab/lines_and_skins.hpp"
 
 namespace tactile_net::lab {
+namespace {
+
+/// Whether a curved surface goes on as far as these cells do.
+bool reaches(const SkinScene& scene, const SurfaceGrid& cells) {
+  if (!scene.sensor.curved) return true;
+  try {
+    (void)scene.sensor.curved->surface.cells(cells);
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+}  // namespace
 
 DataLimits data_limits(const SkinSceneProblem& problem) { return limits_of(problem); }
 
@@ -40,11 +55,15 @@ DataJudge data_judge(const SkinSceneProblem& problem) {
   const double spacing = std::min({0.25 * depth, own.spacing_y, own.spacing_z});
   for (const SkinGridOptions& finer :
        {SkinGridOptions{.spacing = spacing, .margin = 2.0 * depth},
-        SkinGridOptions{.spacing = std::min(own.spacing_y, own.spacing_z), .margin = 2.0 * depth}})
-    if (problem.stated_noise() && grid_of(scene.sensor, finer).count() <= most_cells_sought)
+        SkinGridOptions{.spacing = std::min(own.spacing_y, own.spacing_z),
+        .margin = 2.0 * depth}}) {
+    if (!problem.stated_noise()) break;
+    const SurfaceGrid cells = grid_of(scene.sensor, finer);
+    if (cells.count() <= most_cells_sought && reaches(scene, cells))
       return DataJudge(
           problem.shared_problem(), [scene, finer] { return SkinSceneProblem(scene).on(finer); },
           data_limits(problem));
+  }
   return DataJudge(problem.shared_problem(), {}, data_limits(problem));
 }
 

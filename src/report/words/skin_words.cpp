@@ -81,6 +81,7 @@ std::string surface_in_words(const SkinScene& scene) {
   };
   if (curved.shape == SurfaceShape::sphere) {
     const double curvature = curved.surface.curvature();
+    if (curvature == 0.0) return " below a plane";
     return (curvature > 0.0 ? " below a ball of radius " : " in a hole of radius ") +
            radius(curvature);
   }
