@@ -54,7 +54,7 @@ def load(
     poisson_ratio: float | None = None,
     base: str = "bonded",
     depth: float | None = None,
-    reference: Sequence[float] = (0.0, 1.0, 0.0),
+    reference: Sequence[float] | None = None,
     noise: float | None = None,
     units: str | Mapping[str, str] | None = None,
     name: str | None = None,
@@ -82,7 +82,7 @@ def load(
     missing: readings that are not finite are missing values, of which a note tells; False: they are refused.
     sensor: `sensor` is one of `tn.sensors.names()`; None or left out: the only one whose file this looks like. Of the pad:
     `thickness` [m], `youngs_modulus` [Pa] (not needed where forces or stresses are read), `poisson_ratio`, `base`, `depth` of
-    the taxels [m], `reference` (the direction that e_y follows), `noise` (one standard deviation of a reading, in SI).
+    the taxels [m], `reference` (the direction that e_y follows; None: y, or another where y is too near a normal), `noise` (one standard deviation of a reading, in SI).
     Of the sensor: `geometry` (a `Geometry` or its CSV), and what `tn.sensors.Given` has: `model`, `reads`, `frame`, `gain`, `pitch`.
     Raises InputError, which says what is wrong and what to do; warns with CutOffWarning where only a part is whole.
     """
@@ -266,9 +266,13 @@ def _stranger_csv(where: str, scene: Scene | None, units: Units | None, missing:
 
     if scene is None:
         raise no_scene(where)
-    as_written = scene.replace({"units": {}, "calibration": None}).read(where, missing=missing)
-    # Judges units=; the numbers themselves are calibrated by the reader.
-    values, notes = in_si(where, as_written.readings, scene, units, None)
+    if units in (None, "scene") and {"units", "calibration"} & scene.to_dict().keys():
+        as_written = scene.read(where, missing=missing)
+        values, notes = as_written.readings, []
+    else:
+        as_written = scene.replace({"units": {}, "calibration": None}).read(where, missing=missing)
+        # Judges units=; the numbers themselves are calibrated by the reader.
+        values, notes = in_si(where, as_written.readings, scene, units, None)
     times = [] if as_written.t is None else rising(where, as_written.t)
     notes = [*as_written.notes, *notes, *times, *absent(where, values, scene, missing)]
     return Recording(scene, values, as_written.t, None, tuple(dict.fromkeys(notes)))
