@@ -27,5 +27,6 @@ NB_MODULE(_core, module) {
   bind_calibration(module);
   bind_plan(module);
   bind_estimator(module);
+  bind_sensors(module);
   bind_simulated_pad(module);
 }

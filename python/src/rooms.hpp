@@ -22,6 +22,7 @@ void bind_circuit(nanobind::module_& module);
 void bind_calibration(nanobind::module_& module);
 void bind_plan(nanobind::module_& module);
 void bind_estimator(nanobind::module_& module);
+void bind_sensors(nanobind::module_& module);
 void bind_simulated_pad(nanobind::module_& module);
 
 }  // namespace tactile_net::python

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import dataclasses
 import io
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Self
 
@@ -110,7 +110,15 @@ class Geometry:
         unit: of a file whose header says none. Raises InputError with what is wrong and what to do.
         """
         where = fspath(path)
-        header, rows = read_table(where)
+        return cls._of(where, *read_table(where), unit)
+
+    @classmethod
+    def parse(cls, text: str, *, unit: str | None = None, file: str = "geometry") -> Self:
+        """As `load`, of the text of such a file. file: in messages."""
+        return cls._of(file, *_table_of(file, text.splitlines(keepends=True)), unit)
+
+    @classmethod
+    def _of(cls, where: str, header: list[str], rows: list[list[str]], unit: str | None) -> Self:
         named, scale = _without_units(where, header, unit)
         if set(_PLACES) - set(named):
             raise refused(where, f"has the columns {', '.join(named)}, and x, y and z are needed")
@@ -261,9 +269,16 @@ def read_table(where: str, most: int = MOST_BYTES) -> tuple[list[str], list[list
         raise refused(where, f"has more than {most >> 20} MiB", "cut it into parts")
     try:
         with open(where, encoding="utf-8-sig", newline="") as file:
-            lines = [line for line in file if line.strip() and not line.startswith("#")]
-            rows = [[field.strip() for field in row] for row in csv.reader(lines)]
-    except (UnicodeDecodeError, csv.Error) as error:
+            return _table_of(where, file)
+    except UnicodeDecodeError as error:
+        raise refused(where, f"is no CSV: {error}", "save the table as text, with commas") from None
+
+
+def _table_of(where: str, lines: Iterable[str]) -> tuple[list[str], list[list[str]]]:
+    told = [line for line in lines if line.strip() and not line.startswith("#")]
+    try:
+        rows = [[field.strip() for field in row] for row in csv.reader(told)]
+    except csv.Error as error:
         raise refused(where, f"is no CSV: {error}", "save the table as text, with commas") from None
     if len(rows) < 2:
         raise refused(where, "has no row below its header" if rows else "is empty")
@@ -309,7 +324,7 @@ def _unit(where: str, normals: Floats, names: Sequence[str]) -> Floats:
 def _check_extent(where: str, positions: Floats) -> None:
     extent = float(np.ptp(positions, axis=0).max())
     if not 1e-3 <= extent <= 1.0:
-        hint = 'metres are wanted: are these millimetres? name the columns x [mm], or give unit="mm", of points units={"length": "mm"}'
+        hint = 'metres are wanted: are these millimetres? name the columns x [mm], or give tn.Geometry.load(path, unit="mm"), of points units={"length": "mm"}'
         raise refused(where, f"has taxels over {extent:g} m: from 1 mm to 1 m are possible", hint)
     order = np.lexsort(positions.T)
     same = np.flatnonzero((np.diff(positions[order], axis=0) == 0.0).all(axis=1))

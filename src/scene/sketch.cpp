@@ -32,6 +32,10 @@ std::string list(const Values& values, Text text) {
   return result + "]";
 }
 
+bool is_skin(const SceneSketch& sketch) noexcept {
+  return !sketch.taxels.empty() || sketch.rows > 0;
+}
+
 std::string units_section(const SceneSketch& sketch) {
   const std::pair<const char*, const std::string&> all[] = {{"length", sketch.length_unit},
                                                             {"modulus", sketch.modulus_unit},
@@ -54,21 +58,41 @@ std::string units_section(const SceneSketch& sketch) {
 std::string sensor_section(const SceneSketch& sketch) {
   const auto number = [](double value) { return shortest(value); };
   std::string text = "[sensor]\n";
-  text += line("count = " + std::to_string(sketch.count), "taxels in a row, as in the recording");
-  text += line("pitch = " + shortest(sketch.pitch), "from one to the next");
+  if (!sketch.taxels.empty())
+    text += line("taxels = " + toml_string(sketch.taxels),
+                 "places and outward normals of " + std::to_string(sketch.count));
+  else if (sketch.rows > 0)
+    text += line("rows = " + std::to_string(sketch.rows), "along y") +
+            line("columns = " + std::to_string(sketch.columns), "along z");
+  else
+    text += line("count = " + std::to_string(sketch.count), "taxels in a row, as in the recording");
+  if (sketch.taxels.empty())
+    text += line("pitch = " + shortest(sketch.pitch), "from one to the next");
   text +=
       sketch.depths.size() == 1
           ? line("depth = " + shortest(sketch.depths.front()), "of the taxels below the surface")
           : line("depths = " + list(sketch.depths, number), "of the taxels below the surface");
-  text += line("reads = " + list(sketch.reads, [](Quantity one) { return toml_string(name(one)); }),
-               "what each measures: stress_x (normal to the surface), stress_y,");
-  return text + line("", "shear_xy, strain_x, strain_y. Compression is positive");
+  const std::string reads =
+      "reads = " + list(sketch.reads, [](Quantity one) { return toml_string(name(one)); });
+  if (is_skin(sketch)) {
+    text += line(reads, "what each measures: stress_x is normal to the surface,");
+    text += line("", "shear_xy and shear_xz along it. Compression is positive");
+  } else {
+    text += line(reads, "what each measures: stress_x (normal to the surface), stress_y,");
+    text += line("", "shear_xy, strain_x, strain_y. Compression is positive");
+  }
+  if (sketch.taxels.empty()) return text;
+  return text + "\n[surface]\n" +
+         line("reference = " + list(sketch.reference, number),
+              "which y follows over the surface: away from all normals");
 }
 
 std::string material_section(const SceneSketch& sketch) {
   std::string text = "[material]\n";
   text += line("youngs_modulus = " + shortest(sketch.youngs_modulus),
-               "tractions from strains need it; from stresses they do not");
+               sketch.youngs_modulus_known
+                   ? "tractions from strains need it; from stresses they do not"
+                   : "not known, nor needed: tractions from stresses do not depend on it");
   text += sketch.poisson_ratio
               ? line("poisson_ratio = " + shortest(*sketch.poisson_ratio),
                      "0 to 0.5, which is incompressible")
@@ -104,6 +128,15 @@ std::string noise_section(const SceneSketch& sketch) {
   return text + " }\n";
 }
 
+/// A contact for who has no recording yet.
+std::string contact_section(const SceneSketch& sketch) {
+  return "[[contact]]                 # what is simulated: `solve` takes no notice of it\n"
+         "shape = \"sphere\"\n" +
+         line("place = [0.0, 0.0]", "the middle of the taxels") +
+         line("radius = " + shortest(sketch.contact_radius), "of the area that it touches") +
+         "force = " + shortest(sketch.contact_force) + '\n';
+}
+
 constexpr std::string_view rest_of_scene =
     "# reading = gain (raw - baseline) + offset: one number, or one per reading. `check` finds "
     "the\n"
@@ -134,7 +167,7 @@ std::string scene_text(const SceneSketch& sketch) {
   for (const std::string& section : {units_section(sketch), sensor_section(sketch),
                                      material_section(sketch), noise_section(sketch)})
     text += '\n' + section;
-  return text + '\n' + std::string(rest_of_scene);
+  return text + '\n' + (is_skin(sketch) ? contact_section(sketch) : std::string(rest_of_scene));
 }
 
 }  // namespace tactile_net

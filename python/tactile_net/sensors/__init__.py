@@ -15,12 +15,25 @@ from importlib import import_module
 from os import PathLike, fspath
 from typing import Any, Protocol, cast
 
+from .. import _core
 from .._geometry import Frames, Geometry
 from .._refusal import refused
 from ._pad import Pad, SensorRecording
 from ._point_set import PointSet
 
-__all__ = ["Given", "Pad", "PointSet", "Sensor", "SensorRecording", "frames", "geometry", "names", "refusal", "sniffed"]
+__all__ = [
+    "Given",
+    "Pad",
+    "PointSet",
+    "Sensor",
+    "SensorRecording",
+    "frames",
+    "geometry",
+    "models",
+    "names",
+    "refusal",
+    "sniffed",
+]
 
 
 @dataclasses.dataclass(frozen=True, kw_only=True)
@@ -77,6 +90,13 @@ def refusal(name: str) -> str:
     return adapter(name).refusal
 
 
+def models(sensor: str) -> dict[str, Geometry]:
+    """The taxels of each model of a sensor that are known without a file of it, as `tactile-net init --sensor` has them."""
+    adapter(sensor)
+    known = _core.sensor_models(sensor)
+    return {model: Geometry.parse(taxels, file=f"{sensor} {model}") for model, taxels in known.items()}
+
+
 def sniffed(path: str | PathLike[str]) -> dict[str, float]:
     """The sensors whose file this looks like, each with how much: above 0.5, of 1."""
     found = {name: adapter(name).sniff(fspath(path)) for name in names()}
@@ -118,7 +138,7 @@ def load(
     poisson_ratio: float | None = None,
     base: str = "bonded",
     depth: float | None = None,
-    reference: Sequence[float] = (0.0, 1.0, 0.0),
+    reference: Sequence[float] | None = None,
     noise: float | None = None,
     **given: Any,
 ) -> SensorRecording:
@@ -137,7 +157,7 @@ def load(
         poisson_ratio=poisson_ratio,
         base=base,
         depth=depth,
-        reference=tuple(reference),
+        reference=None if reference is None else tuple(map(float, reference)),
         noise=noise,
     )
     if geometry is None:

@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
+from .. import _core
 from .._arrays import Floats
 from .._geometry import QUANTITIES, Frames, Geometry
 from .._layout import _unpacked
 from .._recording import Recording
 from .._refusal import refused
-from .._scene import Scene
+from .._skin import Skin
 
 if TYPE_CHECKING:
     from .._skin_solution import SkinSolution
@@ -27,6 +28,7 @@ _MOST_UNKNOWNS = 8192
 """That the library solves for where taxels lie anywhere."""
 _FEW_READINGS = 768
 """Of more the default rule, aicc, finds an alpha near 0 where they are nearly as many as the unknowns; maximum likelihood holds."""
+_Y = (0.0, 1.0, 0.0)
 _OF = {"m": "displacement", "N": "force", "Pa": "stress"}
 
 
@@ -41,8 +43,8 @@ class Pad:
     base: str = "bonded"
     depth: float | None = None
     """Of all taxels below the surface, where their geometry does not say."""
-    reference: tuple[float, ...] = (0.0, 1.0, 0.0)
-    """The direction of the sensor's frame that e_y follows over the surface."""
+    reference: tuple[float, ...] | None = None
+    """The direction of the sensor's frame that e_y follows over the surface; None: y, or another where y is too near a normal."""
     noise: float | None = None
     """One standard deviation of a reading [m, N or Pa]; None: what the file tells, or else found from the readings."""
 
@@ -110,8 +112,7 @@ class SensorRecording:
     def notes(self) -> tuple[str, ...]:
         """What was fitted, taken for granted or left out on the way."""
         notes = [*self.geometry.notes, *self.frames.notes]
-        if self._depth[1]:
-            notes.append(self._depth[1])
+        notes += [one for one in (self._depth[1], self._reference[1]) if one]
         if self._spacing is not None:
             notes.append(
                 "cells are as far apart as taxels, half a depth is too many: scene({'reconstruct.spacing': ...})"
@@ -146,28 +147,54 @@ class SensorRecording:
         return float(f"{np.sqrt(areas.mean()):.3g}")
 
     @cached_property
-    def _readings(self) -> tuple[tuple[str, ...], Floats, bool, dict[str, float]]:
-        """Quantities, (T, N, C) as the library takes them, whether along the sensor's axes, and their noise."""
-        readings = self.frames.readings
-        flat = self.geometry.flat
-        sensors_axes = self.frames.frame == "sensor"
-        if sensors_axes and (flat or self._kind != "displacement"):
-            readings = np.einsum("nij,tnj->tni", self.geometry.local_frames(self.pad.reference), readings)
-            sensors_axes = False
-        noise = self.pad.noise if self.pad.noise is not None else self.frames.noise
+    def _reads(self) -> tuple[tuple[str, ...], bool, dict[str, float]]:
+        """Quantities as the library takes them, whether along the sensor's axes, and their noise."""
         kind = self._kind
+        sensors_axes = self.frames.frame == "sensor" and kind == "displacement" and not self.geometry.flat
+        noise = self.pad.noise if self.pad.noise is not None else self.frames.noise
         if kind == "force":
-            areas = self.geometry.areas
-            readings = readings / areas[np.newaxis, :, np.newaxis]
-            noise = None if noise is None else noise / float(np.median(areas))
+            noise = None if noise is None else noise / float(np.median(self.geometry.areas))
             kind = "stress"
-        reads = QUANTITIES[kind][: readings.shape[2]]
-        return reads, readings, sensors_axes, {} if noise is None else dict.fromkeys(reads, noise)
+        reads = QUANTITIES[kind][: self.frames.readings.shape[2]]
+        return reads, sensors_axes, {} if noise is None else dict.fromkeys(reads, noise)
+
+    @cached_property
+    def _readings(self) -> Floats:
+        """(T, N, C) of those quantities."""
+        readings = self.frames.readings
+        if self.frames.frame == "sensor" and not self._reads[1]:
+            readings = np.einsum("nij,tnj->tni", self.local_frames, readings)
+        if self._kind == "force":
+            readings = readings / self.geometry.areas[np.newaxis, :, np.newaxis]
+        return readings
+
+    @cached_property
+    def _reference(self) -> tuple[tuple[float, ...], str]:
+        """What e_y follows, and a note: y, or the first direction that the surface takes, also where it goes beyond the taxels."""
+        if self.pad.reference is not None:
+            return self.pad.reference, ""
+        found = [tuple(one) for one in _core.reference_directions(self.geometry.normals.tolist())]
+        for one in found:
+            if self.geometry.flat or self._holds(one):
+                where = ", ".join(f"{component:.3g}" for component in one)
+                return one, "" if one == _Y else f"e_y follows ({where}), as y is too near a normal of the surface: reference="
+        return (found or [_Y])[0], ""
+
+    def _holds(self, reference: tuple[float, ...]) -> bool:
+        try:
+            return self._parsed(self._tables(reference)).surface is not None
+        except ValueError:
+            return False
+
+    @cached_property
+    def local_frames(self) -> Floats:
+        """(N, 3, 3): rows x into the pad, e_y and e_z of each taxel, in the sensor's frame."""
+        return self.geometry.local_frames(self._reference[0])
 
     @cached_property
     def _taxels(self) -> str:
         """The file of taxels: in space, or of a flat sensor in its own plane."""
-        reads = self._readings[0]
+        reads = self._reads[0]
         placed = self.geometry.replace(depth=self._depth[0], reads=reads)
         if not placed.flat:
             return placed.text()
@@ -179,11 +206,14 @@ class SensorRecording:
     @property
     def flat_frame(self) -> Floats:
         """(3, 3): rows x into the pad, e_y and e_z of a flat sensor, in the sensor's frame: those of the scene."""
-        return np.asarray(self.geometry.local_frames(self.pad.reference)[0])
+        return np.asarray(self.local_frames[0])
 
     def tables(self) -> dict[str, Any]:
         """Of the scene, as `Scene.to_dict` has them; its taxels are the file taxels.csv beside it. All is in SI."""
-        reads, _, sensors_axes, noise = self._readings
+        return self._tables(self._reference[0])
+
+    def _tables(self, reference: tuple[float, ...]) -> dict[str, Any]:
+        _, sensors_axes, noise = self._reads
         pad = self.pad
         sensor: dict[str, Any] = {"taxels": "taxels.csv"}
         tables: dict[str, Any] = {
@@ -191,7 +221,7 @@ class SensorRecording:
             "units": {},
             "sensor": sensor,
             "material": {
-                "youngs_modulus": 1e5 if pad.youngs_modulus is None else pad.youngs_modulus,
+                "youngs_modulus": _core.modulus_not_needed if pad.youngs_modulus is None else pad.youngs_modulus,
                 "poisson_ratio": pad.poisson_ratio,
                 "layer": {"thickness": pad.thickness, "base": pad.base},
             },
@@ -199,7 +229,7 @@ class SensorRecording:
         if not self.geometry.flat:
             sensor["frame"] = "sensor" if sensors_axes else "local"
             shape = {"shape": self.geometry.shape} if self.geometry.shape else {}
-            tables["surface"] = shape | {"reference": [float(one) for one in pad.reference]}
+            tables["surface"] = shape | {"reference": list(reference)}
         reconstruct: dict[str, Any] = {} if self._spacing is None else {"spacing": self._spacing}
         if self.frames.readings[0].size > _FEW_READINGS:
             reconstruct["alpha"] = "evidence" if noise else "gml"
@@ -209,19 +239,26 @@ class SensorRecording:
             tables["noise"] = {"rms": noise}
         return tables
 
-    def scene(self, changes: Mapping[str, Any] | None = None) -> Scene:
+    def scene(self, changes: Mapping[str, Any] | None = None) -> Skin:
         """The scene; its readings are as of `recording`. changes: as of `Scene.replace`. Raises InputError."""
         from .._paths import replaced
+
+        return self._parsed(replaced(self.tables(), changes or {}))
+
+    def _parsed(self, tables: Mapping[str, Any]) -> Skin:
         from .._toml import text_of
 
         folder = _unpacked((("taxels.csv", self._taxels),))
-        text = text_of(replaced(self.tables(), changes or {}))
-        return Scene.parse(text, file=os.path.join(folder, f"{self.sensor}.toml"))
+        return Skin.parse(text_of(tables), file=os.path.join(folder, f"{self.sensor}.toml"))
 
     def recording(self, changes: Mapping[str, Any] | None = None) -> Recording:
         """The frames as readings of the scene, with its notes."""
         scene = self.scene(changes)
-        reads, readings, _, _ = self._readings
+        try:
+            _ = scene.surface
+        except ValueError as error:
+            raise refused(self.path, str(error)) from None
+        reads, readings = self._reads[0], self._readings
         column = {
             f"{quantity}_{name}": readings[:, k, c]
             for c, quantity in enumerate(reads)

@@ -129,4 +129,4 @@ def _displacements(sensor: SensorRecording) -> Floats:
         return np.full((*readings.shape[:2], 3), np.nan)
     if sensor.frames.frame == "sensor":
         return readings
-    return np.asarray(np.einsum("nij,tni->tnj", sensor.geometry.local_frames(sensor.pad.reference), readings))
+    return np.asarray(np.einsum("nij,tni->tnj", sensor.local_frames, readings))

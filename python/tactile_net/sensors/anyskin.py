@@ -5,16 +5,14 @@ from __future__ import annotations
 
 import os
 
+from .. import _core
 from .._geometry import Frames, Geometry
 from .._refusal import refused
 from . import Given
 from ._reading import array_in, start_of
 
 name = "anyskin"
-refusal = (
-    "it reads magnetic fields, and how the particles' field follows from the pad's deformation is not stated by any law here: "
-    "only presses of known force tell. Fit a linear map to them, and give its forces as `points`"
-)
+refusal = _core.sensor_refusal(name)
 
 
 def sniff(path: str) -> float:

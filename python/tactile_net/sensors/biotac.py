@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from .. import _core
 from .._geometry import Frames, Geometry, numbers_of, read_table
 from .._refusal import refused
 from . import Given
 from ._reading import header_of
 
 name = "biotac"
-refusal = (
-    "it reads impedances of a fluid between electrodes and its skin, which follow from the fluid's thickness by no law of "
-    "elasticity: there is no pad of one material to invert. Presses of known force, and a fit to them, are another program's work"
-)
+refusal = _core.sensor_refusal(name)
 _ELECTRODES = [f"e{k}" for k in range(1, 20)]
 _OTHERS = ["pdc", "pac", "tdc", "tac"]
 _MOST = 1 << 30

@@ -8,6 +8,7 @@ import os
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _core
 from .._geometry import Frames, Geometry
 from .._refusal import refused
 from . import Given
@@ -16,7 +17,7 @@ from ._reading import MOST_BYTES, array_in, counts_in_si, lattice, start_of
 name = "flexitac"
 refusal = ""
 MARKER = b"\xaa\x55"
-ROWS, COLUMNS = 12, 32
+ROWS, COLUMNS = map(int, str(_core.sensor_lattice(name)).split("x"))
 
 
 def sniff(path: str) -> float:

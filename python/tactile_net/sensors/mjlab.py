@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from .. import _core
 from .._geometry import Frames, Geometry
 from .._refusal import refused
 from . import Given
 from ._reading import arrays_in, lattice, start_of, times_in
-from .mujoco import refusal as refusal
 
 name = "mjlab"
+refusal = _core.sensor_refusal(name)
 
 
 def sniff(path: str) -> float:

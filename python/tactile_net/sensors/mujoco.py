@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from .. import _core
 from .._geometry import Frames, Geometry
 from .._optional import optional
 from .._refusal import refused
@@ -16,11 +17,7 @@ from . import Given
 from ._reading import arrays_in, one_of, start_of, times_in
 
 name = "mujoco"
-refusal = (
-    "it reads how deep a rigid object reaches, which is neither a stress nor a displacement of a pad. A pressure in proportion "
-    "to depth overrates narrow contacts, and which is right takes a contact solver. For taxels below a pad in MuJoCo there is "
-    "tn.mujoco.SkinPad"
-)
+refusal = _core.sensor_refusal(name)
 
 
 def sniff(path: str) -> float:

@@ -1,6 +1,6 @@
 """PaXini PX-6AX GEN3: a force of 0.1 N a count at each point. CSV of the maker's program, or of paxini-sdk's recorder.
 
-Points are those of the model in paxini-sdk: by `model=`, by the file, or by their number. Each point's z count is never below 0
+Points and normals are those of the model, of paxini-sdk: by `model=`, by the file, or by their number. Each point's z count is never below 0
 and presses along its normal. The directions of its x and y are in no file: frame="sensor" takes all three along the axes of the
 points, with z into the sensor; else z alone is read."""
 
@@ -11,9 +11,9 @@ import re
 
 import numpy as np
 
+from .. import _core
 from .._arrays import Floats
 from .._geometry import QUANTITIES, Frames, Geometry, numbers_of, read_table
-from .._optional import optional
 from .._refusal import refused
 from . import Given
 from ._reading import gains, header_of, one_of, start_of
@@ -32,27 +32,24 @@ def sniff(path: str) -> float:
 
 
 def geometry(path: str, given: Given) -> Geometry:
-    """Points of the model; normals are fitted. Needs paxini-sdk."""
-    registry = optional("paxini_sdk.sensor_registry", "sensors")
+    """Points of the model, and normals that were fitted to them."""
     module, columns = _columns(path, header_of(path), given)
     count = len(columns)
+    known = {model: taxels.count("\n") - 1 for model, taxels in _core.sensor_models(name).items()}
     said = given.model or _model_in(path)
-    notes: tuple[str, ...] = ()
-    found = registry.find_by_part_code(said) if said else registry.find_by_point_count(count)
-    known = {one.vendor_part_code: one.n_points for one in registry.list_sensors()}
-    listed = ", ".join(f"{code} ({points})" for code, points in known.items())
-    if found is None or (not said and list(known.values()).count(count) != 1):
-        wrong = f"is of no model {said!r}" if said else f"has {count} points in module {module}, as no single model has"
-        raise refused(path, wrong, f"model= one of (points): {listed}; or geometry=")
-    if found.n_points != count:
-        raise refused(
-            path,
-            f"has {count} points in module {module}, and {found.vendor_part_code} has {found.n_points}",
-            f"model= one of (points): {listed}",
-        )
-    if not said:
-        notes = (f"the model is taken to be {found.vendor_part_code}, the only one of {count} points",)
-    return Geometry(1e-3 * np.array(registry.load_points(found)), reads=_reads(given), notes=notes, file=path)
+    alike = [model for model, points in known.items() if points == count]
+    listed = f"model= one of (points): {', '.join(f'{model} ({points})' for model, points in known.items())}"
+    if said is not None and said.upper() not in known:
+        raise refused(path, f"is of no model {said!r}", f"{listed}; or geometry=")
+    if said is None and len(alike) != 1:
+        raise refused(path, f"has {count} points in module {module}, as no single model has", f"{listed}; or geometry=")
+    model = alike[0] if said is None else said.upper()
+    if known[model] != count:
+        raise refused(path, f"has {count} points in module {module}, and {model} has {known[model]}", listed)
+    notes = ["normals are fitted: quadrics through 12 neighbours of each point"]
+    if said is None:
+        notes.append(f"the model is taken to be {model}, the only one of {count} points")
+    return Geometry.parse(_core.sensor_models(name)[model]).replace(reads=_reads(given), notes=notes, file=path)
 
 
 def frames(path: str, given: Given) -> Frames:

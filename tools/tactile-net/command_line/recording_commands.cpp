@@ -21,18 +21,24 @@ void add_missing(Arguments& command, lab::Missing& missing) {
 void add_init(AllCommands& all) {
   auto [command, options] = all.add<InitOptions>(
       {.name = "init",
-       .text = "Write a scene for recorded readings, with comments; on a terminal it asks for each "
-               "value that no option gives",
-       .pages = {"check.md", "tutorial.md"},
+       .text =
+           "Write a scene for recorded readings, or for a sensor by its name, with comments; on "
+           "a terminal it asks for each value that no option gives",
+       .pages = {"check.md", "tutorial.md", "sensors.md"},
        .examples = {
            {"init --from-csv mine.csv -o pad.toml", "asks for pitch, depth and modulus"},
            {"init --from-csv scenes/recorded/thin-pad.csv --quantity stress_x,shear_xy --pitch "
             "0.5e-3 --depth 3e-3 --modulus 0.2e6 --layer 3e-3 -o pad.toml",
-            "everything is given, nothing is asked"}}});
-  command
-      .add_option("--from-csv", options.recording, file("FILE", {"csv", "npy"}),
-                  "Recorded readings, CSV or .npy")
-      .required = true;
+            "everything is given, nothing is asked"},
+           {"init --sensor paxini --model PXSR-STDDP03A --layer 3 -o finger.toml",
+            "a fingertip that is sold, and its taxels beside it"}}});
+  command.add_option("--from-csv", options.recording, file("FILE", {"csv", "npy"}),
+                     "Recorded readings, CSV or .npy");
+  command.add_option("--sensor", options.sensor, text("NAME"),
+                     "A sensor by its name instead: paxini, flexitac, xela; of others it says what "
+                     "makes a scene. Lengths are in mm then");
+  command.add_option("--model", options.model, text("NAME"),
+                     "Of the sensor: PXSR-STDDP03A; of a flat one rows and columns, 4x6");
   command.add_option("-o,--output", options.output, main_output({"toml"}),
                      "Scene file (default: standard output)");
   command.add_flag("--force", options.force, "Replace a scene that is there");

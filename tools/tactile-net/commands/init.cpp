@@ -6,6 +6,8 @@
 #include <istream>
 #include <ostream>
 
+#include "commands/init_sensor.hpp"
+#include "commands/questions.hpp"
 #include "commands/recording.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
@@ -19,42 +21,6 @@
 
 namespace tactile_net::tool {
 namespace {
-
-/// Asks until it understands; without anybody there, remembers what it would have asked.
-class Questions {
- public:
-  explicit Questions(const Streams& streams) : streams_(streams) {}
-
-  /// @param option   that would have answered
-  /// @param take     whether the answer was understood
-  void ask(const std::string& option, const std::string& question,
-           const std::function<bool(std::string_view)>& take) {
-    if (!streams_.somebody) {
-      open_.push_back(option);
-      return;
-    }
-    std::string answer;
-    do {
-      streams_.err << question << ": " << std::flush;
-      if (!std::getline(streams_.in, answer)) throw WrongUsage(option, "was not answered");
-    } while (!take(answer));
-  }
-  /// With something that will do where the answer is empty, and where nobody is there.
-  void offer(const std::string& question, const std::function<bool(std::string_view)>& take) {
-    if (!streams_.somebody) return;
-    ask("", question, [&](std::string_view answer) { return answer.empty() || take(answer); });
-  }
-  [[nodiscard]] const std::vector<std::string>& open() const noexcept { return open_; }
-
- private:
-  const Streams& streams_;
-  std::vector<std::string> open_;
-};
-
-std::optional<double> number_in(std::string_view text) {
-  double value = 0.0;
-  return read_number(text, value) ? std::optional(value) : std::nullopt;
-}
 
 /// "1.0, 1.5"; empty: an item is no number.
 std::vector<double> numbers(std::string_view text) {
@@ -127,10 +93,8 @@ class Sketching {
     ask_units();
     ask_array();
     ask_material();
-    if (!questions_.open().empty())
-      throw WrongUsage(
-          "not known, and there is no terminal to ask on: " + join(questions_.open(), ", ") + " (" +
-          options_.recording + " has " + understood(layout_, sketch_.count) + ")");
+    questions_.require_all(" (" + options_.recording + " has " +
+                           understood(layout_, sketch_.count) + ")");
     return std::move(sketch_);
   }
 
@@ -196,18 +160,11 @@ class Sketching {
 
   void ask_array() {
     const std::string unit = unit_in(sketch_.length_unit);
-    const auto positive = [](double& into) {
-      return [&into](std::string_view answer) {
-        const auto value = number_in(answer);
-        into = value.value_or(0.0);
-        return into > 0.0;
-      };
-    };
     if (options_.pitch)
       sketch_.pitch = *options_.pitch;
     else
       questions_.ask("--pitch", "pitch, from one taxel to the next" + unit,
-                     positive(sketch_.pitch));
+                     positive_into(sketch_.pitch));
     sketch_.depths = options_.depths;
     if (sketch_.depths.empty())
       questions_.ask("--depth", "depth of the taxels below the surface" + unit,
@@ -222,7 +179,7 @@ class Sketching {
       questions_.offer("thickness of the pad" + unit + " (empty: very thick)",
                        [&](std::string_view answer) {
                          Layer layer;
-                         if (!positive(layer.thickness)(answer)) return false;
+                         if (!positive_into(layer.thickness)(answer)) return false;
                          sketch_.layer = layer;
                          return true;
                        });
@@ -233,10 +190,7 @@ class Sketching {
       sketch_.youngs_modulus = *options_.modulus;
     else
       questions_.ask("--modulus", "Young's modulus of the pad" + unit_in(sketch_.modulus_unit),
-                     [&](std::string_view answer) {
-                       sketch_.youngs_modulus = number_in(answer).value_or(0.0);
-                       return sketch_.youngs_modulus > 0.0;
-                     });
+                     positive_into(sketch_.youngs_modulus));
     sketch_.poisson_ratio = options_.poisson;
     if (!sketch_.poisson_ratio)
       questions_.offer("Poisson's ratio, 0 to 0.5 (empty: 0.45)", [&](std::string_view answer) {
@@ -266,10 +220,14 @@ void try_reading(const InitOptions& options, const std::string& places, const Sc
 }  // namespace
 
 void run(const InitOptions& options, const Streams& streams) {
+  if (options.recording.empty() == options.sensor.empty())
+    throw WrongUsage(
+        "a recording, --from-csv FILE, or a sensor by its name, --sensor NAME, is needed");
   const bool to_file = !options.output.empty() && options.output != "-";
   const std::string place = to_file ? options.output : "<stdout>";
   if (to_file && !options.force && std::filesystem::exists(options.output))
     throw WrongUsage("-o", options.output + " is there already; --force replaces it");
+  if (!options.sensor.empty()) return init_sensor(options, streams);
   Sketching sketching(options, streams);
   SceneSketch sketch = sketching.sketch();
   const frames::RecordingLayout& layout = sketching.layout();

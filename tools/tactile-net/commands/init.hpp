@@ -12,7 +12,9 @@
 namespace tactile_net::tool {
 
 struct InitOptions {
-  std::string recording{};
+  std::string recording{};  ///< or
+  std::string sensor{};     ///< by its name
+  std::string model{};      ///< of the sensor
   std::string output{};
   std::string columns{};
   bool force = false;                     ///< replaces what is there
