@@ -39,7 +39,7 @@ LONG = re.compile(r"\b(board|ladder|large|everything)\.toml|skin-pad-uneven")
 PARTS = {
     "logs": re.compile(r"test_(skin_)?logs\.py|\[logs\.md\]|robot_log|\bmcap\b"),
     "mujoco": re.compile(r"test_mujoco|\[mujoco\.md\]|_mujoco_"),
-    "sensors": re.compile(r"_(paxini|paxinis_modules_and_midnight|tac3d|lerobot|isaac|flexitac|anyskin|biotac)\b"),
+    "sensors": re.compile(r"::\w+_(paxinis_(recorder|sdk)|tac3d|lerobot|isaac|flexitac|anyskin|biotac)\b"),
 }
 
 

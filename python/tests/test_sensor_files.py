@@ -1,241 +1,26 @@
 """Files that sensors' own packages write, read by name: of each adapter one, and of each what is wrong with it.
 
-A package that is absent skips its tests: tools/python optional has them, but for lerobot, which takes gigabytes."""
+A package that is absent skips its tests: tools/python optional has them, but for lerobot, which takes gigabytes. PaXini's and
+Tac3D's have files of their own."""
 
 from __future__ import annotations
 
 import csv
-import importlib.util
 import io
 import json
-import subprocess
-import sys
-import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from sensor_pads import PAD, SOFT, bump, flat_grid, lattice_skin
 
 import tactile_net as tn
 from tactile_net import sensors
 
-PAD: dict[str, Any] = {"thickness": 3e-3, "poisson_ratio": 0.48}
-SOFT: dict[str, Any] = PAD | {"youngs_modulus": 50e3}
 RNG = np.random.default_rng(42)
-
-
-def flat_grid(rows: int, columns: int, pitch: float = 2e-3) -> tn.Geometry:
-    places = np.stack(np.meshgrid(np.arange(rows) * pitch, np.arange(columns) * pitch, [0.0], indexing="ij"), -1)
-    return tn.Geometry(places.reshape(-1, 3), np.broadcast_to([0.0, 0.0, 1.0], (rows * columns, 3)))
-
-
-def bump(geometry: tn.Geometry, peak: float) -> NDArray[np.float64]:
-    """(N,): of a press in the middle."""
-    away = geometry.positions - geometry.positions.mean(axis=0)
-    return peak * np.exp(-np.sum(away**2, axis=1) / (2 * 3e-3**2))
-
-
-def lattice_skin(
-    rows: int, columns: int, pitch: float, force: float = 1.0, reads: tuple[str, ...] = ("stress_x",)
-) -> tn.Skin:
-    """Of stresses on the core of PAD, with a ball that presses its middle."""
-    return tn.Skin(
-        sensor=tn.Sensor(rows=rows, columns=columns, pitch=pitch, depth=3e-3, reads=list(reads)),
-        material=tn.Material(youngs_modulus=50e3, poisson_ratio=0.48, layer=tn.Layer(thickness=3e-3, base="bonded")),
-        contacts=[tn.Sphere(force=force, radius=2.5e-3)],
-        units={},
-    )
-
-
-# PaXini: its recorder, without a board.
-
-
-class PaxiniConfig:
-    """What the recorder asks of the board."""
-
-    has_resultant, has_distributed = True, True
-
-    def __init__(self, points: dict[int, int]) -> None:
-        self.active_modules = sorted(points)
-        self.point_counts = points
-
-
-@pytest.mark.parametrize("form", ["vendor", "native"])
-def test_paxini(form: str, tmp_path: Path) -> None:
-    recording = pytest.importorskip("paxini_sdk.recording", reason="paxini-sdk is not installed")
-    registers = pytest.importorskip("paxini_sdk.registers")
-    registry = pytest.importorskip("paxini_sdk.sensor_registry")
-    counts = RNG.integers([-100, -100, 0], [100, 100, 256], size=(5, 135, 3))
-    config = PaxiniConfig({6: 135})
-    path = tmp_path / "run.csv"
-    with recording.CsvRecorder(path, config, format=form, sensor_part="PXSR-STDDP03A") as recorder:
-        for frame in counts:
-            name = registers.MODULE_NAMES[6]
-            told = type(
-                "Frame", (), {"resultant_forces": {name: (1, 2, 3)}, "distributed_forces": {name: frame.tolist()}}
-            )
-            recorder.write(told)
-    assert list(sensors.sniffed(path)) == ["paxini"]
-    taken = tn.load(path, **PAD)
-    assert taken.sensor == "paxini" and taken.frames.units == "N" and taken.frames.frame == "local"
-    assert np.allclose(taken.frames.readings[..., 0], 0.1 * counts[..., 2], atol=1e-12)
-    assert np.allclose(taken.geometry.positions, 1e-3 * np.array(registry.load_points("PXSR-STDDP03A")))
-    assert taken.frames.noise == pytest.approx(0.1 / 12**0.5)
-    assert any("normals are fitted" in one for one in taken.notes)
-    assert any("only one of 135 points" in one for one in taken.notes) == (form == "vendor")
-    assert taken.frames.t is not None and (np.diff(taken.frames.t) >= 0.0).all()
-    # From the middle of the points outward, and neighbours alike.
-    away = taken.geometry.positions - taken.geometry.positions.mean(axis=0)
-    assert (np.einsum("ij,ij->i", away, taken.geometry.normals) > 0.0).mean() > 0.95
-    along = tn.sensors.frames(path, frame="sensor")
-    assert np.allclose(along.readings, 0.1 * counts * [1, 1, -1], atol=1e-12)
-    turned = tn.sensors.frames(path, frame="sensor", gain=(-1, -1, 1))
-    assert np.allclose(turned.readings, -along.readings * [1, 1, -1], atol=1e-12)
-    # Not of this model, not of this module.
-    with pytest.raises(tn.InputError, match="has 135 points in module .*, and PXSR-STDDP03B has 127"):
-        tn.load(path, model="PXSR-STDDP03B", **PAD)
-    with pytest.raises(tn.InputError, match="is of no model 'finger'"):
-        tn.load(path, model="finger", **PAD)
-    with pytest.raises(tn.InputError, match="has no module 'thumb'"):
-        tn.load(path, name="thumb", **PAD)
-
-
-def test_paxinis_modules_and_midnight(tmp_path: Path) -> None:
-    pytest.importorskip("paxini_sdk", reason="paxini-sdk is not installed")
-    path = tmp_path / "run.csv"
-    rows = [["Timestamp", *(f"{m}-2-NxN-{a}[{k}]" for m in (0, 1) for k in range(9) for a in "XYZ")]]
-    rows += [[time, *range(54)] for time in ("23:59:59.900", "00:00:00.100")]
-    with open(path, "w", newline="") as file:
-        csv.writer(file).writerows(rows)
-    with pytest.raises(tn.InputError, match=r"2 modules: 0-2, 1-2[\s\S]*name="):
-        tn.load(path, **PAD)
-    taken = tn.load(path, name="1-2", **PAD)
-    assert taken.geometry.flat and len(taken.geometry) == 9
-    assert taken.frames.t is not None and np.allclose(np.diff(taken.frames.t), 0.2)
-    path.write_text(path.read_text().replace("1-2-NxN-Y[3]", "other"))
-    with pytest.raises(tn.InputError, match="has not X, Y and Z of each point of module 1-2"):
-        tn.load(path, name="1-2", **PAD)
-
-
-def test_a_flat_paxini_is_solved(tmp_path: Path) -> None:
-    """The palm's nine points, 4.1 mm apart: the answer is that of a skin of the same rows and columns."""
-    pytest.importorskip("paxini_sdk", reason="paxini-sdk is not installed")
-    path = tmp_path / "palm.csv"
-    skin = lattice_skin(3, 3, 4.085e-3, 20.0)
-    counts = np.rint(10 * 4.085e-3**2 * skin.simulate().readings.ravel()).astype(int)
-    assert 100 < counts.max() < 256
-    header = ["Timestamp", *(f"5-0-NxN-{a}[{k}]" for k in range(9) for a in "XYZ")]
-    body = [["10:00:00.000", *(one for count in counts for one in (0, 0, count))]]
-    with open(path, "w", newline="") as file:
-        csv.writer(file).writerows([header, *body])
-    solution = tn.load(path, sensor="paxini", model="PXSR-STDMC03A", **PAD).solve()
-    same = skin.replace({"noise": {"rms": 0.1 / 12**0.5 / 4.085e-3**2}}).solve(
-        0.1 / 4.085e-3**2 * counts[np.newaxis].astype(float)
-    )
-    assert solution.normal_force[0] == pytest.approx(same.normal_force[0], rel=0.1)
-    points = solution.to_point_set("isaac")
-    assert points.values[0, :, 2].sum() == pytest.approx(-solution.normal_force[0], rel=1e-12)
-
-
-# Tac3D: its recorder, from its wheel alone, and its recordings, which are fetched and not kept.
-
-
-def tac3d_frames(count: int = 6) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Rest places of 20 x 20 markers on a dome [mm], and displacements [mm]."""
-    angle = np.linspace(-0.3, 0.3, 20)
-    ray = np.array([[np.tan(a), np.tan(b), 1.0] for a in angle for b in angle])
-    rest = 30.0 * ray / np.linalg.norm(ray, axis=1, keepdims=True)
-    moved = np.zeros((count, 400, 3))
-    moved[1:] = -0.2 * np.exp(-((rest[:, :1] ** 2 + rest[:, 1:2] ** 2) / 8.0)) * [0.0, 0.0, 1.0]
-    return rest, moved
-
-
-@pytest.fixture(scope="session")
-def pytac3d(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
-    """Its wheel, of this session alone: it states no licence, so that nothing of it is kept."""
-    folder = tmp_path_factory.mktemp("pytac3d")
-    fetch = [sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--dest", str(folder), "PyTac3D==3.3.0.9"]
-    try:
-        done = subprocess.run(fetch, capture_output=True, text=True, timeout=120)
-    except subprocess.TimeoutExpired:
-        pytest.skip("PyTac3D's wheel cannot be fetched: no answer")
-    wheels = list(folder.glob("*.whl"))
-    if done.returncode != 0 or not wheels:
-        pytest.skip(f"PyTac3D's wheel cannot be fetched: {done.stderr.strip().splitlines()[-1:]}")
-    with zipfile.ZipFile(wheels[0]) as file:
-        names = [one for one in file.namelist() if one == "PyTac3D/Data.py" or "/example_data/" in one]
-        file.extractall(folder, names)
-    yield folder / "PyTac3D"
-    for one in sorted(folder.rglob("*"), reverse=True):
-        one.rmdir() if one.is_dir() else one.unlink()
-
-
-def module_of(file: Path) -> ModuleType:
-    spec = importlib.util.spec_from_file_location(file.stem, file)
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-def test_tac3d(pytac3d: Path, tmp_path: Path) -> None:
-    rest, moved = tac3d_frames()
-    recorder = module_of(pytac3d / "Data.py").DataRecorder("AB1")
-    for k, one in enumerate(moved):
-        recorder.put(
-            {
-                "SN": "AB1",
-                "index": k,
-                "sendTimestamp": 5.0 + k / 30,
-                "3D_Positions": rest + one,
-                "3D_Displacements": one,
-            }
-        )
-    recorder.save(str(tmp_path))
-    assert list(sensors.sniffed(tmp_path)) == ["tac3d"] == list(sensors.sniffed(tmp_path / "AB1"))
-    taken = tn.load(tmp_path, **SOFT)
-    assert np.allclose(taken.geometry.positions, 1e-3 * rest, atol=1e-12)
-    assert np.array_equal(taken.frames.readings, 1e-3 * moved) and taken.frames.units == "m"
-    assert taken.frames.t is not None and np.allclose(taken.frames.t, 5.0 + np.arange(6) / 30)
-    radial = rest / np.linalg.norm(rest, axis=1, keepdims=True)
-    assert np.einsum("ij,ij->i", taken.geometry.normals, radial).min() > np.cos(np.radians(0.5))
-    assert any("1 of 6 frames have no displacement at all" in one for one in taken.notes)
-    assert taken.tables()["sensor"]["frame"] == "sensor"
-    (tmp_path / "AB1/3D_Positions.npy").unlink()
-    with pytest.raises(tn.InputError, match="has no 3D_Positions.npy"):
-        tn.load(tmp_path, sensor="tac3d", **SOFT)
-
-
-def test_the_recordings_of_tac3d(pytac3d: Path) -> None:
-    """Domes of about 30 mm, forces that the maker found, and pads that press them: no frame of them is told."""
-    folders = [one.parent for one in sorted((pytac3d / "example_data").rglob("3D_Displacements.npy"))]
-    assert len(folders) == 3
-    for folder in folders:
-        taken = tn.load(folder, **SOFT)
-        assert taken.tables()["surface"]["shape"] == "sphere"
-        assert len(taken.geometry) == 400 and taken.frames.readings.shape[1:] == (400, 3)
-        sphere = np.column_stack([2 * taken.geometry.positions, np.ones(400)])
-        found = np.linalg.lstsq(sphere, (taken.geometry.positions**2).sum(axis=1), rcond=None)[0]
-        radius = float(np.sqrt(found[3] + found[:3] @ found[:3]))
-        assert 0.025 < radius < 0.04
-        radial = (taken.geometry.positions - found[:3]) / radius
-        assert np.median(np.einsum("ij,ij->i", taken.geometry.normals, radial)) > 0.999, "normals lead out of the ball"
-    with pytest.raises(tn.InputError, match="has 2 sensors"):
-        tn.load(folders[1].parent, **SOFT)
-    maker = np.load(folder / "3D_ResultantForce.npy")[:, 0]
-    pressed = np.flatnonzero(np.linalg.norm(maker, axis=1) > 1.0)[::12][:8]
-    frames = tn.Frames(taken.frames.readings[pressed], units="m")
-    pad = sensors.Pad(**SOFT, noise=1e-5)
-    force = sensors.SensorRecording("tac3d", str(folder), taken.geometry, frames, pad).solve().to_point_set("isaac")
-    found, wanted = force.values.sum(axis=1), maker[pressed]
-    scale = (found[::2] * wanted[::2]).sum() / (found[::2] ** 2).sum()  # the modulus, of half of the frames
-    error = np.linalg.norm(scale * found - wanted, axis=1) / np.linalg.norm(wanted, axis=1)
-    assert np.median(error[1::2]) < 0.07
-
 
 # LeRobot.
 

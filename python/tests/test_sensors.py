@@ -497,3 +497,28 @@ def test_a_turned_sensor_finds_turned_forces() -> None:
     ).solve()
     before, after = (one.to_point_set("isaac").values for one in (first, second))
     assert np.abs(before @ turn.T - after).max() < 1e-8 * np.abs(before).max()
+
+
+def test_a_curved_scene_in_millimetres_takes_a_csv() -> None:
+    """As `Skin.read` does: the file of taxels keeps its unit."""
+    skin = tn.Skin.load(CURVED / "cap.toml")
+    taken = tn.load(CURVED / "cap.csv", scene=skin)
+    assert np.array_equal(taken.readings, skin.read(CURVED / "cap.csv").readings)
+
+
+def test_a_reference_is_chosen_where_y_is_too_near_a_normal() -> None:
+    """A cylinder's end cap, whose normals lead along y: x is followed, and a note says so."""
+    places, normals = sphere(0.03)
+    turn = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]).T  # z to y
+    facing_y = tn.Geometry(places @ turn, normals @ turn, 2e-3, ["stress_x"])
+    still = tn.Frames(np.zeros((1, 100, 1)), units="Pa", frame="local")
+    taken = sensor_recording(facing_y, still)
+    reference = taken.tables()["surface"]["reference"]
+    assert np.abs(facing_y.normals @ reference).max() < np.cos(np.radians(10.0))
+    assert any("e_y follows" in note and "reference=" in note for note in taken.notes)
+    kept = sensor_recording(tn.Geometry(places, normals, 2e-3, ["stress_x"]), still)
+    assert kept.tables()["surface"]["reference"] == [0.0, 1.0, 0.0]
+    assert not any("e_y follows" in note for note in kept.notes)
+    stated = sensor_recording(facing_y, still, reference=(0.0, 1.0, 0.0))
+    with pytest.raises(tn.InputError, match="within 10 degrees"):
+        stated.solve()
