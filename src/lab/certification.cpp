@@ -5,10 +5,15 @@
 
 namespace tactile_net::lab {
 
-Certification certify(const AnyScene& scene, Observer& observer, std::optional<double> accuracy) {
+Certification certify(const AnyScene& scene, Observer& observer,
+                      const CertificationOptions& wanted) {
   observer.step({Step::Kind::readings});
-  Certification result{.circuit = simulated_circuit(scene)};
+  Certification result{.circuit = simulated_circuit(scene),
+                       .oscillating_board = wanted.oscillating_board};
   observer.step({Step::Kind::certificate});
+  // Before all else, since a board of another circuit is refused.
+  if (wanted.board != nullptr)
+    result.board = certify_board(result.circuit, *wanted.board, wanted.phase_margin);
   result.motion = contact_motion(result.circuit);
   const NetworkOptions& options = result.circuit.options();
   if (traits(options.realization).parts == RealizationTraits::Parts::curved)
@@ -19,7 +24,11 @@ Certification certify(const AnyScene& scene, Observer& observer, std::optional<d
   }
   observer.step({Step::Kind::realizations});
   result.recommendation = recommend(result.circuit);
-  if (accuracy) result.parts = parts_list(result.circuit, *accuracy);
+  if (wanted.accuracy) result.parts = parts_list(result.circuit, *wanted.accuracy);
+  if (result.parts && result.parts->choice) {
+    observer.step({Step::Kind::board});
+    result.board = close_board(result.circuit, *result.parts, wanted.phase_margin);
+  }
   return result;
 }
 

@@ -29,7 +29,7 @@ double largest_divider(const OpAmp& o) {
 /// Whether capacitance is stated at op-amps' outputs.
 bool has_loaded_outputs(const NetworkCircuit& circuit) {
   const RealizationOptions& options = circuit.options();
-  return options.opamp.load_capacitance ||
+  return options.opamp.load_capacitance || !circuit.capacitances().empty() ||
          (options.node_capacitance && has_nodes_at_outputs(circuit.realization(), options));
 }
 
@@ -71,7 +71,8 @@ bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool defi
   const RealizationOptions& options = circuit.options();
   const OpAmp& o = options.opamp;
   const double ratio = options.main_bandwidth(circuit.realization());
-  const bool at_inputs = o.input_capacitance || o.differential_capacitance;
+  const bool at_inputs =
+      o.input_capacitance || o.differential_capacitance || !circuit.capacitances().empty();
   switch (condition) {
     case TheoremCondition::definite:
       return definite;
@@ -113,6 +114,8 @@ bool is_met(TheoremCondition condition, const NetworkCircuit& circuit, bool defi
       return !options.node_capacitance;
     case TheoremCondition::slew_holds_outputs:
       return slew_holds_outputs(circuit);
+    case TheoremCondition::no_own_capacitances:
+      return circuit.capacitances().empty();
   }
   return false;
 }
@@ -126,12 +129,12 @@ const StabilityTheorem& theorem_on_stability(const NetworkCircuit& circuit) {
 
 Theorem judged(const StabilityTheorem& said, const NetworkCircuit& circuit, bool definite) {
   Theorem theorem{.name = said.name, .statement = said.statement, .unmet = {}};
-  for (const TheoremCondition condition : said.needs) {
+  const auto judge = [&](TheoremCondition condition) {
     UnmetCondition unmet{.condition = condition};
-    if (is_met(condition, circuit, definite, unmet)) continue;
-    theorem.unmet = unmet;
-    break;
-  }
+    if (!theorem.unmet && !is_met(condition, circuit, definite, unmet)) theorem.unmet = unmet;
+  };
+  for (const TheoremCondition condition : said.needs) judge(condition);
+  if (!said.any_capacitances) judge(TheoremCondition::no_own_capacitances);
   return theorem;
 }
 
@@ -310,7 +313,7 @@ void add_equations(Certificate& c, const NetworkCircuit& circuit) {
   // margin is proven then.
   const bool floating = traits(c.realization).passive_residuals;
   const bool one_pole = !options.opamp.second_pole && !options.opamp.input_capacitance &&
-                        !options.opamp.differential_capacitance &&
+                        circuit.capacitances().empty() && !options.opamp.differential_capacitance &&
                         !(floating && options.node_capacitance);
   if (c.theorem.holds() && !c.ladder && (one_pole || !has_amplifiers(c.realization)))
     c.tolerance_margin = margin_of(reduction, equations);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <string>
@@ -24,6 +25,8 @@ std::string at(double x, double y) { return "(at " + millimetres(x) + ' ' + mill
 
 constexpr const char* layers = R"(  (layers
     (0 "F.Cu" signal)
+    (1 "In1.Cu" power)
+    (2 "In2.Cu" power)
     (31 "B.Cu" signal)
     (34 "B.Paste" user)
     (35 "F.Paste" user)
@@ -38,6 +41,36 @@ constexpr const char* layers = R"(  (layers
     (49 "F.Fab" user)
   )
 )";
+
+/// A usual one of four layers: parts and tracks along the rows on F.Cu, GND on In1.Cu, VCC on
+/// In2.Cu, tracks along the columns on B.Cu.
+constexpr const char* stackup = R"(    (stackup
+      (layer "F.Mask" (type "Top Solder Mask") (thickness 0.01))
+      (layer "F.Cu" (type "copper") (thickness 0.035))
+      (layer "dielectric 1" (type "prepreg") (thickness 0.2104) (material "FR4") (epsilon_r 4.4) (loss_tangent 0.02))
+      (layer "In1.Cu" (type "copper") (thickness 0.0152))
+      (layer "dielectric 2" (type "core") (thickness 1.065) (material "FR4") (epsilon_r 4.6) (loss_tangent 0.02))
+      (layer "In2.Cu" (type "copper") (thickness 0.0152))
+      (layer "dielectric 3" (type "prepreg") (thickness 0.2104) (material "FR4") (epsilon_r 4.4) (loss_tangent 0.02))
+      (layer "B.Cu" (type "copper") (thickness 0.035))
+      (layer "B.Mask" (type "Bottom Solder Mask") (thickness 0.01))
+      (copper_finish "None")
+      (dielectric_constraints no)
+    )
+)";
+
+/// Copper all over a layer.
+std::string plane_of(const Board& board, const std::string& net, const char* layer) {
+  const auto at = std::find(board.nets.begin(), board.nets.end(), net);
+  const std::string right = millimetres(board.width + 20.0 - 0.5);
+  const std::string bottom = millimetres(board.height + 20.0 - 0.5);
+  return "  (zone (net " + std::to_string(at - board.nets.begin()) + ") (net_name " + quoted(net) +
+         ") (layer \"" + layer +
+         "\") (hatch edge 0.508)\n    (connect_pads (clearance 0.2))\n    (min_thickness 0.2)\n"
+         "    (fill yes (thermal_gap 0.3) (thermal_bridge_width 0.3))\n    (polygon (pts (xy 20.5 "
+         "20.5) (xy " +
+         right + " 20.5) (xy " + right + ' ' + bottom + ") (xy 20.5 " + bottom + ")))\n  )\n";
+}
 
 std::string text_of(const char* kind, const std::string& text, double y, const char* style) {
   return std::string("    (fp_text ") + kind + ' ' + quoted(text) + ' ' + at(0.0, y) + style + '\n';
@@ -76,7 +109,7 @@ void write_kicad_board(std::ostream& out, const Board& board) {
   text += "  (general (thickness 1.6))\n  (paper \"User\" " + millimetres(board.width + 40.0) +
           ' ' + millimetres(board.height + 40.0) + ")\n";
   text += layers;
-  text += "  (setup (pad_to_mask_clearance 0))\n";
+  text += std::string("  (setup\n") + stackup + "    (pad_to_mask_clearance 0)\n  )\n";
   for (std::size_t net = 0; net < board.nets.size(); ++net)
     text += "  (net " + std::to_string(net) + ' ' + quoted(board.nets[net]) + ")\n";
   for (const Footprint& one : board.footprints) {
@@ -91,8 +124,8 @@ void write_kicad_board(std::ostream& out, const Board& board) {
     text += "  )\n";
   }
   text += "  (gr_rect (start 20 20) (end " + millimetres(board.width + 20.0) + ' ' +
-          millimetres(board.height + 20.0) +
-          ") (layer \"Edge.Cuts\") (width 0.1) (fill none))\n)\n";
+          millimetres(board.height + 20.0) + ") (layer \"Edge.Cuts\") (width 0.1) (fill none))\n" +
+          plane_of(board, "GND", "In1.Cu") + plane_of(board, "VCC", "In2.Cu") + ")\n";
   out << text;
 }
 

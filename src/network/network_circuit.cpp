@@ -12,6 +12,19 @@ NetworkCircuit::NetworkCircuit(Realization realization,
       problem_(std::move(problem)),
       circuit_(realize(realization, *problem_, options)) {}
 
+NetworkCircuit::NetworkCircuit(Realization realization,
+                               std::shared_ptr<const NetworkProblem> problem,
+                               const RealizationOptions& options,
+                               std::vector<NodeCapacitance> capacitances)
+    : realization_(realization),
+      options_(options),
+      problem_(std::move(problem)),
+      capacitances_(std::move(capacitances)),
+      circuit_(realize(realization, *problem_, options)) {
+  if (!capacitances_.empty())
+    circuit_ = with_capacitances(FlatCircuit(circuit_).circuit(), capacitances_);
+}
+
 const FlatCircuit& NetworkCircuit::flat() const {
   return flat_.get([&] { return FlatCircuit(circuit_); });
 }

@@ -10,6 +10,7 @@
 #include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/board_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
@@ -246,8 +247,9 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   Page page{.files = figures.data()};
   if (c.parts && c.parts->choice)
     page.files.insert(page.files.end(), {{"parts.csv", report::order_csv(*c.parts)},
-                                         {"BOM.csv", report::bill_csv(*c.parts)},
-                                         {"board.kicad_pcb", report::board_text(*c.parts)}});
+                                         {"BOM.csv", report::bill_csv(*c.parts)}});
+  if (c.board) page.files.emplace_back("copper.csv", report::copper_csv(*c.board));
+  if (c.writes_board()) page.files.emplace_back("board.kicad_pcb", report::board_text(*c.parts));
 
   std::string html = std::visit(
       [](const auto& scene) {
@@ -282,6 +284,7 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   if (c.parts)
     html += element("h3", "What to order") + html_table(cells(*c.parts)) +
             element("p", in_words(*c.parts));
+  if (c.board) html += element("h3", "On its board") + html_list(in_words(*c.board));
   html += figures.html("parts");
   html += colophon("The scene, the files, the command",
                    std::visit([](const auto& scene) { return scene_html(scene); }, c.scene()),

@@ -307,6 +307,7 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
     check_part(*opamp, options);
   }
   if (const auto prices = table_of(table.value("parts"))) read_prices(*prices, options);
+  options.own_input_capacitance = parts.opamp.input_capacitance;
   if (const auto parasitic = table_of(table.value("parasitic"))) read_parasitic(*parasitic, parts);
   if (const auto tolerance = table_of(table.value("tolerance")))
     options.tolerance = read_tolerance(*tolerance, options);

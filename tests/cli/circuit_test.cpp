@@ -212,6 +212,52 @@ TEST_CASE("certify lists what to order for an accuracy", "[cli]") {
   CHECK(run_tool({"certify", path, "--budget", "120%"}).code == 2);
 }
 
+TEST_CASE("certify reads the board that it has written, and refuses others", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write("s.toml", small_circuit);
+  const std::string out = folder / "out";
+  const auto said = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"certify", path};
+    words.insert(words.end(), more.begin(), more.end());
+    return run_tool(words);
+  };
+  // A margin that is there already: the siemens stay the scene's.
+  const ProcessResult made = said({"--budget", "1%", "--phase-margin", "0.1", "--out", out});
+  CAPTURE(made.output, made.errors);
+  REQUIRE(made.code == 0);
+  CHECK_THAT(made.output, ContainsSubstring("of copper to ground"));
+  const Json written = Json::parse(read_text(out + "/certificate.json"));
+  CHECK(written["board_written"] == true);
+  CHECK(written["board"]["stated"] == written["board"]["used"]);
+  CHECK_THAT(read_text(out + "/copper.csv"), StartsWith("net,pads,track_mm,missing_mm,"));
+  const std::string board = out + "/board.kicad_pcb";
+  const std::string realization = written["parts"]["choice"];
+  const ProcessResult read = said(
+      {"--board", board, "--realization", realization, "--phase-margin", "0.1", "--json", "-"});
+  CAPTURE(read.errors);
+  REQUIRE(read.code == 0);
+  const Json again = Json::parse(read.output);
+  CHECK(again["board"]["file"] == board);
+  CHECK(again["board"]["nodes"] == written["board"]["nodes"]);
+  CHECK(again["board"]["used"]["slowest_pole"] == written["board"]["used"]["slowest_pole"]);
+
+  const std::string other = realization == "lattice" ? "crossbar" : "lattice";
+  const ProcessResult wrong = said({"--board", board, "--realization", other});
+  CHECK(wrong.code == 2);
+  CHECK_THAT(wrong.errors, ContainsSubstring("not the board of this circuit"));
+  CHECK(said({"--board", board, "--budget", "1%"}).code == 2);
+  CHECK(said({"--board", board, "--phase-margin", "90"}).code == 2);
+  CHECK(said({"--board", folder / "none.kicad_pcb"}).code == 2);
+  const ProcessResult scene_file = said({"--board", path});
+  CHECK(scene_file.code == 2);
+  CHECK_THAT(scene_file.errors, ContainsSubstring("a file of KiCad begins with '('"));
+  const std::string text = read_text(board);
+  const ProcessResult cut =
+      said({"--board", folder.write("cut.kicad_pcb", text.substr(0, text.size() / 2))});
+  CHECK(cut.code == 2);
+  CHECK_THAT(cut.errors, ContainsSubstring("cut short"));
+}
+
 TEST_CASE("certify draws an unstable circuit too, and fails", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_circuit + ringing_converters);

@@ -89,6 +89,35 @@ TEST_CASE("converters with second poles and slew settle in ngspice in the certif
   }
 }
 
+TEST_CASE("a lattice with its board's capacitances, each node's own, settles as certified",
+          "[spice][step_response]") {
+  const auto problem = std::make_shared<const NetworkProblem>(array_network(9, 1e-3).problem);
+  const RealizationOptions options{
+      .scale = {.siemens = 5e-3},
+      .opamp = {.gain = 1e6, .bandwidth = 10e6, .second_pole = 25e6, .input_capacitance = 4e-12}};
+  const auto with = [&](double share) {
+    std::vector<NodeCapacitance> each;
+    const Circuit plain = realize(Realization::lattice, *problem, options);
+    for (Node node = 1; node < plain.nodes.size(); ++node)
+      each.push_back({plain.nodes[node], share * (4e-12 + 0.4e-12 * static_cast<double>(node))});
+    return NetworkCircuit(Realization::lattice, problem, options, each);
+  };
+  Ngspice ngspice;
+  const NetworkCircuit calm = with(1.0);
+  const Certificate certificate = certify(calm);
+  REQUIRE(certificate.stability == Stability::stable);
+  const Transient seen = settle(ngspice, calm.circuit(), certificate, at_rest(calm.circuit()));
+  REQUIRE(seen.end == TransientEnd::settles);
+  CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.02));
+  // A planted oscillation grows as the certificate says.
+  const NetworkCircuit wild = with(40.0);
+  const Certificate growing = certify(wild);
+  REQUIRE(growing.stability == Stability::unstable);
+  const Transient grown = settle(ngspice, wild.circuit(), growing, at_rest(wild.circuit()));
+  CHECK(grown.end == TransientEnd::grows);
+  CHECK_THAT(grown.growth, WithinRel(growing.dynamics->slowest, 0.05));
+}
+
 TEST_CASE("a lattice settles in ngspice in the time that it was designed to",
           "[spice][step_response]") {
   const ArrayNetwork network = array_network(21, 1e-3);

@@ -113,12 +113,28 @@ the worst load's draws lie up to 12 % above the mean's.
 K' becomes what that of K became, times their ratio: an error that both share only changes the model. Parts of better classes are pairs, and as
 many of the others, those that count most first, until values take a sixteenth of the squared error; the rest is left to tolerances.
 
-The folder has three files of the cheapest circuit whose draws meet the target. `parts.csv` is the list to order: value, tolerance, quantity, designators of resistors, and the op-amps. `BOM.csv`
+The folder has these files of the cheapest circuit whose draws meet the target. `parts.csv` is the list to order: value, tolerance, quantity, designators of resistors, and the op-amps. `BOM.csv`
 is for assemblers, a part a row: `Comment` (its value such as `4.99k` or `499R`), `Designator`, `Footprint`, `MPN` (of the op-amps, where the scene names a part; the resistors' is for you to fill in), tolerance, its name in the deck, the other
 one of a resistor's pair, and a note if the scene's contacts put more power into it than its size carries (0402 62.5 mW, 0603 0.1 W). `board.kicad_pcb` opens in KiCad 6 and newer: footprints
 with designators, values, tolerances, courtyards and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
-pins (of a fully differential amplifier VOCM at ground, which is the middle of VCC and VEE, and pin 7, power-down where there is one and active low, at VCC: compare them with the data sheet of yours); a pin for each current of a reading, each output and the supply. Route the board, and add decoupling capacitors. `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
-writes the deck of the same parts, with each tolerance as a comment.
+pins (of a fully differential amplifier VOCM at ground, which is the middle of VCC and VEE, and pin 7, power-down where there is one and active low, at VCC: compare them with the data sheet of yours); a pin for each current of a reading, each output and the supply. It has four layers, GND on `In1.Cu` and VCC on `In2.Cu`, and no tracks. Route the board, and add decoupling capacitors. `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
+writes the deck of the same parts, with each tolerance as a comment; if siemens were raised (below), state those in the scene first.
+
+## On its board
+
+Copper loads every node, and enough of it makes any of these circuits oscillate. `certify --budget` therefore certifies the board that it writes, and `certify SCENE.toml --board board.kicad_pcb` one that you have routed in KiCad (6 or newer):
+
+- A *pad* has eps A / h to the nearest plane (a layer of which a zone of GND, VCC or VEE covers half of the board) and at each edge what a track as wide as the pad has there. A *track* is a microstrip by the formulas of Hammerstad and Jensen (1980), with
+  its width, the copper's thickness and height and permittivity of the file's stackup; a *hole* has 55.5 pF/m eps T D1 / (D2 - D1) (Johnson and Graham 1993). All of it counts to ground, neighbouring tracks too. Where pads of a net are not joined yet, the missing tracks are the shortest tree
+  along x and y, 0.15 mm wide: routers need some more. Without a plane the board's other side is taken for one, and said.
+- The node between two resistors in series is none of the circuit's own: each end takes its share of the capacitance, exact to first order in frequency but for what couples the ends.
+- Poles, noise and settling are then computed with each node's own capacitance, which takes the place of `parasitic.node` and `parasitic.input`. The *phase margin* is the least angle by which all amplifiers' inputs, turned alike at one frequency, make the circuit oscillate: of the loops'
+  characteristic loci (MacFarlane and Postlethwaite 1977) the one that passes nearest to -1. Of one amplifier it is the usual phase margin.
+- Below 45 degrees (`--phase-margin` states others) the siemens are raised, as smaller resistors wait less for the same capacitance, and the parts and the board are made for them; no resistor may be below 100 ohm. Isolation resistors at the outputs are not added: every output's copper lies inside
+  its loop, where a resistor adds lag. Of a board from a file the output says which siemens would do on the same copper.
+- `board.kicad_pcb` is not written if the circuit oscillates on it, unless `--oscillating-board` asks for it. `copper.csv` has every net's pads, tracks and capacitance.
+
+A board of another circuit is refused with the part, the net or the value that differs. No theorem but the crossbar's T5 speaks of capacitances that differ from node to node: poles decide.
 
 ## Parts that are sold
 

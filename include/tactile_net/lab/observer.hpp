@@ -28,6 +28,7 @@ struct Step {
     sensors,       ///< the scene's own are surveyed
     alternative,   ///< sensor choice number `count`, from 1
     finger,        ///< of a hand: number `count`, from 1
+    board,         ///< what its copper does to a circuit
   };
   Kind kind = Kind::readings;
   std::size_t count = 0;

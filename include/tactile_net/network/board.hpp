@@ -14,6 +14,29 @@
 
 namespace tactile_net {
 
+/// Which pins of a package take what; 0: it has none.
+struct AmplifierPins {
+  int in_plus = 0, in_minus = 0, out_plus = 0, out_minus = 0;
+  int supply_plus = 0, supply_minus = 0;
+  int common_mode = 0;  ///< takes the outputs' mean voltage
+  int power_down = 0;   ///< works while it is high
+
+  /// The usual ones of an SO-8.
+  [[nodiscard]] static constexpr AmplifierPins single() noexcept {
+    return {.in_plus = 3, .in_minus = 2, .out_plus = 6, .supply_plus = 7, .supply_minus = 4};
+  }
+  [[nodiscard]] static constexpr AmplifierPins fully_differential() noexcept {
+    return {.in_plus = 8,
+            .in_minus = 1,
+            .out_plus = 4,
+            .out_minus = 5,
+            .supply_plus = 3,
+            .supply_minus = 6,
+            .common_mode = 2,
+            .power_down = 7};
+  }
+};
+
 /// Places and sizes are in millimetres, y down.
 struct BoardPad {
   std::string name{};

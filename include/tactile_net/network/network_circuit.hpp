@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "tactile_net/network/copper_capacitance.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/reduction.hpp"
 #include "tactile_net/network/state_space.hpp"
@@ -21,7 +22,18 @@ class NetworkCircuit {
   NetworkCircuit(Realization realization, std::shared_ptr<const NetworkProblem> problem,
                  const RealizationOptions& options);
 
+  /// With capacitances of its nodes, each one's own: a board's. Its sub-circuits are opened, since
+  /// nodes inside of them are a board's nets too.
+  ///
+  /// @throw std::invalid_argument  as `realize` and `with_capacitances`
+  NetworkCircuit(Realization realization, std::shared_ptr<const NetworkProblem> problem,
+                 const RealizationOptions& options, std::vector<NodeCapacitance> capacitances);
+
   [[nodiscard]] Realization realization() const noexcept { return realization_; }
+  /// Beside those of the options; empty: none.
+  [[nodiscard]] const std::vector<NodeCapacitance>& capacitances() const noexcept {
+    return capacitances_;
+  }
   [[nodiscard]] const RealizationOptions& options() const noexcept { return options_; }
   [[nodiscard]] const NetworkProblem& problem() const noexcept { return *problem_; }
   [[nodiscard]] const std::shared_ptr<const NetworkProblem>& shared_problem() const noexcept {
@@ -44,6 +56,7 @@ class NetworkCircuit {
   Realization realization_;
   RealizationOptions options_;
   std::shared_ptr<const NetworkProblem> problem_;
+  std::vector<NodeCapacitance> capacitances_;
   Circuit circuit_;
   Once<FlatCircuit> flat_;
   Once<Reduction> reduction_;

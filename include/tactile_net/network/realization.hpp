@@ -119,6 +119,7 @@ enum class TheoremCondition {
   no_node_capacitance,             ///< none at the network's nodes, or the residuals'
   /// Of finite gain: what holds an output at rest is at most two thirds of the slew.
   slew_holds_outputs,
+  no_own_capacitances,  ///< none that differs from node to node, as a board's (`NetworkCircuit`)
 };
 
 /// What is proven of a realisation's stability (proofs: docs/circuits.md).
@@ -126,6 +127,8 @@ struct StabilityTheorem {
   std::string_view name{};                    ///< "T5"
   std::string_view statement{};               ///< one sentence
   std::span<const TheoremCondition> needs{};  ///< in the order in which they are checked
+  /// Whether capacitances may differ from node to node: where not, `no_own_capacitances` too.
+  bool any_capacitances = false;
 };
 
 /// What a realisation is. Code that treats realisations differently asks these, not which one it

@@ -89,6 +89,8 @@ struct NetworkOptions {
   /// Of the tractions that the nodes stand for [m], at least the surface's; absent: as that.
   std::optional<double> spacing{};
   RealizationOptions parts{};  ///< scale, op-amps, parasitics
+  /// Of `parts.opamp.input_capacitance` what is the op-amp's own [F]; the rest is a board's.
+  std::optional<double> own_input_capacitance{};
   /// That the scene names, whose figures `parts.opamp` begins with; null: none. One of
   /// `opamp_parts`.
   const OpAmpPart* opamp_part = nullptr;

@@ -1,5 +1,6 @@
 #include "tactile_net/report/json/network_json.hpp"
 
+#include "report/json/board_fields.hpp"
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
@@ -434,7 +435,12 @@ struct Fields<lab::Certification> {
           "Why devices' curves leave no answer of what is said of the linear circuit; null: they "
           "leave it."),
       field("parts", &lab::Certification::parts,
-            "What to order for an accuracy; null: none was asked for.")};
+            "What to order for an accuracy; null: none was asked for."),
+      field("board", &lab::Certification::board,
+            "The circuit with what its board's copper loads it with; null: there is no board."),
+      field(
+          "board_written", [](const lab::Certification& one) { return one.writes_board(); },
+          "Whether a board is written, where there is a folder for it.")};
 };
 
 template <>

@@ -124,6 +124,8 @@ std::string unmet_in_words(const UnmetCondition& unmet) {
       return "capacitance at the residuals' nodes";
     case TheoremCondition::slew_holds_outputs:
       return "a gain so low that an output takes more than two thirds of the slew to be held";
+    case TheoremCondition::no_own_capacitances:
+      return "capacitances that differ from node to node";
   }
   return {};
 }

@@ -34,6 +34,8 @@ std::string in_words(const lab::Step& step) {
       return "alternative " + std::to_string(step.count) + " ...";
     case Kind::finger:
       return "finger " + std::to_string(step.count) + " ...";
+    case Kind::board:
+      return "certifying with the board's capacitance ...";
   }
   return {};
 }

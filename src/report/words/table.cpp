@@ -7,6 +7,7 @@
 #include "numeric/named.hpp"
 #include "report/words/number_words.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/report/words/board_words.hpp"
 #include "tactile_net/report/words/contact_words.hpp"
 #include "tactile_net/report/words/data_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
@@ -173,10 +174,14 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
   out << '\n';
   if (!c.recommendation.candidates.empty()) print_cells(out, cells(c.recommendation));
   out << in_words(c.recommendation) << '\n';
-  if (!c.parts) return;
+  if (c.parts) {
+    out << '\n';
+    print_cells(out, cells(*c.parts));
+    out << in_words(*c.parts) << '\n';
+  }
+  if (!c.board) return;
   out << '\n';
-  print_cells(out, cells(*c.parts));
-  out << in_words(*c.parts) << '\n';
+  for (const std::string& line : in_words(*c.board)) out << line << '\n';
 }
 
 void print_deck_answer(std::ostream& out, const std::string& file,

@@ -69,6 +69,13 @@ void add_certify(AllCommands& all) {
                      "Find, for each realisation, the cheapest resistors with which the error of "
                      "95 of 100 builds is at most this, such as 0.3%; with --out, write parts.csv, "
                      "BOM.csv and board.kicad_pcb of the cheapest realisation");
+  command.add_option("--board", options.board, file("FILE", {"kicad_pcb"}),
+                     "Certify the scene's circuit with the capacitance of this board's copper, "
+                     "routed or not; --budget does so with the board that it writes");
+  command.add_option("--phase-margin", options.phase_margin, number(),
+                     "Phase margin in degrees up to which siemens are raised for a board");
+  command.add_flag("--oscillating-board", options.oscillating_board,
+                   "Write board.kicad_pcb even if the circuit oscillates on it");
   add_network(command, options.network);
 }
 

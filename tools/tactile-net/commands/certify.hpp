@@ -9,6 +9,7 @@
 #include "commands/results.hpp"
 #include "commands/share.hpp"
 #include "streams.hpp"
+#include "tactile_net/lab/board_certificate.hpp"
 
 namespace tactile_net::tool {
 
@@ -17,6 +18,9 @@ struct CertifyOptions {
   ResultOptions results{};
   NetworkOptions network{};
   std::optional<Share> budget{};
+  std::string board{};  ///< a file of KiCad; empty: none
+  double phase_margin = lab::usual_phase_margin;
+  bool oscillating_board = false;
 };
 
 /// @throw CheckFailed  the circuit is not stable

@@ -1,0 +1,121 @@
+#include "tactile_net/lab/board_certificate.hpp"
+
+#include <sstream>
+#include <string>
+
+#include "tactile_net/lab/certification.hpp"
+#include "tactile_net/network/board.hpp"
+#include "tactile_net/report/words/board_words.hpp"
+#include "tactile_net/scene/reader.hpp"
+#include "tests/catch.hpp"
+
+using namespace tactile_net;
+
+namespace {
+
+/// Eleven taxels, as many nodes, op-amps with a second pole.
+AnyScene small_scene(double siemens, const std::string& more = {}) {
+  std::ostringstream text;
+  text << "[sensor]\ncount = 11\npitch = 0.5\ndepth = 1.5\nreads = [\"strain_x\"]\n"
+          "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.45\n"
+          "[[contact]]\nshape = \"cylinder\"\nhalf_width = 1.0\nforce = 1.0\n"
+          "[reconstruct]\nalpha = 1e-3\nsmoothing_length = 1.0\n"
+          "[network]\nrealization = \"lattice\"\nsettling = { accuracy = 1e-3 }\n"
+          "tolerance = { relative = 0.01, trials = 20 }\nopamp = \"precision\"\nsiemens = "
+       << siemens << '\n'
+       << more;
+  return parse_any_scene(text.str(), "small.toml");
+}
+
+/// As the command writes it of the scene's own circuit.
+LaidBoard own_board(const lab::SceneCircuit& circuit) {
+  const lab::PartsList list = lab::own_parts_list(circuit, 0.05);
+  REQUIRE(list.choice);
+  std::ostringstream text;
+  write_kicad_board(text, board_of(list.choice->soldered));
+  return read_kicad_board(text.str(), "board.kicad_pcb");
+}
+
+}  // namespace
+
+TEST_CASE("siemens are raised until the board's circuit has the margin", "[board]") {
+  const lab::SceneCircuit circuit = lab::simulated_circuit(small_scene(2e-3));
+  lab::PartsList list = lab::parts_list(circuit, 0.05);
+  REQUIRE(list.choice);
+  const SolderedCircuit before = list.choice->soldered;
+  const lab::BoardCertificate board = lab::close_board(circuit, list, 45.0);
+  CAPTURE(report::in_words(board));
+  CHECK(board.stated.siemens == circuit.options().parts.scale.siemens);
+  CHECK_FALSE(board.stated.enough(45.0));
+  REQUIRE(board.changed());
+  CHECK(board.used.enough(45.0));
+  CHECK(board.used.siemens > board.stated.siemens);
+  CHECK(board.used.margin->degrees < 60.0);  // no more than it takes
+  // What is ordered is for these siemens.
+  const double factor = board.used.siemens / board.stated.siemens;
+  double ratio = 0.0;
+  for (const Resistor& one : list.choice->soldered.circuit.resistors)
+    for (const Resistor& other : before.circuit.resistors)
+      if (one.name == other.name && one.name.front() == 'R') ratio = one.siemens / other.siemens;
+  CHECK_THAT(ratio, WithinRel(factor, 0.05));
+  // With these siemens stated nothing is changed.
+  const lab::SceneCircuit raised = lab::simulated_circuit(small_scene(board.used.siemens));
+  lab::PartsList again = lab::parts_list(raised, 0.05);
+  const lab::BoardCertificate kept = lab::close_board(raised, again, 45.0);
+  CHECK_FALSE(kept.changed());
+  CHECK_THAT(kept.used.margin->degrees, WithinAbs(board.used.margin->degrees, 2.0));
+}
+
+TEST_CASE("a board from a file is certified as it is, and says which siemens would do", "[board]") {
+  const lab::SceneCircuit circuit = lab::simulated_circuit(small_scene(8e-3));
+  const LaidBoard board = own_board(circuit);
+  const lab::BoardCertificate found = lab::certify_board(circuit, board);
+  CHECK(found.file == "board.kicad_pcb");
+  CHECK(found.soldered().siemens == circuit.options().parts.scale.siemens);
+  CHECK(found.used.enough(45.0));
+  // What a scene states of a board is not counted beside the board.
+  const lab::SceneCircuit stated =
+      lab::simulated_circuit(small_scene(8e-3, "parasitic = { node = 20e-12, input = 8e-12 }\n"));
+  const lab::BoardCertificate alike = lab::certify_board(stated, board);
+  CHECK_THAT(*alike.stated.slowest, WithinRel(*found.stated.slowest, 1e-9));
+  // Three times the distance to the planes is less capacitance and more margin.
+  LaidBoard thick = board;
+  for (LaidBoard::Layer& layer : thick.layers) layer.to_plane *= 3.0;
+  CHECK(lab::certify_board(circuit, thick).stated.margin->degrees >
+        found.stated.margin->degrees + 5.0);
+}
+
+TEST_CASE("a planted oscillation is found, and its board is not written", "[board]") {
+  const lab::SceneCircuit circuit = lab::simulated_circuit(small_scene(8e-3));
+  LaidBoard board = own_board(circuit);
+  CHECK(lab::certify_board(circuit, board).stated.stable());
+  // A metre of track more at every residual and input.
+  for (std::size_t net = 1; net < board.nets.size(); ++net)
+    if (const char one = board.nets[net].front();
+        one == 'u' || one == 'v' || one == 'p' || one == 's')
+      board.tracks.push_back({net, 0, 0.0, 0.0, 1000.0, 0.0, 0.2});
+  const lab::BoardCertificate found = lab::certify_board(circuit, board);
+  CHECK(found.stated.oscillates());
+  CHECK(*found.stated.slowest > 0.0);
+  CHECK_FALSE(found.stated.margin);
+  lab::Certification certification{.circuit = circuit};
+  certification.parts = lab::own_parts_list(circuit, 0.05);
+  CHECK(certification.writes_board());
+  certification.board = found;
+  CHECK_FALSE(certification.writes_board());
+  certification.oscillating_board = true;
+  CHECK(certification.writes_board());
+}
+
+TEST_CASE("a board is of a circuit that has one, with a margin in range", "[board][bad]") {
+  const lab::SceneCircuit circuit = lab::simulated_circuit(small_scene(8e-3));
+  const LaidBoard board = own_board(circuit);
+  for (const double margin : {0.0, -1.0, 90.0, 1e9})
+    CHECK_THROWS_AS(lab::certify_board(circuit, board, margin), std::invalid_argument);
+  AnyScene other = small_scene(8e-3);
+  std::get<Scene>(other).network.realization = Realization::ideal;
+  CHECK_THROWS_WITH(lab::certify_board(lab::simulated_circuit(other), board),
+                    ContainsSubstring("resistors and op-amps"));
+  CHECK_THROWS_WITH(lab::certify_board(lab::simulated_circuit(small_scene(20e-3)), board),
+                    ContainsSubstring("not the board of this circuit"));
+}
