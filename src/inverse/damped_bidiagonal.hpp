@@ -6,7 +6,7 @@
 /// square of B's numbers is ever subtracted from another. A pass takes a few operations a number.
 #pragma once
 
-#include <Eigen/Core>
+#include "numeric/eigen.hpp"
 
 namespace tactile_net {
 

@@ -26,7 +26,8 @@ class SameCircuit {
       throw std::invalid_argument(
           board.file +
           ": no part has the property Element, the deck's name of it: the board was not written by "
-          "tactile-net, or lost them; start from the board.kicad_pcb of certify --budget");
+          "tactile-net, or lost them; start from the board.kicad_pcb that is written with a "
+          "budget");
   }
 
   void compare() {
@@ -51,8 +52,8 @@ class SameCircuit {
   }
   [[noreturn]] void lacks(const std::string& element) const {
     throw std::invalid_argument(board_.file + ": not the board of this circuit: " + element +
-                                " of the circuit is not on it. Name the realisation that the board "
-                                "was made of, --realization");
+                                " of the circuit is not on it: name the realisation that the board "
+                                "was made of");
   }
 
   [[nodiscard]] const std::string& net_of(const LaidBoard::Part& part,

@@ -15,6 +15,7 @@
 #include "commands/results.hpp"
 #include "tactile_net/lab/skin_problem.hpp"
 #include "tactile_net/numeric/text.hpp"
+#include "tactile_net/scene/diagnostic.hpp"
 #include "tactile_net/scene/known_sensor.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/scene/sketch.hpp"
@@ -107,6 +108,8 @@ std::string text_that_holds(SceneSketch sketch, std::span<const SpaceVector> ref
     try {
       (void)lab::SkinSceneProblem(std::get<SkinScene>(parse_any_scene(text, place))).problem();
       return text;
+    } catch (const InputError& error) {
+      if (why.empty()) why = error.diagnostics().front().message;
     } catch (const std::invalid_argument& error) {
       if (why.empty()) why = error.what();
     }
