@@ -97,7 +97,12 @@ Eigen::MatrixXd DampedBidiagonal::filtered(const Eigen::VectorXd& rotated) const
 
 Eigen::MatrixXd DampedBidiagonal::spreads(const Eigen::MatrixXd& sums) const {
   constexpr Index together = 128;  // rows: what they need of a column stays near
+  constexpr Index few = 8;
   Eigen::MatrixXd all(sums.rows(), alphas_.size());
+  if (sums.rows() < few) {
+    for (Index k = 0; k < all.rows(); ++k) all.row(k) = products(sums.row(k), sums.row(k));
+    return all;
+  }
   Eigen::VectorXd solved(together);
   for (Index first = 0; first < sums.rows(); first += together) {
     const Index rows = std::min(together, sums.rows() - first);

@@ -144,19 +144,21 @@ Eigen::MatrixXd LoadPrior::Tables::outlined_vectors(std::size_t at) const {
   Eigen::MatrixXd v(components * own, outline.diagonal.size());
   Index first = 0;
   for (std::size_t c = 0; c < shown.classes.size(); ++c) {
-    const ClassRows rows(shown.normal[c].seen, shown.tangential[c].seen);
-    const Eigen::MatrixXd weighted = rows.weighted(entries_[at].tangential_weight);
+    const Eigen::MatrixXd& normal = shown.normal[c].seen;
+    const Eigen::MatrixXd& tangential = shown.tangential[c].seen;
     Eigen::MatrixXd values = outline.classes[c].right_vectors();
     const Index size = values.cols();
-    if (weighted.rows() < weighted.cols()) {
-      Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(weighted.cols(), size);
+    if (normal.cols() < normal.rows() + tangential.rows()) {
+      const ClassRows rows(normal, tangential);
+      Eigen::MatrixXd longer = Eigen::MatrixXd::Zero(rows.readings.cols(), size);
       longer.topRows(size) = values;
-      values = HouseholderQr(weighted.transpose()).rotate_back(longer);
+      values = HouseholderQr(rows.weighted(entries_[at].tangential_weight).transpose())
+                   .rotate_back(longer);
     }
     auto columns = v.middleCols(first, size);
-    columns.topRows(own) = shown.normal[c].back(values.topRows(rows.normal), own);
+    columns.topRows(own) = shown.normal[c].back(values.topRows(normal.rows()), own);
     columns.bottomRows(v.rows() - own) =
-        shown.tangential[c].back(values.bottomRows(values.rows() - rows.normal), v.rows() - own);
+        shown.tangential[c].back(values.bottomRows(tangential.rows()), v.rows() - own);
     first += size;
   }
   const std::vector<const Reflection*> by = classifying(shape);

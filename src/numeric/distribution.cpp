@@ -186,7 +186,9 @@ class Distribution::Rising {
     const double degrees = of.degrees_;
     if (degrees <= most_terms_of_student && degrees == std::floor(degrees)) {
       table_ = &tabled_student(static_cast<int>(degrees));
-      end_ = std::min(p, 1.0 - p) > least_of_table ? table_->end() : StudentCdf::reach;
+      const bool is_tabled = std::min(p, 1.0 - p) > least_of_table;
+      end_ = is_tabled ? table_->end() : StudentCdf::reach;
+      ends_ = is_tabled && table_->holds_all();
     } else if (std::isfinite(degrees)) {
       student_.emplace(degrees);
     }
@@ -218,6 +220,7 @@ class Distribution::Rising {
 
   [[nodiscard]] StudentCdf::Rise standard(double z) const {
     if (table_ != nullptr && std::abs(z) < end_) return table_->rise(z);
+    if (ends_) return {z < 0.0 ? 0.0 : 1.0, 0.0};
     const double value = of_.standard_cdf(z);
     if (std::isinf(of_.degrees_)) return {value, gaussian_density(z)};
     if (!std::isfinite(z)) return {value, 0.0};
@@ -228,6 +231,7 @@ class Distribution::Rising {
   double left_out_;
   const StudentCdf* table_ = nullptr;
   double end_ = 0.0;
+  bool ends_ = false;  // beyond is nothing
   std::optional<Student> student_{};
 };
 

@@ -10,7 +10,6 @@
 namespace tactile_net {
 namespace {
 
-constexpr double most_reach = 24.0;
 constexpr double no_rest = 1e-17;  // of 1 - F
 
 /// F, and its first two derivatives times the step and its square.

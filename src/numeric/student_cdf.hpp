@@ -43,11 +43,14 @@ class StudentCdf {
   }
   /// Where the table ends: where the rest is no longer told from 0, at most 24.
   [[nodiscard]] double end() const noexcept { return end_; }
+  /// Whether what lies beyond is less than 1e-17.
+  [[nodiscard]] bool holds_all() const noexcept { return end_ < most_reach; }
   /// Beyond, 1 - F is no longer told from F to nine digits.
   static constexpr double reach = 6.0;
 
  private:
   static constexpr double pieces_in_one = 32.0;
+  static constexpr double most_reach = 24.0;
 
   int degrees_;
   double end_ = 0.0;

@@ -301,7 +301,7 @@ TEST_CASE("a dragged skin's mixture is its model's, whether windows mirror one a
   }
 }
 
-TEST_CASE("a window that is its own image is decomposed class by class, by any number of threads",
+TEST_CASE("a window that is its own image is outlined class by class, by any number of threads",
           "[load_mixture]") {
   const int kind = GENERATE(-1, 0, 1, 2, 3, 4);
   const LinearProblem problem = kind < 0 ? line_of(2) : dragged_skin(kind);
@@ -312,31 +312,51 @@ TEST_CASE("a window that is its own image is decomposed class by class, by any n
   const LoadPrior::Tables together(problem, options, 1);
   REQUIRE(parted.entries_count() == whole.entries_count());
   REQUIRE(together.entries_count() == whole.entries_count());
+  const Eigen::MatrixXd kernel = as_eigen(problem.kernel);
   bool is_parted = false;
   for (std::size_t i = 0; i < whole.entries_count(); ++i) {
     CAPTURE(kind, i);
     const auto& a = whole.entry(i);
     const auto& b = parted.entry(i);
-    is_parted = is_parted || a.u != b.u;
+    const auto& outline = parted.outline(i);
+    const LoadPrior::Tables::Shape& shape = parted.shapes[b.shape];
+    is_parted = is_parted || outline.classes.size() > 1;
     const double largest = whole.entry(0).gamma(0);
-    const auto spread = [](const auto& one) -> Eigen::MatrixXd {
-      return one.u * one.gamma2.asDiagonal() * one.u.transpose();
-    };
-    CHECK((spread(a) - spread(b)).norm() < 1e-13 * largest * largest);
-    CHECK((b.u.transpose() * b.u).isIdentity(1e-13));
-    const Eigen::Index both = std::min(a.gamma.size(), b.gamma.size());
-    CHECK((a.gamma.head(both) - b.gamma.head(both)).norm() < 1e-13 * largest);
+    const Eigen::MatrixXd rotation =  // U'
+        outline.rotated(
+            shape.range->coordinates(Eigen::MatrixXd::Identity(kernel.rows(), kernel.rows()))
+                .within);
+    Eigen::MatrixXd bidiagonal = outline.diagonal.asDiagonal();
+    bidiagonal.diagonal<1>() = outline.above;
+    CHECK((rotation * rotation.transpose()).isIdentity(1e-13));
+    const Eigen::MatrixXd seen = rotation.transpose() * bidiagonal;
+    CHECK((a.u * a.gamma2.asDiagonal() * a.u.transpose() - seen * seen.transpose()).norm() <
+          1e-13 * largest * largest);
     CHECK((a.log_prior - b.log_prior).head(36).cwiseAbs().maxCoeff() < 1e-8);
-    CHECK(together.entry(i).u == b.u);
-    CHECK(together.entry(i).gamma == b.gamma);
-    CHECK(together.log_prior(i) == parted.log_prior(i));
-    CHECK((a.log_prior - parted.log_prior(i)).head(36).cwiseAbs().maxCoeff() < 1e-8);
+    CHECK((a.used - b.used).head(36).cwiseAbs().maxCoeff() < 1e-8);
+    // K T = U B V', and T T' is all that V shows with what it hides.
+    const auto details = parted.details(b);
+    const Eigen::MatrixXd own = kernel(Eigen::indexing::all, shape.columns);
+    const Eigen::MatrixXd through = parted.sums(b, own.transpose()).transpose();  // K T
+    CHECK((through * through.transpose() - seen * seen.transpose()).norm() <
+          1e-13 * largest * largest);
+    CHECK((own * details->roots - seen).norm() < 1e-12 * largest);
+    const Eigen::Index values = own.cols();
+    const Eigen::VectorXd squares =
+        parted.sums(b, Eigen::MatrixXd::Identity(values, values)).colwise().squaredNorm();
+    CHECK(
+        (details->roots.rowwise().squaredNorm() + details->hidden - squares).cwiseAbs().maxCoeff() <
+        1e-12 * squares.maxCoeff());
+    CHECK(together.outline(i).diagonal == outline.diagonal);
+    CHECK(together.details(together.entry(i))->roots == details->roots);
+    CHECK(together.entry(i).log_prior == b.log_prior);
   }
   CHECK(is_parted == (kind != 1));
 }
 
 TEST_CASE(
-    "bidiagonal matrices find the same components as singular vectors, in any order of frames",
+    "bidiagonal matrices find the same components as singular vectors, and the same means and "
+    "variances, in any order of frames",
     "[load_mixture]") {
   const int kind = GENERATE(-1, 0, 1, 2, 3, 4);
   const LinearProblem problem = kind < 0 ? line_of(2) : dragged_skin(kind);
@@ -374,6 +394,43 @@ TEST_CASE(
         CHECK_THAT(a.probability, WithinRel(b.probability, 1e-8));
         CHECK_THAT(a.scale2, WithinRel(b.scale2, 1e-9));
       }
+      const auto& one = found[i];
+      const auto& other = expected[i];
+      const auto details = tables.details(*one.entry);
+      const auto whole_details = whole.details(*other.entry);
+      const Eigen::MatrixXd means = whole_details->roots * whole.filtered(other);
+      CHECK((details->roots * tables.filtered(one) - means).cwiseAbs().maxCoeff() <
+            1e-9 * means.cwiseAbs().maxCoeff());
+      const auto variances = [](const auto& of, const auto& part, const auto& known) {
+        return Eigen::MatrixXd(of.spreads(part, known) +
+                               known.hidden * part.alphas().cwiseInverse().transpose());
+      };
+      const Eigen::MatrixXd expected_variances = variances(whole, other, *whole_details);
+      CHECK((variances(tables, one, *details) - expected_variances)
+                .cwiseQuotient(expected_variances)
+                .cwiseAbs()
+                .maxCoeff() < 1e-9);
+      const Eigen::MatrixXd sums = details->roots.topRows(5);  // few are taken as many are
+      CHECK((tables.spreads(one, sums) - tables.spreads(one, details->roots).topRows(5)).norm() <
+            1e-13 * tables.spreads(one, sums).norm());
+      for (const Eigen::Index k : {Eigen::Index{0}, Eigen::Index{3}})
+        CHECK((tables.spreads(one, sums.middleRows(k, 2)).row(0) -
+               tables.products(one, sums.row(k), sums.row(k)))
+                  .norm() < 1e-13 * tables.spreads(one, sums).norm());
+      // With what no reading shows of both.
+      const auto covariance = [](const auto& of, const auto& part, const auto& known) {
+        Eigen::MatrixXd both = Eigen::MatrixXd::Zero(known.roots.rows(), 2);
+        both(0, 0) = both(3, 1) = 1.0;
+        both = of.sums(*part.entry, both);
+        const double hidden =
+            both.col(0).dot(both.col(1)) - known.roots.row(0).dot(known.roots.row(3));
+        return Eigen::RowVectorXd(of.products(part, known.roots.row(0), known.roots.row(3)) +
+                                  hidden * part.alphas().cwiseInverse().transpose());
+      };
+      CHECK((covariance(tables, one, *details) - covariance(whole, other, *whole_details))
+                .cwiseQuotient(expected_variances.row(0))
+                .cwiseAbs()
+                .maxCoeff() < 1e-9);
     }
     return found;
   };

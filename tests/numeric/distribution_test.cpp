@@ -212,6 +212,19 @@ TEST_CASE("quantiles are found where a distribution hardly rises, or all at once
     }
 }
 
+TEST_CASE("a component too narrow to reach a quantile counts for what lies below it",
+          "[distribution]") {
+  const double degrees = GENERATE(3.0, 40.0, 872.0, 5000.0);
+  const Distribution both({{.probability = 0.7, .mean = 0.1, .scale = 1e-4},
+                           {.probability = 0.3, .mean = -0.2, .scale = 1.0}},
+                          degrees);
+  const Distribution wide({{.mean = -0.2, .scale = 1.0}}, degrees);
+  CHECK_THAT(both.quantile(0.025), WithinRel(wide.quantile(0.025 / 0.3), 1e-9));
+  CHECK_THAT(both.quantile(0.975), WithinRel(wide.quantile(1.0 - 0.025 / 0.3), 1e-9));
+  for (const double p : {1e-3, 0.025, 0.4, 0.975, 1.0 - 1e-3})
+    CHECK_THAT(both.cdf(both.quantile(p)), WithinAbs(p, 1e-11));
+}
+
 TEST_CASE("Student's of many degrees is a Gaussian", "[distribution]") {
   const Distribution many(some_components(), 1e7);
   const Distribution gaussian(some_components());
