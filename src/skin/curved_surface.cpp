@@ -112,7 +112,7 @@ CurvedSurface::Tangents CurvedSurface::tangents(double y, double z) const {
 SurfacePlace CurvedSurface::at(double y, double z) const {
   if (!height_.known.holds(y, z))
     throw std::invalid_argument(
-        "the surface is followed for three depths beyond the outermost taxels, and its cells lie "
+        "the surface is followed for four depths beyond the outermost taxels, and its cells lie "
         "further out: choose a smaller margin");
   const Tangents here = tangents(y, z);
   const auto normal_of = [](const Tangents& one) {  // inward is y cross z

@@ -312,7 +312,7 @@ Samples sampled(const Chart& chart, const CurvedSurface& sphere, const ChartBox&
 
 MeshHeight mesh_height(const SurfaceMesh& mesh, const MeshNormals& normals,
                        const CurvedSurface& sphere, std::span<const BelowMesh> taxels) {
-  constexpr double reach_in_depths = 3.0;
+  constexpr double reach_in_depths = 4.0;
   constexpr std::size_t most_degree = 12;
   const auto [least, most] =
       std::minmax_element(taxels.begin(), taxels.end(),

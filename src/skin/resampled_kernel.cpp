@@ -84,7 +84,7 @@ struct Share {
 };
 
 /// Of each of the chart's cells whether the given ones cover enough of it.
-/// @throw std::invalid_argument  near a taxel, or of many, they do not; or they cover one twice
+/// @throw std::invalid_argument  near a taxel they do not, or they cover one twice
 std::vector<bool> bearing(const SkinArray& skin, const SurfaceGrid& grid,
                           std::span<const SurfaceCell> cells) {
   constexpr double enough = 0.25;
@@ -110,10 +110,6 @@ std::vector<bool> bearing(const SkinArray& skin, const SurfaceGrid& grid,
             "the kernel's cells leave out the surface" + place + ", beside " +
                 (beside == skin.taxels.end() ? std::string() : "taxel " + beside->name) + advice);
   }
-  const auto absent = static_cast<std::size_t>(std::count(bears.begin(), bears.end(), false));
-  require(4 * absent <= cells.size(), "the kernel's cells leave out the surface below " +
-                                          std::to_string(absent) + " of " +
-                                          std::to_string(cells.size()) + " of its cells" + advice);
   return bears;
 }
 

@@ -21,9 +21,8 @@ struct ResampledKernel {
 };
 
 /// @pre  the skin has a given kernel without rows and columns
-/// @throw std::invalid_argument  given cells leave out the surface beside a taxel, or more than a
-///                               quarter of it; they lie over one another, or are turned inside out
-///                               against the surface
+/// @throw std::invalid_argument  given cells leave out the surface beside a taxel, lie over one
+///                               another, or are turned inside out against the surface
 [[nodiscard]] ResampledKernel resampled_kernel(const SkinArray& skin, const SurfaceGrid& grid);
 
 }  // namespace tactile_net

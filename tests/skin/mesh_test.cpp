@@ -110,7 +110,7 @@ TEST_CASE("a sphere as a mesh gives the sphere's forces", "[skin][curved][mesh][
     double force;
     double centre;  // [m]
   };
-  const auto [cells, force, centre] = GENERATE(Fineness{48, 1e-5, 2e-8}, Fineness{24, 1e-5, 5e-8},
+  const auto [cells, force, centre] = GENERATE(Fineness{48, 1e-5, 2e-8}, Fineness{24, 3e-5, 1e-7},
                                                Fineness{12, 1e-4, 5e-7}, Fineness{6, 1e-2, 1e-4});
   // Normals are the mesh's own, or the taxels'.
   const bool own = GENERATE(false, true);
