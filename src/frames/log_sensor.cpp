@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 #include <variant>
 
@@ -65,9 +66,13 @@ LogSensor::LogSensor(const AnyScene& scene) : is_skin(std::holds_alternative<Ski
       },
       scene);
   force = units.force;
+  if (const auto* skin = std::get_if<SkinScene>(&scene)) curved = skin->sensor.curved;
 }
 
 std::vector<std::string> LogSensor::described() const {
+  if (by_place)
+    return {"press",   "shape",   "force",       "force_sd", "place_x",
+            "place_y", "place_z", "position_sd", "radius",   "half_width"};
   if (is_skin)
     return {"press",      "shape",       "force",  "force_sd",  "position_y",
             "position_z", "position_sd", "radius", "half_width"};
@@ -103,9 +108,17 @@ bool LogSensor::is_round(const Press& press) const noexcept {
   return is_skin ? press.disc == DiscProfile::sphere : press.shape == Shape::cylinder;
 }
 
-double LogSensor::half_width(double press_force, double radius) const {
-  return is_skin ? ball_contact_radius(material, press_force, radius)
-                 : rod_half_width(material, press_force, radius);
+double LogSensor::half_width(const Press& press) const {
+  const double press_force = *press.force.value;
+  if (!is_skin) return rod_half_width(material, press_force, *press.radius);
+  const double bend =
+      curved ? curved->surface
+                   .at(press.position.value.value_or(0.0), press.position_z.value.value_or(0.0))
+                   .mean_curvature
+             : 0.0;
+  const double relative = 1.0 / *press.radius + bend;
+  if (!(relative > 0.0)) return std::numeric_limits<double>::infinity();
+  return ball_contact_radius(material, press_force, 1.0 / relative);
 }
 
 }  // namespace tactile_net::frames

@@ -2,7 +2,9 @@
 /// What a log of presses must know of its scene, a line's or a skin's. Private.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,13 +15,19 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/sensing/calibration.hpp"
 #include "tactile_net/sensing/effects/signal_layout.hpp"
+#include "tactile_net/skin/curved_skin.hpp"
 
 namespace tactile_net::frames {
+
+/// Where a press is in the sensor's axes, of a curved skin.
+inline constexpr std::array place_columns = {"place_x", "place_y", "place_z"};
 
 struct LogSensor {
   explicit LogSensor(const AnyScene& scene);
 
   bool is_skin = false;
+  std::shared_ptr<const CurvedSkin> curved{};  ///< of a curved skin
+  bool by_place = false;  ///< a curved skin's presses are stated in the sensor's axes
   Units units{};
   Unit force{};  ///< of a rod's force per length, or of a ball's force
   SignalLayout layout{};
@@ -46,8 +54,8 @@ struct LogSensor {
   [[nodiscard]] std::string_view shapes() const noexcept;       ///< a list, and what else is said
   [[nodiscard]] std::string_view round_shape() const noexcept;  ///< that which has a radius
   [[nodiscard]] bool is_round(const Press& press) const noexcept;
-  /// Of the contact of a rod or a ball [m].
-  [[nodiscard]] double half_width(double press_force, double radius) const;
+  /// Of the contact of a rod or a ball [m]. @pre  its force and its radius are stated
+  [[nodiscard]] double half_width(const Press& press) const;
 };
 
 }  // namespace tactile_net::frames

@@ -78,6 +78,11 @@ class Reader {
     for (std::size_t i = 0; i < header.size(); ++i)
       if (!columns_.emplace(header[i], i).second)
         problem(table_.header.line, "a column stands there twice", "keep one of the two");
+    sensor_.by_place = sensor_.curved && columns_.contains(place_columns.front());
+    if (sensor_.by_place && (columns_.contains("position_y") || columns_.contains("position_z")))
+      problem(table_.header.line,
+              "has places in the sensor's axes, place_x, and positions on the chart, position_y",
+              "keep one of the two");
     for (const std::string& name : sensor_.described())
       if (!columns_.contains(name))
         problem(table_.header.line, "has no column '" + name + "'",
@@ -226,10 +231,43 @@ class Reader {
       return;
     }
     const double sd = number(row, "position_sd", not_negative, length).value_or(0.0);
+    if (sensor_.by_place) return read_place_in_space(row, sd, press);
     press.position = {number(row, "position_y", any_number, length), sd};
     press.position_z = {number(row, "position_z", any_number, length), sd};
     if (sd > 0.0 && !press.position.value && !press.position_z.value)
       problem(row.line, "position_sd is given without a position", "give both, or neither");
+  }
+
+  /// In the sensor's axes: the nearest place of the surface counts, on its chart.
+  void read_place_in_space(const CsvTable::Row& row, double sd, Press& press) {
+    press.position = press.position_z = {std::nullopt, sd};
+    SpaceVector point{};
+    std::size_t given = 0;
+    for (std::size_t k = 0; k < point.size(); ++k)
+      if (const auto value = number(row, place_columns[k], any_number, sensor_.units.length)) {
+        point[k] = *value;
+        ++given;
+      }
+    if (given == 0) {
+      if (sd > 0.0)
+        problem(row.line, "position_sd is given without a place", "give both, or neither");
+      return;
+    }
+    if (given < point.size()) {
+      problem(row.line, "a place has three numbers: place_x, place_y and place_z",
+              "give all, or none");
+      return;
+    }
+    const CurvedSurface::Charted at = sensor_.curved->surface.chart(point);
+    if (std::abs(at.outside) > sensor_.depth + measured_off * sd) {
+      problem(
+          row.line, "the place lies " + brief(at.outside) + " m outside of the skin's surface",
+          "where the indenter touches the skin, in the axes of the taxels' places; lengths in " +
+              std::string(sensor_.units.length.name) + '?');
+      return;
+    }
+    press.position.value = at.y;
+    press.position_z.value = at.z;
   }
 
   /// On a skin with the direction of the drag; one sd for both of its parts.
@@ -278,13 +316,18 @@ class Reader {
                     brief(ends.high) + " m",
                 "positions are the taxels' own; lengths in " + unit);
     };
-    check(press.position, sensor_.y, sensor_.is_skin ? "position_y" : "position");
-    if (sensor_.is_skin) check(press.position_z, sensor_.z, "position_z");
+    check(press.position, sensor_.y,
+          sensor_.by_place  ? "the place, along the chart's y,"
+          : sensor_.is_skin ? "position_y"
+                            : "position");
+    if (sensor_.is_skin)
+      check(press.position_z, sensor_.z,
+            sensor_.by_place ? "the place, along the chart's z," : "position_z");
   }
 
   void check_tie(const CsvTable::Row& row, const Press& press) {
     if (!press.radius || !press.half_width.is_exact() || !press.force.value) return;
-    const double tied = sensor_.half_width(*press.force.value, *press.radius);
+    const double tied = sensor_.half_width(press);
     const double sd = std::hypot(options_.half_width_sd, 0.5 * options_.youngs_modulus_sd, 0.1);
     if (std::abs(std::log(*press.half_width.value / tied)) > contradiction * sd)
       problem(row.line,

@@ -311,16 +311,14 @@ void read_uneven_skin(Table& table, const std::optional<Value>& surface, const V
       "\"name,x,y,z,nx,ny,nz,depth,reads\"");
   if (rows.empty()) return;
   if (rows.front().x) {
-    if (factor)
-      factor->problem("applies to flat skins: a curved one's taxels have places in space",
-                      "remove it");
     const auto stated = table_of(surface);
     const auto options =
         stated ? read_surface(*stated, folder, read.units) : std::optional<CurvedSkinOptions>{};
     if (stated && !options) return;
     const auto make = [&](std::vector<FileTaxel> all) {
-      return curved_skin_of(std::move(all), axes, options.value_or(CurvedSkinOptions{}),
-                            read.units);
+      const SkinArray curved = curved_skin_of(
+          std::move(all), axes, options.value_or(CurvedSkinOptions{}), read.units);
+      return factor ? with_depth_factor(curved, depth_factor) : curved;
     };
     return put_uneven(std::move(rows), file, "a curved skin", make, read, skin);
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -374,6 +375,15 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
   SkinArray array = uneven_skin(std::move(charted));
   array.curved = std::make_shared<const CurvedSkin>(std::move(skin));
   return array;
+}
+
+SkinArray with_depth_factor(const SkinArray& skin, double factor) {
+  if (!skin.curved) throw std::invalid_argument("the skin must be curved");
+  std::vector<Taxel> taxels = skin.taxels;
+  for (Taxel& taxel : taxels) taxel.depth *= factor;
+  SkinArray deeper = uneven_skin(std::move(taxels));
+  deeper.curved = skin.curved;
+  return deeper;
 }
 
 }  // namespace tactile_net

@@ -3,6 +3,7 @@
 /// where they are hardly curved, and against themselves turned.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "tactile_net/calibration/ball_contact.hpp"
@@ -195,6 +196,11 @@ TEST_CASE("curved pads that cannot be calibrated are refused") {
   const SkinArray skin = dome({});
   CHECK_THROWS_WITH(PressModel(skin, pad_of(0)), ContainsSubstring("layer"));
   CHECK_THROWS_WITH(PressModel(skin, pad_of(2)), ContainsSubstring("bonded"));
+  SkinArray given = skin;
+  auto by_file = std::make_shared<CurvedSkin>(*skin.curved);
+  by_file->given = std::make_shared<GivenKernel>();
+  given.curved = by_file;
+  CHECK_THROWS_WITH(PressModel(given, pad_of(1)), ContainsSubstring("given by a file"));
 }
 
 }  // namespace tactile_net

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "tactile_net/calibration/press_model.hpp"
 #include "tactile_net/inverse/alpha.hpp"
 #include "tactile_net/inverse/covariance.hpp"
 #include "tactile_net/inverse/tikhonov_family.hpp"

@@ -130,6 +130,11 @@ struct CurvedSkin {
 [[nodiscard]] SkinArray curved_skin(std::vector<CurvedTaxel> taxels,
                                     const CurvedSkinOptions& options = {});
 
+/// The same surface, its taxels deeper below it, along their normals, by a factor.
+/// @param factor  > 0
+/// @throw std::invalid_argument  the skin is not curved
+[[nodiscard]] SkinArray with_depth_factor(const SkinArray& skin, double factor);
+
 /// The same skin with that kernel: where its cells lie in rows and columns the skin's chart is then
 /// their lattice, rows along the frames' y.
 ///
