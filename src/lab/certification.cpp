@@ -29,6 +29,10 @@ Certification certify(const AnyScene& scene, Observer& observer,
     observer.step({Step::Kind::board});
     result.board = close_board(result.circuit, *result.parts, wanted.phase_margin);
   }
+  if (wanted.datasheet) {
+    observer.step({Step::Kind::draws});
+    result.datasheet = lab::datasheet(result.circuit, result.parts ? &*result.parts : nullptr);
+  }
   return result;
 }
 

@@ -33,6 +33,7 @@ const std::vector<std::shared_ptr<const NetworkCircuit>>& SceneCircuit::candidat
     for (const Realization one : realizations) {
       // A converter a branch only while there are not tens of thousands of them.
       if (!traits(one).uses_opamps || !traits(one).linear() || !fits(one) ||
+          (options_.parts.inputs == Inputs::voltage && !traits(one).drives_nodes) ||
           (traits(one).opamps_per_branch && nodes() > 130))
         continue;
       // Of a part that is named, what it is made for.

@@ -46,4 +46,13 @@ std::vector<std::shared_ptr<const NetworkProblem>> circuit_loads(const SceneCirc
   return loads;
 }
 
+std::vector<Load> loads_of(const NetworkCircuit& circuit,
+                           const std::vector<std::shared_ptr<const NetworkProblem>>& problems) {
+  std::vector<Load> loads;
+  loads.reserve(problems.size());
+  for (const auto& one : problems)
+    loads.push_back(realize(circuit.realization(), *one, circuit.options()).sources);
+  return loads;
+}
+
 }  // namespace tactile_net::lab

@@ -10,6 +10,7 @@
 #include "lab/circuit_loads.hpp"
 #include "tactile_net/network/arrays.hpp"
 #include "tactile_net/network/soldered_error.hpp"
+#include "tactile_net/numeric/share_interval.hpp"
 #include "tactile_net/scene/opamp_part.hpp"
 
 namespace tactile_net::lab {
@@ -22,11 +23,19 @@ std::size_t draws_per_offer(const Reduction& reduction) {
 
 /// How often a list is made anew, for a smaller target, whose draws miss the one that is asked for:
 /// where few parts count, 95 of 100 builds lie further out than `p95_over_rms`.
-constexpr int most_attempts = 4;
+constexpr std::uint64_t most_attempts = 4;
 
 /// Rounded values may take so much of the error's budget: of the squares, so that 3 % are left to
 /// gain by exacter ones.
 constexpr double rounding_share = 0.25;
+
+/// What of the target draws of a list must keep to: theirs is not quite that of others.
+constexpr double tuned_share = 0.98;
+
+// Seeds: of op-amps alone, of lists that are made, one each, and of the list that was made.
+constexpr std::uint64_t of_opamps = 0;
+constexpr std::uint64_t of_attempts = 1;
+constexpr std::uint64_t of_claim = 1000;
 
 /// One realisation, under all loads.
 struct Offer {
@@ -37,23 +46,6 @@ struct Offer {
 };
 
 using NetworkProblems = std::vector<std::shared_ptr<const NetworkProblem>>;
-
-/// The same circuit's sources under each load.
-std::vector<std::vector<CurrentSource>> sources_of(const NetworkCircuit& circuit,
-                                                   const NetworkProblems& problems) {
-  std::vector<std::vector<CurrentSource>> each_load;
-  for (const auto& problem : problems)
-    each_load.push_back(realize(circuit.realization(), *problem, circuit.options()).sources);
-  return each_load;
-}
-
-std::vector<Load> loads_of(const NetworkCircuit& circuit,
-                           const std::vector<std::vector<CurrentSource>>& each_load) {
-  std::vector<Load> loads;
-  for (const std::vector<CurrentSource>& one : each_load)
-    loads.push_back(circuit.reduction().right_side(one));
-  return loads;
-}
 
 /// Makes pairs of resistors, those that count most first, until values take no more than they may.
 class Rounding {
@@ -165,61 +157,89 @@ double p95_of(const std::vector<double>& ascending) {
   return ascending[ascending.size() * 95 / 100];
 }
 
-/// Builds that the list was not made with: each attempt has its own.
-void draw(Offer& offer, const LoadedNetwork& network, const AllocationOptions& wanted,
-          std::uint64_t seed) {
-  const std::vector<double> errors =
-      network.builds(siemens_of(offer.values), tolerances(offer, wanted),
-                     draws_per_offer(offer.circuit->reduction()), seed);
-  offer.candidate.p95 = p95_of(errors);
-  offer.candidate.builds = errors.size();
-  offer.candidate.within = static_cast<std::size_t>(
-      std::upper_bound(errors.begin(), errors.end(), wanted.target) - errors.begin());
+/// Each of its class; those of the coarsest are of the reel that was measured, if one was.
+ResistorErrors errors_of(const Offer& offer, const AllocationOptions& wanted,
+                         const CommonErrors& common) {
+  std::vector<ResistorError> each;
+  for (const std::size_t one : offer.candidate.list.class_of)
+    each.push_back(wanted.classes[one].spread
+                       ? ResistorError{.kind = ResistorError::Kind::measured}
+                       : ResistorError{.tolerance = wanted.classes[one].tolerance});
+  return ResistorErrors(std::move(each), common);
 }
 
-/// With resistors of exactly the values wanted.
+/// Ascending.
+std::vector<double> draw(const Offer& offer, const LoadedNetwork& network,
+                         const AllocationOptions& wanted, const CommonErrors& common,
+                         std::uint64_t seed) {
+  return network.builds(siemens_of(offer.values), errors_of(offer, wanted, common),
+                        draws_per_offer(offer.circuit->reduction()), seed);
+}
+
+/// Of builds that the list was not made with.
+void claim(PartsList::Candidate& result, const std::vector<double>& errors, double target) {
+  result.p95 = p95_of(errors);
+  result.builds = errors.size();
+  result.within = static_cast<std::size_t>(std::upper_bound(errors.begin(), errors.end(), target) -
+                                           errors.begin());
+}
+
+/// With resistors of exactly the values wanted, but for what they have in common.
 void draw_opamps(PartsList::Candidate& result, const LoadedNetwork& network,
-                 const Reduction& reduction) {
-  const std::vector<double> exact(reduction.resistors().size(), 0.0);
+                 const Reduction& reduction, CommonErrors common) {
+  const std::size_t builds = draws_per_offer(reduction);
+  const std::size_t resistors = reduction.resistors().size();
   result.opamps_alone = network.opamp_shares();
-  if (result.opamps_alone.total > 0.0)
-    result.opamps_p95 =
-        p95_of(network.builds(reduction.siemens(), exact, draws_per_offer(reduction), 0));
+  if (result.opamps_alone.total > 0.0) {
+    const ResistorErrors exact(std::vector<double>(resistors, 0.0));
+    result.opamps_p95 = p95_of(network.builds(reduction.siemens(), exact, builds, of_opamps));
+  }
+  result.common_p95 = result.opamps_p95;
+  if (!common.any()) return;
+  if (common.measured) common.measured->spread = 0.0;
+  const ResistorErrors alike(
+      std::vector<ResistorError>(
+          resistors,
+          {.kind = common.measured ? ResistorError::Kind::measured : ResistorError::Kind::within}),
+      common);
+  result.common_p95 = p95_of(network.builds(reduction.siemens(), alike, builds, of_opamps));
 }
 
 Offer priced(const std::shared_ptr<const NetworkCircuit>& circuit, const NetworkProblems& problems,
-             const PartsList& parts, double balance) {
+             const PartsList& parts, const ToleranceOptions& drawn) {
   Offer offer{.circuit = circuit};
   PartsList::Candidate& result = offer.candidate;
   result.realization = circuit->realization();
   result.ladder = has_ladder(circuit->realization(), circuit->options());
   result.opamps = circuit->flat().amplifiers().size();
   result.stability = stability_of(*circuit);
-  const std::vector<std::vector<CurrentSource>> each_load = sources_of(*circuit, problems);
-  const LoadedNetwork network(circuit->reduction(), loads_of(*circuit, each_load),
-                              {opamp_errors(circuit->flat(), each_load), balance});
-  draw_opamps(result, network, circuit->reduction());
+  const std::vector<Load> loads = loads_of(*circuit, problems);
+  const LoadedNetwork network(circuit->reduction(), loads,
+                              {opamp_errors(circuit->flat(), loads), drawn.balance.value_or(0.0)});
+  draw_opamps(result, network, circuit->reduction(), drawn.common);
   const double target = parts.wanted.target;
-  double of_resistors = left_of(target, result.opamps_p95);
+  double of_resistors = left_of(target, result.common_p95);
   choose_parts(offer, network, parts, of_resistors);
   if (!result.stable() || !result.list.met) return offer;
-  draw(offer, network, parts.wanted, 1);
   const double bound = result.list.price_bound;
-  for (int attempt = 1; attempt < most_attempts; ++attempt) {
-    if (*result.p95 <= target || !std::isfinite(*result.p95)) break;
-    const double seen = left_of(*result.p95, result.opamps_p95);
-    const double allowed = left_of(0.98 * target, result.opamps_p95);
+  for (std::uint64_t attempt = 0; attempt < most_attempts; ++attempt) {
+    const double p95 =
+        p95_of(draw(offer, network, parts.wanted, drawn.common, of_attempts + attempt));
+    result.tuned = p95 <= tuned_share * target;
+    if (result.tuned || !std::isfinite(p95) || attempt + 1 == most_attempts) break;
+    const double seen = left_of(p95, result.common_p95);
+    const double allowed = left_of(tuned_share * target, result.common_p95);
     if (!(seen > 0.0) || !(allowed > 0.0)) break;
-    of_resistors *= allowed / seen;
+    of_resistors *= std::min(allowed / seen, tuned_share);
     Offer exacter = offer;
     choose_parts(exacter, network, parts, of_resistors);
     if (!exacter.candidate.list.met) break;
-    draw(exacter, network, parts.wanted, static_cast<std::uint64_t>(attempt) + 1);
     // What is asked for bounds the price, not what it took.
     exacter.candidate.list.price_bound = bound;
     exacter.candidate.resistors_bound = bound + second_parts(exacter, parts.wanted);
     offer = std::move(exacter);
   }
+  claim(result, draw(offer, network, parts.wanted, drawn.common, of_claim), target);
   return offer;
 }
 
@@ -263,19 +283,22 @@ PartsList list_of(const SceneCircuit& circuit, double target,
   if (options.opamp_part != nullptr) result.opamp_part = options.opamp_part->name;
   std::vector<Offer> offers;
   offers.reserve(circuits.size());
-  const double balance = circuit.tolerance().balance.value_or(0.0);
-  for (const auto& one : circuits) offers.push_back(priced(one, problems, result, balance));
+  const ToleranceOptions drawn = circuit.tolerance();
+  if (drawn.common.measured) result.wanted.classes.front().spread = drawn.common.measured->spread;
+  for (const auto& one : circuits) offers.push_back(priced(one, problems, result, drawn));
   std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
     return a.candidate.good() != b.candidate.good() ? a.candidate.good()
                                                     : a.candidate.price < b.candidate.price;
   });
   for (const Offer& offer : offers) {
     result.candidates.push_back(offer.candidate);
-    if (result.choice || !offer.candidate.good() || !(*offer.candidate.p95 <= target)) continue;
+    if (result.choice || !offer.candidate.good()) continue;
     result.chosen_at = result.candidates.size() - 1;
     PartsList::Choice choice{
         .soldered = soldered(offer.circuit->flat(), offer.values, tolerances(offer, result.wanted)),
-        .arrays = by_array(offer, result.wanted.classes.size())};
+        .arrays = by_array(offer, result.wanted.classes.size()),
+        .network = offer.circuit,
+        .bought = {siemens_of(offer.values), errors_of(offer, result.wanted, drawn.common)}};
     choice.order = order_of(choice.soldered);
     result.choice = std::make_shared<const PartsList::Choice>(std::move(choice));
   }
@@ -285,14 +308,7 @@ PartsList list_of(const SceneCircuit& circuit, double target,
 }  // namespace
 
 std::pair<double, double> PartsList::Candidate::interval() const noexcept {
-  if (builds == 0) return {0.0, 1.0};
-  constexpr double z = 1.96;
-  const auto n = static_cast<double>(builds);
-  const double share = static_cast<double>(within) / n;
-  const double middle = (share + 0.5 * z * z / n) / (1.0 + z * z / n);
-  const double half =
-      z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + 0.25 * z * z / (n * n));
-  return {std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
+  return share_interval(within, builds);
 }
 
 bool PartsList::opamps_too_coarse() const noexcept {
@@ -303,6 +319,12 @@ bool PartsList::opamps_too_coarse() const noexcept {
     if (one.opamps_p95 <= wanted.target) return false;
   }
   return any;
+}
+
+bool PartsList::common_too_coarse() const noexcept {
+  return std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& one) {
+    return one.stable() && one.opamps_p95 <= wanted.target && one.common_p95 > wanted.target;
+  });
 }
 
 PartsList parts_list(const SceneCircuit& circuit, double target) {

@@ -18,17 +18,6 @@
 namespace tactile_net::lab {
 namespace {
 
-/// Largest row sum of |P|, which bounds its largest eigenvalue.
-double row_sum_norm(const Matrix& matrix) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < matrix.rows; ++i) {
-    double sum = 0.0;
-    for (const double value : matrix.row(i)) sum += std::abs(value);
-    largest = std::max(largest, sum);
-  }
-  return largest;
-}
-
 /// What the devices' curves do to the answer, to first order: P dv = -(their currents beyond
 /// -g v), and twice that for the orders left out.
 double bound_of_curves(const SceneCircuit& circuit) {
@@ -168,7 +157,7 @@ const std::vector<double>& SceneCircuit::direct() const {
 
 Condition SceneCircuit::condition() const {
   const double smallest = network_->eigenvalues().smallest;
-  return {smallest > 0.0 ? row_sum_norm(network_->problem().matrix) / smallest
+  return {smallest > 0.0 ? largest_row_sum(network_->problem().matrix) / smallest
                          : std::numeric_limits<double>::infinity(),
           Condition::Kind::bound, Condition::Matrix::normal};
 }

@@ -31,10 +31,10 @@ class Market {
   Market(std::span<const double> sensitivities, const std::vector<PartClass>& classes)
       : sensitivities_(sensitivities), classes_(classes) {}
 
-  /// Squared error that a resistor of a class adds: uniform within its tolerance.
+  /// Squared error that a resistor of a class adds.
   [[nodiscard]] double error(std::size_t resistor, std::size_t of_class) const {
-    const double tolerance = classes_[of_class].tolerance;
-    return sensitivities_[resistor] * tolerance * tolerance / 3.0;
+    const auto& [tolerance, price, spread] = classes_[of_class];
+    return sensitivities_[resistor] * (spread ? *spread * *spread : tolerance * tolerance / 3.0);
   }
 
   [[nodiscard]] double price(std::size_t of_class) const { return classes_[of_class].price; }

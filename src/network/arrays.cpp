@@ -9,12 +9,13 @@ namespace tactile_net {
 namespace {
 
 /// What the names of an array's resistors begin with (src/network/realizations).
-constexpr std::array<std::pair<std::string_view, Array>, 8> prefixes = {
+constexpr std::array<std::pair<std::string_view, Array>, 9> prefixes = {
     {{"Rk", Array::kernel},
      {"Rt", Array::transposed},
      {"Rs", Array::stabiliser},
      {"Re", Array::feedback},
      {"Rg", Array::ground},
+     {"Ri", Array::inputs},
      {"Ra", Array::conductances},
      {"Rb", Array::conductances},
      {"R", Array::conductances}}};
@@ -47,6 +48,8 @@ std::string_view name(Array array) noexcept {
       return "residuals' feedback";
     case Array::ground:
       return "to ground";
+    case Array::inputs:
+      return "inputs";
     case Array::inside:
       return "converters and inverters";
   }

@@ -307,6 +307,8 @@ void add_equations(Certificate& c, const NetworkCircuit& circuit) {
   if (!z.allFinite()) throw std::domain_error("the network has no unique answer");
   const Reduction::Load load = reduction.load({z.data(), static_cast<std::size_t>(z.size())});
   c.largest_voltage = load.largest_voltage;
+  for (const CurrentSource& one : circuit.circuit().sources)
+    if (one.volts) c.input_volts = std::max(c.input_volts.value_or(0.0), std::abs(*one.volts));
   c.power = load.power;
   // Errors of a ladder move the metric in which its energy falls, and second poles or capacitance
   // beside the amplifiers' poles leave no metric at all once errors make the coupling unequal: no

@@ -8,6 +8,13 @@ Node add_node(Circuit& circuit, std::string name) {
   return circuit.nodes.size() - 1;
 }
 
+std::vector<bool> held_nodes(const Circuit& circuit) {
+  std::vector<bool> held(circuit.nodes.size());
+  for (const CurrentSource& one : circuit.sources)
+    if (one.volts) held[one.into] = true;
+  return held;
+}
+
 std::vector<std::string> output_names(const Circuit& circuit) {
   std::vector<std::string> names;
   for (const Node node : circuit.outputs) names.push_back(circuit.nodes[node]);

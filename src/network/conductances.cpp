@@ -51,6 +51,16 @@ ConductanceNetwork conductances(const Matrix& matrix) {
   return network;
 }
 
+double largest_row_sum(const Matrix& matrix) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < matrix.rows; ++i) {
+    double sum = 0.0;
+    for (const double value : matrix.row(i)) sum += std::abs(value);
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
+
 EigenvalueRange eigenvalue_range(const Matrix& matrix) {
   check_square(matrix);
   const Eigen::VectorXd ascending = symmetric_eigenvalues(as_eigen(matrix));

@@ -67,9 +67,9 @@ class Check {
           "its slope and its voltage must be > 0 and finite");
     }
     for (const CurrentSource& i : circuit.sources) {
-      unique(i.name, 'I');
-      element(i.name, exists(i.into) && std::isfinite(i.ampere),
-              "its node must exist and its current be finite");
+      unique(i.name, i.volts ? 'V' : 'I');
+      element(i.name, exists(i.into) && std::isfinite(i.volts.value_or(i.ampere)),
+              "its node must exist and its current or voltage be finite");
     }
     for (const Instance& x : circuit.instances) {
       unique(x.name, 'X');
@@ -231,14 +231,16 @@ void append_parts(std::string& deck, const Circuit& circuit, const DeckForm& for
 
 void append_sources(std::string& deck, const Circuit& circuit, const Analysis& analysis) {
   const std::vector<std::string>& nodes = circuit.nodes;
-  for (const CurrentSource& i : circuit.sources) {  // SPICE: from the first node to the second
-    deck += i.name + " 0 " + nodes[i.into];
+  for (const CurrentSource& i : circuit.sources) {
+    // SPICE: a current from the first node to the second, a voltage of the first over the second.
+    deck += i.name + (i.volts ? ' ' + nodes[i.into] + " 0" : " 0 " + nodes[i.into]);
+    const double value = i.volts.value_or(i.ampere);
     if (std::holds_alternative<DirectCurrent>(analysis))
-      deck += " DC " + shortest(i.ampere);
+      deck += " DC " + shortest(value);
     else if (std::holds_alternative<SingleFrequency>(analysis))
-      deck += " AC " + shortest(i.ampere) + " 90";
+      deck += " AC " + shortest(value) + " 90";
     else
-      deck += ' ' + step_of(i.ampere, std::get<StepResponse>(analysis),
+      deck += ' ' + step_of(value, std::get<StepResponse>(analysis),
                             static_cast<std::size_t>(&i - circuit.sources.data()));
     deck += '\n';
   }
@@ -283,7 +285,7 @@ std::string card_of(const Circuit& circuit, const Analysis& analysis, Dialect di
   if (!xyce || circuit.sources.empty()) return ".op\n";
   // Xyce prints no operating point; a sweep of one point is one.
   const CurrentSource& first = circuit.sources.front();
-  const std::string value = shortest(first.ampere);
+  const std::string value = shortest(first.volts.value_or(first.ampere));
   return ".dc " + first.name + ' ' + value + ' ' + value + " 1\n" +
          printed_by_xyce(circuit, "dc", "v");
 }
@@ -383,7 +385,8 @@ void write_subcircuit(std::ostream& out, const Circuit& circuit, const DeckHeade
   check(circuit, header, DirectCurrent{}, form);
   check_name(name, circuit);
   std::string text = "* " + header.title + '\n' + comments_of(circuit, header, form.dialect);
-  text += "* Pins: the nodes that readings' currents flow into, then the outputs.\n.subckt " + name;
+  text +=
+      "* Pins: the nodes of the readings' currents or voltages, then the outputs.\n.subckt " + name;
   for (const Node node : ports(circuit)) text += ' ' + circuit.nodes[node];
   text += '\n';
   // ngspice knows sub-circuits with parameters inside others "only marginally": converters opened.

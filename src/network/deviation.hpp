@@ -14,7 +14,7 @@ namespace tactile_net {
 /// x at the end, -A^-1 b.
 [[nodiscard]] Eigen::VectorXd end_of(const StateSpace& system);
 
-/// x before there are readings, -A^-1 `idle_drive`.
+/// x as the readings have just come, -A^-1 `idle_drive` and their `jump`.
 [[nodiscard]] Eigen::VectorXd start_of(const StateSpace& system);
 
 /// C (x - x_end), where x - x_end begins at `start` and follows exp(A t).

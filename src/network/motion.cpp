@@ -35,7 +35,9 @@ MotionLag motion_lag(const NetworkCircuit& circuit, std::span<const double> rate
   const StateSpace moving = driven_by(circuit, rate);
   const Eigen::VectorXd drive = as_eigen(std::span(moving.drive));
   const Eigen::VectorXd moved = lu.solve(drive);
-  const Eigen::VectorXd behind = lu.solve(moved);
+  Eigen::VectorXd pushed = moved;  // voltages that rise push through capacitance too
+  if (!moving.jump.empty()) pushed += as_eigen(std::span(moving.jump));
+  const Eigen::VectorXd behind = lu.solve(pushed);
   const std::vector<double> rest = steady_state(system);
   const double size = as_eigen(std::span(rest)).norm();
   if (!(size > 0.0)) throw std::domain_error("without an answer there is nothing to follow");

@@ -54,7 +54,8 @@ struct NodalEquations::Numbering {
         capacitors(of.circuit().capacitors),
         charged(origins.size()),
         groups(origins.size()) {
-    for (Node node = 0; node < origins.size(); ++node) origins[node].node = node;
+    const std::vector<bool> held = held_nodes(of.circuit());
+    for (Node node = 0; node < origins.size(); ++node) origins[node].node = held[node] ? 0 : node;
     for (std::size_t k = 0; k < amplifiers.size(); ++k) {
       const FlatCircuit::Amplifier& x = of.amplifiers()[k];
       const OpAmp& opamp = amplifiers[k].opamp;
@@ -198,14 +199,39 @@ void NodalEquations::assemble(const Numbering& numbering) {
     return std::max(one.row(), one.col()) >= eigen_index(numbering.states);
   };
   std::erase_if(c, outside);  // a group's own capacitors say nothing of its common voltage
+  const std::vector<bool> held = held_nodes(flat);
+  const auto find = [&](std::vector<Input>& inputs, Node from, Node to, double value) {
+    if (held[from]) inputs.push_back({from, to, value});
+    if (held[to]) inputs.push_back({to, from, value});
+  };
+  for (const Resistor& r : flat.resistors) find(through_resistors_, r.from, r.to, r.siemens);
+  for (const Capacitor& one : flat.capacitors)
+    find(through_capacitors_, one.from, one.to, one.farad);
   conductances_.resize(eigen_index(numbering.unknowns), eigen_index(numbering.unknowns));
   conductances_.setFromTriplets(g.begin(), g.end());
   capacitances_.resize(eigen_index(numbering.states), eigen_index(numbering.states));
   capacitances_.setFromTriplets(c.begin(), c.end());
 }
 
-Eigen::VectorXd NodalEquations::right_side(std::span<const CurrentSource> sources) const {
+Eigen::VectorXd NodalEquations::driven(std::span<const Input> through,
+                                       std::span<const CurrentSource> sources) const {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(size());
+  if (through.empty()) return right;
+  std::vector<double> volts(nodes_.voltages.size());
+  for (const CurrentSource& one : sources) volts[one.into] = one.volts.value_or(0.0);
+  for (const Input& one : through)
+    each_term(nodes_.laws[one.into], [&](std::size_t row, double factor) {
+      right(eigen_index(row)) += factor * one.value * volts[one.held];
+    });
+  return right;
+}
+
+Eigen::VectorXd NodalEquations::jump() const {
+  return driven(through_capacitors_, circuit_.circuit().sources).head(states());
+}
+
+Eigen::VectorXd NodalEquations::right_side(std::span<const CurrentSource> sources) const {
+  Eigen::VectorXd right = driven(through_resistors_, sources);
   const auto add_current = [&](Node into, double ampere) {
     each_term(nodes_.laws[into],
               [&](std::size_t row, double factor) { right(eigen_index(row)) += factor * ampere; });
@@ -246,6 +272,8 @@ Eigen::VectorXd NodalEquations::voltages() const {
     each_term(nodes_.voltages[node], [&](std::size_t at, double factor) {
       volts(eigen_index(node)) += factor * x(eigen_index(at));
     });
+  for (const CurrentSource& one : circuit_.circuit().sources)
+    if (one.volts) volts(eigen_index(one.into)) = *one.volts;
   return volts;
 }
 

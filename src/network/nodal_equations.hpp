@@ -73,7 +73,8 @@ void stamp(const auto& rows, const auto& columns, double value, auto&& add) {
 /// that one is the group's.
 ///
 /// Two outputs of one op-amp are one unknown; behind output resistances half the difference of what
-/// they give off is its current. N-shaped devices have their slope at 0 V.
+/// they give off is its current. N-shaped devices have their slope at 0 V. A node that a source
+/// holds is ground to G and C, and what its voltage drives is in b.
 class NodalEquations {
  public:
   /// Of other op-amps than the circuit's own; empty: its own.
@@ -105,6 +106,10 @@ class NodalEquations {
   /// b of these sources and of the op-amps' own offsets and bias currents.
   [[nodiscard]] Eigen::VectorXd right_side(std::span<const CurrentSource> sources) const;
 
+  /// What the readings' step moves the states' charge by at once: their voltages through capacitors
+  /// [A s], as many as states; 0: there are none.
+  [[nodiscard]] Eigen::VectorXd jump() const;
+
   /// v = M x of the circuit's outputs.
   [[nodiscard]] Eigen::MatrixXd to_outputs() const;
 
@@ -126,12 +131,20 @@ class NodalEquations {
  private:
   struct Numbering;
   void assemble(const Numbering& numbering);
+  /// Parts between a node that a source holds and another one, and the node that it holds.
+  struct Input {
+    Node held = 0, into = 0;
+    double value = 0.0;  // [S], [F]
+  };
+  [[nodiscard]] Eigen::VectorXd driven(std::span<const Input> through,
+                                       std::span<const CurrentSource> sources) const;
   [[nodiscard]] const SparseLu& at_rest() const;
 
   const FlatCircuit& circuit_;
   std::vector<Amplifier> amplifiers_;
   NodalMap nodes_;
   Eigen::SparseMatrix<double> conductances_, capacitances_;
+  std::vector<Input> through_resistors_, through_capacitors_;
   Once<SparseLu> at_rest_;
 };
 

@@ -2,6 +2,7 @@
 /// The op-amps of one build. Private.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "network/random.hpp"
@@ -10,6 +11,18 @@
 #include "tactile_net/network/static_errors.hpp"
 
 namespace tactile_net {
+
+/// Where the draws of op-amps' inputs stand.
+struct InputPlaces {
+  std::size_t first = 0;    ///< behind the resistors and the balances
+  std::size_t offsets = 0;  ///< as many op-amps, or 0: they have none
+
+  [[nodiscard]] std::size_t offset(std::size_t opamp) const noexcept { return first + opamp; }
+  /// Of its '+' input, the other one's behind it.
+  [[nodiscard]] std::size_t bias(std::size_t opamp) const noexcept {
+    return first + offsets + 2 * opamp;
+  }
+};
 
 /// Draws op-amps beside `Reduction::siemens`: their balances, then their inputs' errors.
 class OpAmpDraws {
@@ -31,9 +44,12 @@ class OpAmpDraws {
   /// What offsets and bias currents add to the outputs, whatever the load [V].
   [[nodiscard]] Eigen::VectorXd of_inputs(std::uint64_t seed, std::size_t build) const {
     Eigen::VectorXd added = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(reduction_.outputs()));
-    std::size_t place = reduction_.resistors().size() + reduction_.complementary();
-    for (const Matrix* each : {&errors_.offset, &errors_.bias_current}) {
+    const InputPlaces places{reduction_.resistors().size() + reduction_.complementary(),
+                             errors_.offset.columns};
+    for (const auto& [each, begin] : {std::pair(&errors_.offset, places.offset(0)),
+                                      std::pair(&errors_.bias_current, places.bias(0))}) {
       if (each->values.empty()) continue;
+      std::size_t place = begin;
       Eigen::VectorXd drawn(static_cast<Eigen::Index>(each->columns));
       for (double& one : drawn) one = normal(seed, build, place++);
       added += as_eigen(*each) * drawn;

@@ -39,7 +39,15 @@ struct Reduction::Parts {
   void number(const FlatCircuit& circuit);
   void place_amplifiers(const FlatCircuit& circuit, bool follows);
   void find_inner(const FlatCircuit& circuit);
-  [[nodiscard]] std::vector<double> right_side(std::span<const CurrentSource> of) const;
+  [[nodiscard]] std::vector<double> right_side(std::span<const CurrentSource> of,
+                                               std::span<const double> siemens) const;
+
+  /// The voltages that sources hold nodes at; 0 at all others.
+  [[nodiscard]] std::vector<double> held(std::span<const CurrentSource> of) const {
+    std::vector<double> volts(nodes.voltages.size());
+    for (const CurrentSource& one : of) volts[one.into] = one.volts.value_or(0.0);
+    return volts;
+  }
 
   /// The map, with what these conductances make of the voltages inside.
   [[nodiscard]] NodalMap map_with(std::span<const double> siemens) const {
@@ -60,12 +68,16 @@ struct Reduction::Parts {
     at_end(resistors[r].to, -1.0);
   }
 
-  /// Calls `add(r, row, change)` for the changes of S z by a relative change of each conductance.
-  void each_change(std::span<const double> unknowns, auto&& add) const {
+  /// Calls `add(r, row, change)` for the changes of S z - h by a relative change of each
+  /// conductance.
+  void each_change(std::span<const double> unknowns, std::span<const CurrentSource> of,
+                   auto&& add) const {
     const NodalMap map = map_with(nominal);
+    const std::vector<double> known = held(of);
     for (std::size_t r = 0; r < resistors.size(); ++r) {
       const NodalMap::Branch branch = map.between(resistors[r].from, resistors[r].to);
-      const double volts = value_of(branch.voltage, unknowns);
+      const double volts =
+          value_of(branch.voltage, unknowns) + known[resistors[r].from] - known[resistors[r].to];
       each_term(branch.law,
                 [&](std::size_t row, double factor) { add(r, row, factor * nominal[r] * volts); });
       at_ends(r, [&](Node end, double sign) {
@@ -93,7 +105,13 @@ struct Reduction::Parts {
   std::vector<Resistor> resistors;
   std::vector<std::string> names;
   std::vector<double> nominal;  // conductances
-  std::vector<double> sources;  // current into each row
+  std::vector<CurrentSource> sources;
+  /// A resistor that a reading's voltage comes in through.
+  struct Input {
+    std::size_t resistor = 0;
+    Node held = 0, into = 0;
+  };
+  std::vector<Input> voltages;
 };
 
 Reduction::Parts::Parts(const FlatCircuit& circuit)
@@ -103,7 +121,8 @@ Reduction::Parts::Parts(const FlatCircuit& circuit)
       inverse_at(input.size(), none),
       inner_at(input.size(), none),
       has_subcircuits(circuit.had_subcircuits()),
-      resistors(circuit.circuit().resistors) {
+      resistors(circuit.circuit().resistors),
+      sources(circuit.circuit().sources) {
   const Circuit& flat = circuit.circuit();
   if (!flat.inductors.empty() || !flat.devices.empty())
     throw std::invalid_argument("inductors and N-shaped devices have no equations of this form");
@@ -113,21 +132,31 @@ Reduction::Parts::Parts(const FlatCircuit& circuit)
   }
   number(circuit);
   find_inner(circuit);
-  sources = right_side(flat.sources);
+  const std::vector<bool> is_held = held_nodes(flat);
+  for (std::size_t r = 0; r < resistors.size(); ++r)
+    for (const auto& [here, there] : {std::pair(resistors[r].from, resistors[r].to),
+                                      std::pair(resistors[r].to, resistors[r].from)})
+      if (is_held[here]) voltages.push_back({r, here, there});
 }
 
-std::vector<double> Reduction::Parts::right_side(std::span<const CurrentSource> of) const {
+std::vector<double> Reduction::Parts::right_side(std::span<const CurrentSource> of,
+                                                 std::span<const double> siemens) const {
   std::vector<double> currents(rows);
-  for (const CurrentSource& i : of)
-    each_term(nodes.laws[i.into],
-              [&](std::size_t row, double factor) { currents[row] += factor * i.ampere; });
+  const auto add = [&](Node into, double ampere) {
+    each_term(nodes.laws[into],
+              [&](std::size_t row, double factor) { currents[row] += factor * ampere; });
+  };
+  for (const CurrentSource& i : of) add(i.into, i.ampere);
+  if (voltages.empty()) return currents;
+  const std::vector<double> known = held(of);
+  for (const Input& one : voltages) add(one.into, siemens[one.resistor] * known[one.held]);
   return currents;
 }
 
 /// Rows: outputs in their order, then the rest.
 void Reduction::Parts::number(const FlatCircuit& circuit) {
   const Circuit& flat = circuit.circuit();
-  std::vector<bool> driven(flat.nodes.size());
+  std::vector<bool> driven = held_nodes(flat);
   std::vector<std::size_t> pins_at(flat.nodes.size());
   driven[0] = true;
   for (const FlatCircuit::Amplifier& x : circuit.amplifiers()) {
@@ -256,7 +285,7 @@ void Reduction::assemble(std::span<const double> siemens, Equations& equations,
   clear(equations.matrix, parts.rows, parts.rows);
   if (parts.inputs > 0) clear(equations.input, parts.rows, parts.inputs);
   equations.total.assign(parts.rows, 0.0);
-  equations.right_side = parts.sources;
+  equations.right_side = parts.right_side(parts.sources, siemens);
 
   NodalMap map = parts.map_with(siemens);
   for (std::size_t k = 0; k < balance.size(); ++k)
@@ -277,9 +306,12 @@ void Reduction::assemble(std::span<const double> siemens, Equations& equations,
   for (const Resistor& one : more) add(one.from, one.to, one.siemens);
 }
 
-std::vector<double> Reduction::right_side(std::span<const CurrentSource> sources) const {
-  return parts_->right_side(sources);
+std::vector<double> Reduction::right_side(std::span<const CurrentSource> sources,
+                                          std::span<const double> siemens) const {
+  return parts_->right_side(sources, siemens);
 }
+
+bool Reduction::has_voltages() const noexcept { return !parts_->voltages.empty(); }
 
 std::vector<double> Reduction::currents(std::span<const Resistor> more,
                                         std::span<const double> unknowns) const {
@@ -305,7 +337,7 @@ Matrix Reduction::sensitivity_bound() const {
   std::vector<double> unit(parts_->rows);
   for (std::size_t column = 0; column < parts_->rows; ++column) {
     unit[column] = 1.0;
-    parts_->each_change(unit, [&](std::size_t, std::size_t row, double siemens) {
+    parts_->each_change(unit, {}, [&](std::size_t, std::size_t row, double siemens) {
       bound(row, column) += std::abs(siemens);
     });
     unit[column] = 0.0;
@@ -323,12 +355,18 @@ Reduction::Feed Reduction::feed(std::size_t resistor) const {
   return factor > 0.0 ? Feed::output : Feed::inverse;
 }
 
-Matrix Reduction::sensitivities(std::span<const double> unknowns) const {
+Matrix Reduction::sensitivities(std::span<const double> unknowns,
+                                std::span<const CurrentSource> sources) const {
   Matrix result;
   clear(result, parts_->resistors.size(), parts_->rows);
-  parts_->each_change(
-      unknowns, [&](std::size_t r, std::size_t row, double ampere) { result(r, row) += ampere; });
+  parts_->each_change(unknowns, sources, [&](std::size_t r, std::size_t row, double ampere) {
+    result(r, row) += ampere;
+  });
   return result;
+}
+
+Matrix Reduction::sensitivities(std::span<const double> unknowns) const {
+  return sensitivities(unknowns, parts_->sources);
 }
 
 Matrix Reduction::balance_sensitivities(std::span<const double> unknowns) const {
@@ -361,13 +399,16 @@ Reduction::Branch Reduction::branch(std::size_t resistor) const {
 
 Reduction::Load Reduction::load(std::span<const double> unknowns) const {
   const NodalMap map = parts_->map_with(parts_->nominal);
+  const std::vector<double> known = parts_->held(parts_->sources);
   Load load;
   for (const NodalMap::Terms& voltage : map.voltages)
     load.largest_voltage = std::max(load.largest_voltage, std::abs(value_of(voltage, unknowns)));
-  for (std::size_t r = 0; r < parts_->resistors.size(); ++r)
-    load.power +=
-        parts_->nominal[r] *
-        std::pow(value_of(map.between(ends(r).first, ends(r).second).voltage, unknowns), 2);
+  for (std::size_t r = 0; r < parts_->resistors.size(); ++r) {
+    const auto [from, to] = ends(r);
+    const double volts =
+        value_of(map.between(from, to).voltage, unknowns) + known[from] - known[to];
+    load.power += parts_->nominal[r] * volts * volts;
+  }
   return load;
 }
 

@@ -137,9 +137,11 @@ std::optional<double> slewing_settling_time(const StateSpace& system, double acc
   if (!(slowest < 0.0)) return std::nullopt;
   const Slewing slewing(system, system.drive);
   const Eigen::MatrixXd c = as_eigen(system.output);
-  const std::optional<Eigen::VectorXd> begins =
-      system.idle_drive.empty() ? start_of(system)
-                                : Slewing(system, system.idle_drive).rest(start_of(system));
+  std::optional<Eigen::VectorXd> begins = start_of(system);
+  if (!system.idle_drive.empty()) {
+    begins = Slewing(system, system.idle_drive).rest(*begins);
+    if (begins && !system.jump.empty()) *begins += as_eigen(std::span(system.jump));
+  }
   const std::optional<Eigen::VectorXd> ends = slewing.rest(end_of(system));
   if (!begins || !ends) return std::nullopt;
   const Eigen::VectorXd& end = *ends;

@@ -9,21 +9,20 @@
 
 #include "network/draw_stability.hpp"
 #include "network/opamp_draws.hpp"
-#include "network/random.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 
 namespace tactile_net {
 namespace {
 
-Eigen::MatrixXd right_sides(const Reduction& reduction, std::span<const Load> loads) {
+Eigen::MatrixXd right_sides(const Reduction& reduction, std::span<const Load> loads,
+                            std::span<const double> siemens) {
   if (loads.empty()) throw std::invalid_argument("a loaded network needs a load");
   Eigen::MatrixXd all(static_cast<Eigen::Index>(reduction.rows()),
                       static_cast<Eigen::Index>(loads.size()));
   for (std::size_t load = 0; load < loads.size(); ++load) {
-    if (loads[load].size() != reduction.rows())
-      throw std::invalid_argument("a load needs a current for each of the network's equations");
-    all.col(static_cast<Eigen::Index>(load)) = as_eigen(std::span(loads[load]));
+    const std::vector<double> one = reduction.right_side(loads[load], siemens);
+    all.col(static_cast<Eigen::Index>(load)) = as_eigen(std::span(one));
   }
   return all;
 }
@@ -31,11 +30,12 @@ Eigen::MatrixXd right_sides(const Reduction& reduction, std::span<const Load> lo
 }  // namespace
 
 struct LoadedNetwork::Solved {
-  Solved(const Reduction& network, std::span<const Load> loads, BuiltOpAmps built)
+  Solved(const Reduction& network, std::span<const Load> given, BuiltOpAmps built)
       : reduction(network),
+        loads(given.begin(), given.end()),
         opamps(std::move(built)),
         draws(network, opamps.errors, opamps.balance),
-        right(right_sides(network, loads)),
+        right(right_sides(network, given, network.siemens())),
         lu(as_eigen(network.equations().matrix)),
         unknowns(lu.solve(right)),
         outputs(unknowns.topRows(static_cast<Eigen::Index>(network.outputs()))),
@@ -63,7 +63,8 @@ struct LoadedNetwork::Solved {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));
     for (Eigen::Index load = 0; load < unknowns.cols(); ++load) {
       const Eigen::VectorXd z = unknowns.col(load);
-      const Matrix each = reduction.sensitivities({z.data(), static_cast<std::size_t>(z.size())});
+      const Matrix each = reduction.sensitivities({z.data(), static_cast<std::size_t>(z.size())},
+                                                  loads[static_cast<std::size_t>(load)]);
       sum += (changes(as_eigen(each)) * by_currents).rowwise().squaredNorm() /
              (sizes(load) * sizes(load));
     }
@@ -72,8 +73,11 @@ struct LoadedNetwork::Solved {
   }
 
   /// The outputs less the nominal ones, of other conductances.
-  [[nodiscard]] Eigen::MatrixXd moved(const Equations& equations) const {
-    const Eigen::MatrixXd z = Lu(as_eigen(equations.matrix)).solve(right);
+  [[nodiscard]] Eigen::MatrixXd moved(const Equations& equations,
+                                      std::span<const double> siemens) const {
+    const Lu own(as_eigen(equations.matrix));
+    const Eigen::MatrixXd z =
+        own.solve(reduction.has_voltages() ? right_sides(reduction, loads, siemens) : right);
     return z.topRows(outputs.rows()) - outputs;
   }
 
@@ -83,6 +87,7 @@ struct LoadedNetwork::Solved {
   }
 
   const Reduction& reduction;
+  const std::vector<Load> loads;
   const BuiltOpAmps opamps;
   const OpAmpDraws draws;
   Eigen::MatrixXd right;
@@ -120,7 +125,7 @@ std::vector<double> LoadedNetwork::squared_errors(
 double LoadedNetwork::error(std::span<const double> siemens) const {
   Equations equations;
   solved_->reduction.assemble(siemens, equations);
-  return solved_->relative(solved_->moved(equations));
+  return solved_->relative(solved_->moved(equations, siemens));
 }
 
 OpAmpShares LoadedNetwork::opamp_shares() const {
@@ -155,24 +160,34 @@ OpAmpShares LoadedNetwork::opamp_shares() const {
           .total = root(squares.total + squares.balance)};
 }
 
+std::vector<double> LoadedNetwork::offsets(std::size_t count, std::uint64_t seed) const {
+  std::vector<double> result;
+  const OpAmpErrors& errors = solved_->opamps.errors;
+  if (errors.offset.values.empty() && errors.bias_current.values.empty()) return result;
+  for (std::size_t build = 0; build < count; ++build)
+    result.push_back(solved_->relative(
+        solved_->draws.of_inputs(seed, build).replicate(1, solved_->outputs.cols())));
+  return result;
+}
+
 std::vector<double> LoadedNetwork::builds(std::span<const double> printed,
-                                          std::span<const double> tolerances, std::size_t count,
+                                          const ResistorErrors& of_resistors, std::size_t count,
                                           std::uint64_t seed) const {
   const std::size_t resistors = solved_->reduction.resistors().size();
-  if (printed.size() != resistors || tolerances.size() != resistors)
-    throw std::invalid_argument("builds need a conductance and a tolerance a resistor");
+  if (printed.size() != resistors || of_resistors.size() != resistors)
+    throw std::invalid_argument("builds need a conductance and an error a resistor");
   std::vector<double> errors;
-  std::vector<double> siemens(resistors);
+  std::vector<double> siemens;
   Equations equations;
   for (std::size_t build = 0; build < count; ++build) {
-    for (std::size_t r = 0; r < resistors; ++r)
-      siemens[r] = printed[r] / (1.0 + tolerances[r] * uniform(seed, build, r));
+    siemens.assign(printed.begin(), printed.end());
+    of_resistors.draw(seed, build, siemens);
     solved_->reduction.assemble(siemens, equations, solved_->draws.balances(seed, build));
     if (!is_stable(solved_->reduction, equations)) {
       errors.push_back(std::numeric_limits<double>::infinity());
       continue;
     }
-    const Eigen::MatrixXd off = (solved_->moved(equations) + solved_->shifts).colwise() +
+    const Eigen::MatrixXd off = (solved_->moved(equations, siemens) + solved_->shifts).colwise() +
                                 solved_->draws.of_inputs(seed, build);
     errors.push_back(solved_->relative(off));
   }

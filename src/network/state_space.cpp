@@ -13,7 +13,7 @@
 namespace tactile_net {
 
 std::size_t count_states(const FlatCircuit& circuit) {
-  std::vector<bool> held(circuit.circuit().nodes.size());
+  std::vector<bool> held = held_nodes(circuit.circuit());
   std::vector<Capacitor> capacitors = circuit.circuit().capacitors;
   std::size_t states = 0;
   held[0] = true;
@@ -71,6 +71,10 @@ class Followed {
                       .drive = {driven.begin(), driven.end()},
                       .output = from_eigen(seen),
                       .direct = {direct.begin(), direct.end()}};
+    if (const Eigen::VectorXd charge = equations_.jump(); !charge.isZero(0.0)) {
+      const Eigen::VectorXd jump = over_inertia(charge);
+      system.jump.assign(jump.begin(), jump.end());
+    }
     for (const auto& [opamp, core] : equations_.amplifiers()) {
       if (opamp.slew)
         system.slewing.push_back(

@@ -33,9 +33,13 @@ Eigen::VectorXd end_of(const StateSpace& system) {
 }
 
 Eigen::VectorXd start_of(const StateSpace& system) {
-  if (system.idle_drive.empty()) return Eigen::VectorXd::Zero(std::ssize(system.drive));
-  const Eigen::VectorXd drive = as_eigen(std::span(system.idle_drive));
-  return -Lu(as_eigen(system.dynamics)).solve(drive);
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(std::ssize(system.drive));
+  if (!system.idle_drive.empty()) {
+    const Eigen::VectorXd drive = as_eigen(std::span(system.idle_drive));
+    start = -Lu(as_eigen(system.dynamics)).solve(drive);
+  }
+  if (!system.jump.empty()) start += as_eigen(std::span(system.jump));
+  return start;
 }
 
 std::vector<double> steady_state(const StateSpace& system) {

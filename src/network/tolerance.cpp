@@ -9,7 +9,6 @@
 #include "network/draw_stability.hpp"
 #include "network/opamp_draws.hpp"
 #include "network/programmed_arrays.hpp"
-#include "network/random.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/network/network_circuit.hpp"
@@ -33,7 +32,7 @@ double preferred(int place, int series) {
 /// Whether anything is random.
 bool draws(const ToleranceOptions& options) {
   return options.relative || options.stabiliser || options.balance || !options.each.empty() ||
-         options.cell_noise;
+         options.cell_noise || options.common.any();
 }
 
 void check(const ToleranceOptions& options, std::size_t resistors) {
@@ -41,13 +40,14 @@ void check(const ToleranceOptions& options, std::size_t resistors) {
     throw std::invalid_argument("a tolerance of each resistor needs one value a resistor");
   for (const double one : options.each)
     if (!(one > 0.0 && one < 1.0)) throw std::invalid_argument("a tolerance must be > 0 and < 1");
-  for (const auto& one : {options.relative, options.stabiliser, options.balance})
+  for (const auto& one : {options.relative, options.stabiliser, options.balance, options.bandwidth})
     if (one && !(*one > 0.0 && *one < 1.0))
       throw std::invalid_argument("a tolerance must be > 0 and < 1");
   if (!draws(options) && !options.series && !is_of_arrays(options))
     throw std::invalid_argument(
         "a tolerance needs relative errors, a series, bits, cell_noise or a wire_resistance");
   check_arrays(options);
+  check(options.common);
   if (!(options.accuracy > 0.0)) throw std::invalid_argument("the accuracy must be > 0");
   if (options.trials == 0) throw std::invalid_argument("a tolerance needs at least one trial");
 }
@@ -58,13 +58,24 @@ Eigen::VectorXd outputs_of(const Reduction& reduction, const Equations& equation
   return z.head(static_cast<Eigen::Index>(reduction.outputs()));
 }
 
-/// Of one resistor.
-double tolerance_of(const Reduction& reduction, const ToleranceOptions& options,
-                    std::size_t resistor) {
-  if (!options.each.empty()) return options.each[resistor];
+/// Of one resistor that is bought.
+ResistorError error_of(const Reduction& reduction, const ToleranceOptions& options,
+                       std::size_t resistor) {
+  if (!options.each.empty()) return {.tolerance = options.each[resistor]};
   if (options.stabiliser && reduction.resistors()[resistor].rfind("Rs", 0) == 0)
-    return *options.stabiliser;
-  return options.relative.value_or(0.0);
+    return {.tolerance = *options.stabiliser};
+  if (options.relative || !options.common.measured)
+    return {.tolerance = options.relative.value_or(0.0)};
+  return {.kind = ResistorError::Kind::measured};
+}
+
+ResistorErrors errors_of(const Reduction& reduction, const ToleranceOptions& options,
+                         const ProgrammedArrays& arrays) {
+  std::vector<ResistorError> each;
+  for (std::size_t r = 0; r < reduction.resistors().size(); ++r)
+    each.push_back(arrays.is_programmed(r) ? ResistorError{.kind = ResistorError::Kind::none}
+                                           : error_of(reduction, options, r));
+  return ResistorErrors(std::move(each), options.common);
 }
 
 double quantile(const std::vector<double>& ascending, double q) {
@@ -142,7 +153,10 @@ double preferred_siemens(Series series, double siemens) {
 class Draws {
  public:
   Draws(const Reduction& reduction, const ToleranceOptions& options)
-      : reduction_(reduction), options_(options), arrays_(reduction, options) {
+      : reduction_(reduction),
+        options_(options),
+        arrays_(reduction, options),
+        errors_(errors_of(reduction, options, arrays_)) {
     parts_.assign(reduction.siemens().begin(), reduction.siemens().end());
     if (options.series)
       for (double& value : parts_) value = preferred_siemens(*options.series, value);
@@ -152,23 +166,18 @@ class Draws {
   /// One trial's conductances, errors and all.
   void draw(std::size_t trial, std::vector<double>& siemens) const {
     siemens = parts_;
-    if (options_.relative || options_.stabiliser || !options_.each.empty())
-      for (std::size_t r = 0; r < siemens.size(); ++r)
-        siemens[r] /= 1.0 + tolerance(r) * uniform(options_.seed, trial, r);
+    errors_.draw(options_.seed, trial, siemens);
     arrays_.disturb(siemens, trial);
     arrays_.through_lines(siemens);
   }
 
   [[nodiscard]] const std::vector<Resistor>& paths() const noexcept { return arrays_.paths(); }
+  [[nodiscard]] BoughtParts bought() const { return {parts_, errors_}; }
 
   /// The first-order part of a result.
   void predict(ToleranceResult& result, const OpAmpErrors& opamps) const;
 
  private:
-  [[nodiscard]] double tolerance(std::size_t resistor) const {
-    return arrays_.is_programmed(resistor) ? 0.0 : tolerance_of(reduction_, options_, resistor);
-  }
-
   /// Of every resistor's relative error, what is drawn or of a series.
   [[nodiscard]] Eigen::VectorXd variances() const;
   /// The same of what every build has: rounded cells, seen through lines.
@@ -177,6 +186,7 @@ class Draws {
   const Reduction& reduction_;
   const ToleranceOptions& options_;
   ProgrammedArrays arrays_;
+  ResistorErrors errors_;
   std::vector<double> parts_;
 };
 
@@ -185,9 +195,8 @@ Eigen::VectorXd Draws::variances() const {
   double rounding = 0.0;
   if (options_.series)
     rounding = std::pow(std::log(10.0) / (2.0 * static_cast<double>(*options_.series)), 2) / 3.0;
-  Eigen::VectorXd result(static_cast<Eigen::Index>(parts_.size()));
-  for (std::size_t r = 0; r < parts_.size(); ++r)
-    result(static_cast<Eigen::Index>(r)) = std::pow(tolerance(r), 2) / 3.0 + rounding;
+  const std::vector<double> own = errors_.own_squares();
+  Eigen::VectorXd result = as_eigen(std::span(own)).array() + rounding;
   arrays_.add_variances(reduction_.siemens(), {result.data(), parts_.size()});
   return result;
 }
@@ -208,6 +217,10 @@ void Draws::predict(ToleranceResult& result, const OpAmpErrors& opamps) const {
   double sum = squares.sum();
   if (options_.balance)
     sum += *options_.balance * *options_.balance / 3.0 * of_balance(reduction_, first);
+  for (const ResistorErrors::Shared& one : errors_.shared()) {
+    const Eigen::MatrixXd moved = as_eigen(std::span(one.shares)).transpose() * by_resistors;
+    sum += one.square * first.squares(moved)(0);
+  }
   const bool drawn_alone = sum > 0.0;
   if (is_of_arrays(options_)) {
     Eigen::MatrixXd moved = changes().transpose() * by_resistors;
@@ -243,6 +256,14 @@ std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& op
   std::vector<double> siemens;
   Draws(reduction, options).draw(trial, siemens);
   return siemens;
+}
+
+BoughtParts bought_parts(const Reduction& reduction, const ToleranceOptions& options) {
+  if (is_of_arrays(options))
+    throw std::invalid_argument(
+        "cells that are programmed, and lines with a resistance, are not parts that are bought: "
+        "leave out bits, cell_noise and wire_resistance");
+  return Draws(reduction, options).bought();
 }
 
 std::vector<Resistor> paths_of_lines(const Reduction& reduction, const ToleranceOptions& options) {

@@ -11,6 +11,8 @@
 #include "tactile_net/drawing/html.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/board_words.hpp"
+#include "tactile_net/report/json/network_json.hpp"
+#include "tactile_net/report/words/datasheet_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
@@ -251,6 +253,10 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   if (c.board) page.files.emplace_back("copper.csv", report::copper_csv(*c.board));
   if (c.writes_board()) page.files.emplace_back("board.kicad_pcb", report::board_text(*c.parts));
 
+  if (c.datasheet)
+    page.files.push_back({report::datasheet_file(c.circuit.file()),
+                          report::datasheet_json(c.scene(), *c.datasheet)});
+
   std::string html = std::visit(
       [](const auto& scene) {
         return heading(scene.title, scene.file,
@@ -285,6 +291,9 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
     html += element("h3", "What to order") + html_table(cells(*c.parts)) +
             element("p", in_words(*c.parts));
   if (c.board) html += element("h3", "On its board") + html_list(in_words(*c.board));
+  if (c.datasheet)
+    html += element("h3", "Datasheet") + html_table(cells(*c.datasheet)) +
+            html_list(in_words(*c.datasheet));
   html += figures.html("parts");
   html += colophon("The scene, the files, the command",
                    std::visit([](const auto& scene) { return scene_html(scene); }, c.scene()),

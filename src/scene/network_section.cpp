@@ -2,6 +2,7 @@
 #include <limits>
 #include <optional>
 
+#include "scene/common_errors_section.hpp"
 #include "scene/sections.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/opamp_part.hpp"
@@ -216,22 +217,29 @@ void read_arrays(Table& table, const NetworkOptions& network, ToleranceOptions& 
     wire->problem("applies to arrays with complementary outputs", "under [network], no inverters");
 }
 
-ToleranceOptions read_tolerance(Table table, const NetworkOptions& network) {
+ToleranceOptions read_tolerance(Table table, const NetworkOptions& network,
+                                const std::filesystem::path& folder) {
   constexpr std::array series = {Series::e12, Series::e24, Series::e48, Series::e96, Series::e192};
   constexpr std::array<std::string_view, 5> names = {"E12", "E24", "E48", "E96", "E192"};
   ToleranceOptions tolerance;
-  const auto relative =
-      table.required("relative", "how far a component may be off: relative = 0.01",
-                     {"series", "bits", "cell_noise", "wire_resistance"});
+  const auto relative = table.required(
+      "relative", "how far a component may be off: relative = 0.01",
+      {"series", "bits", "cell_noise", "wire_resistance", "reel", "measured", "temperature"});
   if (relative) tolerance.relative = relative->number(below_one);
+  tolerance.common = read_common_errors(table, folder);
+  if (const auto measured = table.value("measured"); measured && relative)
+    relative->problem("stands beside measured, which says how far the same parts are off",
+                      "one of the two");
   const auto beside = [&](std::string_view key, std::optional<double>& target) {
     const auto value = table.value(key);
     if (!value) return;
     target = value->number(below_one);
-    if (!relative) value->problem("needs the other parts' tolerance", "beside it, relative = 0.01");
+    if (!relative && !tolerance.common.measured)
+      value->problem("needs the other parts' tolerance", "beside it, relative = 0.01");
   };
   beside("stabiliser", tolerance.stabiliser);
   beside("balance", tolerance.balance);
+  beside("bandwidth", tolerance.bandwidth);
   if (const auto value = table.value("series"))
     if (const auto index = value->one_of("series", names)) tolerance.series = series[*index];
   read_arrays(table, network, tolerance);
@@ -243,6 +251,35 @@ ToleranceOptions read_tolerance(Table table, const NetworkOptions& network) {
     tolerance.seed = static_cast<std::uint64_t>(seed->integer(0, INT64_MAX).value_or(1));
   table.finish();
   return tolerance;
+}
+
+/// How readings come in, where their resistors do not load the answer.
+void read_inputs(const Value& value, NetworkOptions& network) {
+  std::vector<std::string_view> names;
+  for (const auto& one : Enumerators<Inputs>::all) names.push_back(one.name);
+  const auto index = value.one_of("inputs", names);
+  if (!index) return;
+  network.parts.inputs = Enumerators<Inputs>::all[*index].value;
+  if (network.parts.inputs == Inputs::voltage && !traits(network.realization).drives_nodes)
+    value.problem("is of circuits whose nodes op-amps drive: in " +
+                      std::string(name(network.realization)) +
+                      " the resistors of the inputs would load the answer",
+                  "realization = \"lattice\", \"least_squares\" or \"crossbar\"");
+}
+
+/// What a datasheet is judged by.
+DatasheetLimits read_limits(Table table) {
+  DatasheetLimits limits;
+  const auto read = [&](std::string_view key, std::optional<double>& target, const Unit& unit) {
+    if (const auto value = table.value(key)) target = value->number(positive, unit);
+  };
+  read("error", limits.error, {});
+  read("offset", limits.offset, {});
+  read("settling", limits.settling, in_seconds);
+  read("noise", limits.noise, {});
+  read("supply_current", limits.supply_current, {});
+  table.finish();
+  return limits;
 }
 
 void read_parasitic(Table table, RealizationOptions& parts) {
@@ -264,7 +301,8 @@ void read_parasitic(Table table, RealizationOptions& parts) {
 }  // namespace
 
 NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
-                            const SpacingCheck& check_spacing) {
+                            const SpacingCheck& check_spacing,
+                            const std::filesystem::path& folder) {
   constexpr std::array curves = {Curve::cubic, Curve::tunnel_diode};
   constexpr std::array<std::string_view, 2> curve_names = {"cubic", "tunnel_diode"};
   NetworkOptions options{.one_volt = true};
@@ -296,6 +334,7 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
     parts.bandwidth_ratio = ratio->number(positive);
   if (const auto inverters = table.value("inverters"))
     parts.inverters = inverters->boolean().value_or(false);
+  if (const auto inputs = table.value("inputs")) read_inputs(*inputs, options);
   if (const auto ladder = table.value("ladder")) parts.ladder = ladder->boolean().value_or(false);
   if (const auto device = table.value("device"))
     if (const auto index = device->one_of("device", curve_names)) parts.curve = curves[*index];
@@ -310,7 +349,8 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
   options.own_input_capacitance = parts.opamp.input_capacitance;
   if (const auto parasitic = table_of(table.value("parasitic"))) read_parasitic(*parasitic, parts);
   if (const auto tolerance = table_of(table.value("tolerance")))
-    options.tolerance = read_tolerance(*tolerance, options);
+    options.tolerance = read_tolerance(*tolerance, options, folder);
+  if (const auto limits = table_of(table.value("limits"))) options.limits = read_limits(*limits);
   if (auto settling = table_of(table.value("settling"))) {
     if (const auto accuracy = settling->required(
             "accuracy", "how near to its end the answer must stay: accuracy = 1e-3"))

@@ -218,9 +218,12 @@ void read_tables(Table& root, const std::filesystem::path& folder, SceneKind aut
     scene.forward = read_forward(*table, can_be_sampled(scene));
   read_reconstruct(table_of(root.value("reconstruct")), sensor, read, folder, scene);
   const Unit alpha = alpha_unit(read.units, scene.noise, scene.sensor.reads);
-  scene.network = read_network(root, read.units, alpha, [&](const Value& value, double spacing) {
-    check_circuit_spacing(value, spacing, read, scene);
-  });
+  scene.network = read_network(
+      root, read.units, alpha,
+      [&](const Value& value, double spacing) {
+        check_circuit_spacing(value, spacing, read, scene);
+      },
+      folder);
   if (const auto table = table_of(root.value("report"))) scene.interval_level = read_level(*table);
   root.finish();
   scene = at_frame(std::move(scene), scene.time ? scene.time->frames - 1 : 0);

@@ -116,9 +116,11 @@ using SpacingCheck = std::function<void(const Value& value, double spacing)>;
 
 /// The table [network], if there is one; the noise is known by then.
 ///
-/// @param alpha  the unit of alpha and of the matrix P
+/// @param alpha   the unit of alpha and of the matrix P
+/// @param folder  of the scene's file
 [[nodiscard]] NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
-                                          const SpacingCheck& check_spacing);
+                                          const SpacingCheck& check_spacing,
+                                          const std::filesystem::path& folder);
 
 /// The tables of what lies between the pad and the file: [noise], [quantization] and their like.
 ///

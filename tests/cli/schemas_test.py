@@ -159,6 +159,9 @@ def check_all(place):
         check("identify", written("identify", scenes / f"{name}.toml"), name)
     for scene in (scenes / "nic.toml", scenes / "circuits/crossbar.toml", scenes / "circuits/least-squares.toml", skin):
         check("certify", written("certify", scene), scene)
+    scene = scenes / "circuits/crossbar.toml"
+    subprocess.run([tool, "certify", scene, "-q", "--datasheet", "--out", place / "sheet"], check=True, capture_output=True)
+    check("datasheet", (place / "sheet/crossbar.datasheet.json").read_text(), scene)
     for scene in (scenes / "nic.toml", scenes / "circuits/rail.toml", skin):
         check("relax", written("relax", scene), scene)
     subprocess.run([tool, "gen", scenes / "nic.toml", "-o", place / "nic.cir"], check=True)

@@ -41,7 +41,7 @@ TEST_CASE("the list to order is stable with the scene's op-amps, and its draws m
   const auto& chosen = list.chosen();
   CHECK(chosen.realization == Realization::lattice);
   CHECK(chosen.stable());
-  CHECK(chosen.p95.value() <= 3e-3);
+  CHECK(chosen.within >= 93 * chosen.builds / 100);
   CHECK(chosen.opamps_alone.offset > 0.0);
   CHECK(chosen.opamps_p95 < 3e-3);
   CHECK(chosen.resistors_price <= 1.01 * chosen.resistors_bound);
@@ -129,7 +129,8 @@ TEST_CASE("a list whose draws miss the target is made anew for a smaller one", "
     CAPTURE(target);
     const lab::PartsList own = lab::own_parts_list(circuit, target);
     REQUIRE(own.choice);
-    CHECK(own.chosen().p95.value() <= target);
+    CHECK(own.chosen().p95.value() <= 1.1 * target);
+    CHECK(own.chosen().within >= 93 * own.chosen().builds / 100);
     CHECK(own.chosen().resistors_price >= own.chosen().resistors_bound);
     CHECK(own.chosen().resistors_price <= 1.2 * own.chosen().resistors_bound);
     CHECK(own.choice->soldered.parts.size() ==
@@ -218,13 +219,65 @@ TEST_CASE("no resistors are ordered where op-amps alone err by more", "[parts_li
   const lab::PartsList shared =
       list_with(std::sqrt(0.5) * target / (exact.chosen().opamps_p95 / 1e-5));
   REQUIRE(shared.choice);
-  CHECK(shared.chosen().p95.value() <= target);
-  CHECK(shared.chosen().within >= 95 * shared.chosen().builds / 100);
+  CHECK(shared.chosen().within >= 93 * shared.chosen().builds / 100);
   CHECK(shared.chosen().resistors_price > exact.chosen().resistors_price);
   const auto [least, most] = shared.chosen().interval();
   CHECK(least <
         static_cast<double>(shared.chosen().within) / static_cast<double>(shared.chosen().builds));
   CHECK(most > 0.95);
+}
+
+TEST_CASE("what is claimed of a list is of builds that nothing was chosen with", "[parts_list]") {
+  const lab::SceneCircuit circuit =
+      small_circuit("realization = \"lattice\"\nopamp = { gain = 1e6, bandwidth = 10e6 }\n");
+  // Over many targets the claims are as far off 95 of 100 as fresh draws are, in the mean; those
+  // that a list was accepted by would all be above.
+  std::size_t within = 0;
+  std::size_t builds = 0;
+  for (double target = 4e-3; target < 8e-3; target *= 1.1) {
+    const lab::PartsList list = lab::own_parts_list(circuit, target);
+    REQUIRE(list.choice);
+    within += list.chosen().within;
+    builds += list.chosen().builds;
+    const auto [least, most] = list.chosen().interval();
+    CHECK(most >= 0.95);
+    CHECK_THAT(report::in_words(list), ContainsSubstring("Wilson's interval"));
+    // Drawn again, on other seeds, the share is in the interval's neighbourhood.
+    CHECK(least > 0.9);
+  }
+  CHECK(within >= 94 * builds / 100);
+}
+
+TEST_CASE(
+    "a reel's common error leaves no list with currents as inputs, and counts nothing with "
+    "voltages",
+    "[parts_list][voltage_inputs]") {
+  const std::string reel =
+      "realization = \"lattice\"\nopamp = { gain = 1e6, bandwidth = 10e6 }\n"
+      "tolerance = { relative = 0.01, reel = 0.02 }\n";
+  const double target = 6e-3;
+  const lab::PartsList currents = lab::own_parts_list(small_circuit(reel), target);
+  CHECK_FALSE(currents.choice);
+  CHECK(currents.common_too_coarse());
+  CHECK_FALSE(currents.opamps_too_coarse());
+  // 95 of 100 of a uniform error are within 95 % of it.
+  CHECK_THAT(currents.candidates[0].common_p95, WithinRel(0.95 * 0.02, 0.03));
+  CHECK_THAT(report::in_words(currents), ContainsSubstring("inputs = \"voltage\""));
+  const lab::PartsList voltages =
+      lab::own_parts_list(small_circuit("inputs = \"voltage\"\n" + reel), target);
+  REQUIRE(voltages.choice);
+  CHECK(voltages.chosen().common_p95 < 1e-5);
+  CHECK(voltages.chosen().within >= 93 * voltages.chosen().builds / 100);
+  bool inputs = false;
+  for (const lab::PartsOfArray& array : voltages.choice->arrays)
+    inputs = inputs || array.array == "inputs";
+  CHECK(inputs);
+  // Of those that may be recommended with voltages, none has nodes that they would load.
+  for (const auto& one : lab::recommend(small_circuit("inputs = \"voltage\"\n" + reel)).candidates)
+    CHECK(traits(one.realization).drives_nodes);
+  const lab::SceneCircuit circuit = small_circuit("inputs = \"voltage\"\n" + reel);
+  CHECK(circuit.certificate().input_volts.value() > 0.1);
+  CHECK(circuit.certificate().input_volts.value() <= 1.0);
 }
 
 TEST_CASE("an accuracy that no parts reach is said to be out of reach", "[parts_list][long]") {
@@ -242,7 +295,7 @@ TEST_CASE("the parts of a ladder are ordered as all are, and make its answer",
   REQUIRE(list.choice);
   const auto& chosen = list.chosen();
   CHECK(chosen.ladder);
-  CHECK(chosen.p95.value() <= 3e-3);
+  CHECK(chosen.within >= 93 * chosen.builds / 100);
   CHECK(chosen.resistors_price <= 1.01 * chosen.resistors_bound);
   std::size_t counted = 0;
   std::size_t better = 0;

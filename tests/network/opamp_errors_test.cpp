@@ -254,9 +254,8 @@ TEST_CASE("op-amps are in every build, each with errors of its own", "[opamp_err
   for (std::size_t i = 0; i < outputs; ++i) off[i] = base[i] - off[i];
   const double expected = std::sqrt(squares + std::pow(norm(off), 2)) / size;
 
-  const std::vector<Load> loads = {reduction.equations().right_side};
-  const std::vector<std::vector<CurrentSource>> sources = {circuit.circuit().sources};
-  const LoadedNetwork built(reduction, loads, {opamp_errors(circuit.flat(), sources), 0.0});
+  const std::vector<Load> loads = {circuit.circuit().sources};
+  const LoadedNetwork built(reduction, loads, {opamp_errors(circuit.flat(), loads), 0.0});
   const OpAmpShares alone = built.opamp_shares();
   CHECK_THAT(alone.offset, WithinRel(std::sqrt(squares) / size, 1e-5));
   CHECK_THAT(alone.total, WithinRel(expected, 1e-5));
@@ -266,7 +265,7 @@ TEST_CASE("op-amps are in every build, each with errors of its own", "[opamp_err
     return std::inner_product(errors.begin(), errors.end(), errors.begin(), 0.0) /
            static_cast<double>(errors.size());
   };
-  const std::vector<double> exact(reduction.resistors().size(), 0.0);
+  const ResistorErrors exact(std::vector<double>(reduction.resistors().size()));
   const std::vector<double> drawn = built.builds(reduction.siemens(), exact, 1000, 3);
   CHECK_THAT(std::sqrt(mean_square(drawn)), WithinRel(expected, 0.1));
   // The yield of a certificate counts them in the same way.
@@ -300,13 +299,14 @@ TEST_CASE("what op-amps do not have moves an answer by nothing at all", "[opamp_
 
 TEST_CASE("balance in a build is what it is in a draw", "[opamp_errors][tolerance]") {
   const ArrayNetwork network = array_network(9, 1e-3);
-  const Reduction reduction(realize(Realization::lattice, network.problem));
-  const std::vector<Load> loads = {reduction.equations().right_side};
+  const Circuit circuit = realize(Realization::lattice, network.problem);
+  const Reduction reduction(circuit);
+  const std::vector<Load> loads = {circuit.sources};
   const LoadedNetwork built(reduction, loads, {{}, 1e-3});
   const double predicted = tolerate(reduction, {.balance = 1e-3, .trials = 1}).predicted;
   CHECK_THAT(built.opamp_shares().balance, WithinRel(predicted, 1e-9));
   CHECK_THAT(built.opamp_shares().total, WithinRel(predicted, 1e-9));
-  const std::vector<double> exact(reduction.resistors().size(), 0.0);
+  const ResistorErrors exact(std::vector<double>(reduction.resistors().size()));
   const std::vector<double> errors = built.builds(reduction.siemens(), exact, 50, 1);
   const ToleranceResult drawn = tolerate(reduction, {.balance = 1e-3, .trials = 50, .seed = 1});
   for (std::size_t k = 0; k < errors.size(); ++k)

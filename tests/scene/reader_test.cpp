@@ -293,3 +293,48 @@ TEST_CASE("tolerances are those of the circuit's parts: arrays, resistors, balan
   CHECK(network("realization = \"least_squares\"\nladder = true\n").parts.ladder);
   CHECK_THROWS_WITH(network("ladder = 1\n"), ContainsSubstring("ladder"));
 }
+
+TEST_CASE("what all resistors have in common: reel, measured parts, temperature; and voltages",
+          "[scene]") {
+  const auto network = [](const std::string& text) {
+    return parsed_scene(smallest + "[network]\nrealization = \"lattice\"\n" + text).network;
+  };
+  CHECK(network("").parts.inputs == Inputs::current);
+  CHECK(network("inputs = \"voltage\"\n").parts.inputs == Inputs::voltage);
+  const CommonErrors common =
+      network(
+          "tolerance = { reel = 0.004, temperature = { kelvin = 40, ppm = 50, tracking_ppm = 5 "
+          "} }\n")
+          .tolerance.value()
+          .common;
+  CHECK(common.reel == 0.004);
+  CHECK(common.temperature.value().kelvin == 40.0);
+  CHECK_THAT(common.temperature->coefficient, WithinRel(50e-6, 1e-12));
+  CHECK_THAT(common.temperature->tracking, WithinRel(5e-6, 1e-12));
+  CHECK_FALSE(common.measured);
+
+  // A file beside the scene.
+  const auto measured = [&](const std::string& csv, const std::string& nominal = "10e3",
+                            const std::string& more = "") {
+    const TemporaryFile file("measured-reel.csv", csv);
+    return parse_scene(smallest +
+                           "[network]\nrealization = \"lattice\"\ntolerance = { measured = { "
+                           "file = \"measured-reel.csv\", nominal = " +
+                           nominal + " }" + more + " }\n",
+                       (file.path().parent_path() / "scene.toml").string())
+        .network.tolerance.value()
+        .common.measured.value();
+  };
+  const MeasuredReel reel = measured("part,value [kohm]\n1,10.03\n2,10.05\n3,10.04\n");
+  CHECK(reel.parts == 3);
+  CHECK_THAT(reel.mean, WithinRel(4e-3, 1e-9));
+  CHECK_THAT(reel.spread, WithinRel(1e-3, 1e-9));
+  CHECK_THAT(measured("ohms\n10030\n10050\n").mean, WithinRel(4e-3, 1e-9));
+  CHECK_THROWS_WITH(measured("ohms\n10030\n10.05\n"), ContainsSubstring("line 3"));
+  CHECK_THROWS_WITH(measured("value\n10030\n10050\n"), ContainsSubstring("value [kohm]"));
+  CHECK_THROWS_WITH(measured("ohms\n10030\nten\n"), ContainsSubstring("not a finite number"));
+  CHECK_THROWS_WITH(measured("ohms\n10030\n"), ContainsSubstring("two parts"));
+  CHECK_THROWS_WITH(measured("ohms\n10030\n10050\n", "10"), ContainsSubstring("nominal value"));
+  CHECK_THROWS_WITH(measured("ohms\n10030\n10050\n", "10e3", ", relative = 0.01"),
+                    ContainsSubstring("stands beside measured"));
+}

@@ -25,6 +25,7 @@
 #include "tests/network/opamps.hpp"
 #include "tests/network/problems.hpp"
 #include "tests/simulator/at_rest.hpp"
+#include "tests/simulator/noise.hpp"
 
 using namespace tactile_net;
 
@@ -33,29 +34,6 @@ namespace {
 const std::vector<Realization> of_opamps = {Realization::nic, Realization::rail,
                                             Realization::crossbar, Realization::least_squares,
                                             Realization::lattice};
-
-/// Root mean square, from the integral over ngspice's spectrum [V].
-double noise_of(const Simulation& seen) {
-  const std::span<const double> hertz = seen.plot.vector("frequency");
-  const std::span<const double> density = seen.plot.vector("onoise_spectrum");
-  double square = 0.0;
-  for (std::size_t k = 1; k < hertz.size(); ++k)
-    square += 0.5 * (hertz[k] - hertz[k - 1]) *
-              (density[k] * density[k] + density[k - 1] * density[k - 1]);
-  return std::sqrt(square);
-}
-
-/// `noise_of` the output n5.
-double noise_in_ngspice(const Circuit& circuit) {
-  std::ostringstream out;
-  write_deck(out, circuit, {.title = "noise"}, Answer::raw_file);
-  std::string deck = out.str();
-  const std::string source = circuit.sources.front().name;
-  deck.replace(deck.find(".op\n"), 4, ".noise v(n5) " + source + " dec 40 1 1e11\n");
-  deck.insert(deck.find('\n', deck.find('\n' + source + ' ') + 1), " AC 1");
-  Ngspice ngspice;
-  return noise_of(ngspice.run(deck));
-}
 
 }  // namespace
 
@@ -245,8 +223,10 @@ TEST_CASE("the noise of real inputs is ngspice's", "[spice][noise]") {
     std::optional<double> node{};  // a ladder's nodes need one for their noise to have a size
     double input = 1e-11;          // noise current: residual amplifiers' low resistors hide less
     double bandwidth = 1e7;
+    Inputs inputs = Inputs::current;
   };
   for (const Case& one : {Case{Realization::crossbar}, Case{Realization::lattice},
+                          Case{.realization = Realization::lattice, .inputs = Inputs::voltage},
                           Case{.realization = Realization::least_squares, .input = 1e-10},
                           Case{Realization::least_squares, true, 1e-12, 1e-10, 1e6}}) {
     const Circuit circuit = realize(one.realization, network.problem,
@@ -255,12 +235,13 @@ TEST_CASE("the noise of real inputs is ngspice's", "[spice][noise]") {
                                                .bandwidth = one.bandwidth,
                                                .noise_voltage = 5e-9,
                                                .noise_current = one.input},
+                                     .inputs = one.inputs,
                                      .ladder = one.ladder,
                                      .node_capacitance = one.node});
     const OutputNoise expected = output_noise(FlatCircuit(circuit));
     CAPTURE(name(one.realization), one.ladder);
     const double all = expected.thermal(5, 5) + expected.amplifiers(5, 5);
-    CHECK_THAT(noise_in_ngspice(circuit), WithinRel(std::sqrt(all), 0.03));
+    CHECK_THAT(noise_in_ngspice(circuit, "n5"), WithinRel(std::sqrt(all), 0.03));
     CHECK(expected.amplifiers(5, 5) > 0.1 * all);
   }
 }
@@ -276,7 +257,7 @@ TEST_CASE("a second pole's stage adds no noise of its own in ngspice", "[spice][
       CAPTURE(name(one), *opamp.second_pole);
       const Circuit circuit = realize(one, network.problem, {.opamp = opamp});
       const OutputNoise expected = output_noise(FlatCircuit(circuit));
-      CHECK_THAT(noise_in_ngspice(circuit),
+      CHECK_THAT(noise_in_ngspice(circuit, "n5"),
                  WithinRel(std::sqrt(expected.thermal(5, 5) + expected.amplifiers(5, 5)), 0.03));
     }
 }
@@ -398,7 +379,7 @@ TEST_CASE("ngspice settles in the certificate's time, with its noise, with all t
     REQUIRE(seen.end == TransientEnd::settles);
     CHECK_THAT(*seen.settling_seconds, WithinRel(*certificate.dynamics->settling_seconds, 0.05));
     const OutputNoise expected = output_noise(FlatCircuit(circuit));
-    CHECK_THAT(noise_in_ngspice(circuit),
+    CHECK_THAT(noise_in_ngspice(circuit, "n5"),
                WithinRel(std::sqrt(expected.thermal(5, 5) + expected.amplifiers(5, 5)), 0.03));
     // It is not the circuit without any of them.
     for (std::optional<double> RealizationOptions::*key :

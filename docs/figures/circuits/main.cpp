@@ -92,7 +92,7 @@ the resistors' part is equipartition and holds for any D. More siemens lower it 
 order a resistor's relative error t moves the squared answer by v t^2/3, v from the inverse of the reduced equations. So with a
 Lagrange multiplier on the mean square error each resistor's class is chosen by itself; the multiplier is found by halving, the rest is spent on coarser parts, and the dual
 bounds the price of any list. 95 of 100 builds lie within 1.55 times the root mean square: measured, and checked by draws with the list
-itself; if few parts count and the draws miss, a new list is made for a smaller target. Every build has the scene's op-amps, as in the yield, their
+itself; if few parts count and the draws miss, a new list is made for a smaller target. What is said of the list in the end is of other draws, with which nothing was chosen, and with Wilson's interval. Every build has the scene's op-amps, as in the yield, their
 `balance` too: the resistors get what these leave of the target, and if they leave nothing the output says how much each property of the op-amps takes. All realisations are compared, except
 those not known to be stable with the scene's own op-amps. Typical prices: 0.002, 0.05, 0.12 and 1
 for a resistor within 1, 0.1, 0.05 and 0.01 %, 2 for an op-amp; `parts` under [`network`](scene.md#network) states your own prices and classes. The better parts are where differences cancel: in the stabiliser at
@@ -113,11 +113,11 @@ the worst load's draws lie up to 12 % above the mean's.
 K' becomes what that of K became, times their ratio: an error that both share only changes the model. Parts of better classes are pairs, and as
 many of the others, those that count most first, until values take a sixteenth of the squared error; the rest is left to tolerances.
 
-The folder has these files of the cheapest circuit whose draws meet the target. `parts.csv` is the list to order: value, tolerance, quantity, designators of resistors, and the op-amps. `BOM.csv`
+The folder has these files of the cheapest circuit that may be ordered. `parts.csv` is the list to order: value, tolerance, quantity, designators of resistors, and the op-amps. `BOM.csv`
 is for assemblers, a part a row: `Comment` (its value such as `4.99k` or `499R`), `Designator`, `Footprint`, `MPN` (of the op-amps, where the scene names a part; the resistors' is for you to fill in), tolerance, its name in the deck, the other
 one of a resistor's pair, and a note if the scene's contacts put more power into it than its size carries (0402 62.5 mW, 0603 0.1 W). `board.kicad_pcb` opens in KiCad 6 and newer: footprints
 with designators, values, tolerances, courtyards and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
-pins (of a fully differential amplifier VOCM at ground, which is the middle of VCC and VEE, and pin 7, power-down where there is one and active low, at VCC: compare them with the data sheet of yours); a pin for each current of a reading, each output and the supply. It has four layers, GND on `In1.Cu` and VCC on `In2.Cu`, and no tracks. Route the board, and add decoupling capacitors. `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
+pins (of a fully differential amplifier VOCM at ground, which is the middle of VCC and VEE, and pin 7, power-down where there is one and active low, at VCC: compare them with the data sheet of yours); a pin for each reading, each output and the supply. It has four layers, GND on `In1.Cu` and VCC on `In2.Cu`, and no tracks. Route the board, and add decoupling capacitors. `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
 writes the deck of the same parts, with each tolerance as a comment; if siemens were raised (below), state those in the scene first.
 
 ## On its board
@@ -136,6 +136,16 @@ Copper loads every node, and enough of it makes any of these circuits oscillate.
 
 A board of another circuit is refused with the part, the net or the value that differs. No theorem but the crossbar's T5 speaks of capacitances that differ from node to node: poles decide.
 
+## A datasheet
+
+`tactile-net certify SCENE.toml --datasheet`, with `--budget` of the parts to order, says of builds what a data sheet does: error at rest, offset, settling time, noise and supply current, each with its least (min), its median (typ) and
+what 95 of 100 of all builds are within (max), over tolerances, op-amps and temperature, from draws with which nothing was chosen. The two ends between which 95 of 100 lie are ranks of the draws (Clopper and Pearson), so they hold for any distribution.
+`limits = { error = 0.003, settling = 3e-6 }` under [`network`](scene.md#network) says what is wanted: *pass* if 95 of 100 are within it as surely as that, *FAIL* if they are not (the command then exits with 1), else these draws do not decide.
+With `--out` the folder has `SCENE.datasheet.json`.
+
+Error and offset are of 200 to 1000 builds of the reduced equations; settling and noise of 75 to 200 builds with all their poles, each op-amp with an offset, bias currents and, with `bandwidth = 0.2` in `tolerance`, a bandwidth of its own.
+The supply current is each op-amp's own, typical of its data sheet, and what its outputs give off at rest. ngspice has the same error, settling time and noise of each build, and each figure within 10 % over builds of its own.
+
 ## Parts that are sold
 
 `opamp = "THS4551"` takes the figures of a data sheet, from `circuits/parts/THS4551.toml`, which says of each where the data sheet has it. `opamp = { part = "THS4551", second_pole = 270e6, supply = 5 }` states
@@ -146,6 +156,24 @@ A distributor's *fully differential amplifier* (FDA) is what `crossbar`, `least_
 gain, gain-bandwidth product and slew of the difference of its outputs: each output has half of them, and so has the deck. A stated `bandwidth` or `slew` is of one output. Where a data sheet gives a phase margin at a gain of 1
 the second pole is the one that makes it. Of offsets and bias currents the table has typical values or limits, as stated there; they are taken for standard deviations.
 
+## Voltages as inputs
+
+`inputs = "voltage"` takes each reading as a voltage behind a resistor of the circuit's own, where op-amps drive the nodes (`crossbar`, `least_squares`, `lattice`): sensors' amplifiers give voltages, and ideal currents
+are matched pairs of sources each. An answer of currents is as far off as all resistors together are: a reel 0.4 % high costs 0.4 %. With voltages every node is a ratio of resistors, and what all of them have in common
+cancels, exactly and with any gain of the op-amps; an `output_resistance` alone does not scale with them. In `nic`, `rail` and `ideal` the nodes carry the answer and would be loaded: they are refused.
+
+The resistor of a reading takes as much current as the largest row of K (of P in the crossbar) does: so no reading's voltage is above the largest that the answer can have with it, and all are in one unit, which `certify` says.
+They are part of each row's total conductance: of D_e and of the lag's bound (T6, T6L), of D and C/D (T5), of D_u (T7), in which the rows of `lattice` are weighed so that every residual counts as before. No theorem asks for less
+conductance, so all hold. What it costs is noise and offset, since the op-amps' own are amplified by the larger totals. Capacitance across an input's resistor passes a step at once: it is in the state space. `crossbar` takes the voltages of
+b = K'g, a digital product, as it takes its currents.
+
+## What resistors have in common
+
+Beside what each resistor is off, in [`tolerance`](scene.md#network): `reel`, an error that all of a build share, uniform within it; `measured = { file = "reel.csv", nominal = 10e3 }`, parts of a reel that were measured: every resistor has their mean (as well as
+so many parts tell it) and their spread, in place of `relative`; `temperature = { kelvin = 40, ppm = 50, tracking_ppm = 5 }`, builds that work up to 40 K from where parts have their value, with 50 ppm/K that all of a build
+share and 5 ppm/K of each part beside. All are in the yield, in the draws of `--budget` (the measured reel is that of the coarsest class there) and in the datasheet. Parts of different values are of different reels: what those do not
+share is each part's own.
+
 ## Other simulators
 
 `gen --dialect ltspice` or `xyce` keeps the documented rules of these simulators: no `^`, which LTspice takes for an exclusive
@@ -153,7 +181,7 @@ or; `noopac` for ngspice only, elsewhere 1 milliohm in series with each inductor
 of devices and of slewing op-amps in braces, packages of options, and `PARAMS:` before a sub-circuit's. Negative resistors are marked as untried. Neither simulator was at hand:
 ngspice reads the decks for LTspice to the same answer, and gnucap those of every realisation of resistors and op-amps, of the ladder too.
 
-`gen --subcircuit NAME -o x.lib --symbol x.asy` writes the circuit without its sources: its pins are the nodes that currents of readings flow into
+`gen --subcircuit NAME -o x.lib --symbol x.asy` writes the circuit without its sources: its pins are the nodes of the readings' currents or voltages
 (of `lattice` a pair for each reading), then the outputs, in a circuit of your own; the symbol is LTspice's.
 
 ## ideal
@@ -306,7 +334,7 @@ A reading's residual is a pair of nodes u+, u- that nothing drives. Array A (con
 leads to them from the columns +f_j and -f_j, array B (b_i |k_ij|) leads on to both inputs of the amplifiers, which is where the
 stabiliser's conductances meet them; signs are made by crossing the pairs. Readings are currents -+a_i g_i. With a_i = 4 b_i and b_i in proportion to
 sum_j |k_ij|, every residual u = (A f - a g)/D_u has the same weight w = a_i b_i/D_u, and the currents vanish where (K'K + R) f = K'g.
-A reading that comes as a voltage through a resistor adds that to D_u.
+A reading that comes as a voltage through a resistor adds that to D_u (`inputs = "voltage"`).
 
 **T7.** Amplifiers of one bandwidth W: stable for any capacitance C at their inputs with one pole or with second poles W2 >= 2 W, for any second pole
 without C, or for any capacitances C_u at the residuals' nodes with one pole and without C. Without any of them no mode rings. *Proof:* an amplifier has

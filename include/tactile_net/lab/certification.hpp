@@ -6,6 +6,7 @@
 
 #include "tactile_net/lab/board_certificate.hpp"
 #include "tactile_net/lab/contact_motion.hpp"
+#include "tactile_net/lab/datasheet.hpp"
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/parts_list.hpp"
 #include "tactile_net/lab/recommendation.hpp"
@@ -21,6 +22,7 @@ struct Certification {
   std::optional<PartsList> parts{};  ///< where an accuracy is asked for
   /// Of the board that is given, or of that which the list of parts makes.
   std::optional<BoardCertificate> board{};
+  std::optional<Datasheet> datasheet{};  ///< where one is asked for
   bool oscillating_board = false;  ///< as `CertificationOptions`
 
   /// Stability is of the linear circuit: where devices' curves leave no answer of it, why.
@@ -44,10 +46,11 @@ struct CertificationOptions {
   const LaidBoard* board = nullptr;  ///< of the scene's own circuit; null: none is given
   double phase_margin = usual_phase_margin;  ///< wanted on the board [degrees]
   bool oscillating_board = false;            ///< a board that oscillates is written all the same
+  bool datasheet = false;  ///< one is made, of the list's circuit where there is one
 };
 
 /// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit, or as
-///                                                  `parts_list` and `certify_board`
+///                                                  `parts_list`, `certify_board` and `datasheet`
 [[nodiscard]] Certification certify(const AnyScene& scene, Observer& observer = silent,
                                     const CertificationOptions& options = {});
 

@@ -40,23 +40,29 @@ struct PartsList {
     /// 100 draws are within. No list of resistors errs by less.
     OpAmpShares opamps_alone{};
     double opamps_p95 = 0.0;
+    /// The same with what all resistors have in common, their reel and the temperature.
+    double common_p95 = 0.0;
     Allocation list{};      ///< what is left for errors of parts once their values are rounded
     std::size_t pairs = 0;  ///< resistors that are two parts, the second of the same class
     double resistors_price = 0.0;  ///< of the list with its pairs
     double resistors_bound = 0.0;  ///< no list with these values is cheaper
     double rounding = 0.0;         ///< what values of the series do to the answer, relative
     double price = 0.0;            ///< of resistors and op-amps
-    /// Of draws with the list and the op-amps, which the list was not made with; infinite: more
-    /// than 1 of 20 is unstable; absent: none was drawn, since the circuit is not known to be
-    /// stable or no list meets the target.
+    bool tuned = false;            ///< the draws that the list was made with meet the target
+    /// Of draws with the list and the op-amps, with which nothing was chosen; infinite: more than 1
+    /// of 20 is unstable; absent: none was drawn, since the circuit is not known to be stable or no
+    /// list meets the target.
     std::optional<double> p95{};
     std::size_t builds = 0;  ///< that were drawn
     std::size_t within = 0;  ///< of them within the target
 
     [[nodiscard]] bool stable() const noexcept { return stability.stability == Stability::stable; }
-    [[nodiscard]] bool good() const noexcept { return stable() && list.met && p95.has_value(); }
-    /// Where the share of all builds that are within the target lies in 95 of 100 such draws
-    /// (Wilson 1927).
+    /// Whether it may be ordered: its own draws meet the target, and those that nothing was chosen
+    /// with do not speak against 95 of 100.
+    [[nodiscard]] bool good() const noexcept {
+      return stable() && list.met && tuned && interval().second >= 0.95;
+    }
+    /// `share_interval` of the builds within the target.
     [[nodiscard]] std::pair<double, double> interval() const noexcept;
   };
 
@@ -65,6 +71,8 @@ struct PartsList {
     SolderedCircuit soldered{};
     std::vector<OrderedPart> order{};    ///< equal ones together, by tolerance and value
     std::vector<PartsOfArray> arrays{};  ///< of resistors as they are wanted, a pair counted once
+    std::shared_ptr<const NetworkCircuit> network{};  ///< whose resistors they are
+    BoughtParts bought;                               ///< for these: values, and what they are off
   };
 
   AllocationOptions wanted{};
@@ -73,11 +81,13 @@ struct PartsList {
   double opamp_price = 2.0;  ///< of one, with two outputs; typical where the scene states none
   std::string opamp_part{};  ///< by which op-amps are ordered; empty: the scene names none
   std::vector<Candidate> candidates{};
-  std::optional<std::size_t> chosen_at{};  ///< the cheapest whose draws meet the target
+  std::optional<std::size_t> chosen_at{};  ///< the cheapest that may be ordered
   std::shared_ptr<const Choice> choice{};  ///< null: there is none
 
   /// Whether no candidate that is stable has op-amps that would do with exact resistors.
   [[nodiscard]] bool opamps_too_coarse() const noexcept;
+  /// Whether one that is stable would do, but for what all resistors have in common.
+  [[nodiscard]] bool common_too_coarse() const noexcept;
 
   /// @pre  there is a choice
   [[nodiscard]] const Candidate& chosen() const { return candidates[*chosen_at]; }

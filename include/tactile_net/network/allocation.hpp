@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace tactile_net {
 struct PartClass {
   double tolerance = 0.01;  ///< > 0, < 1
   double price = 0.0;       ///< of one, in any currency, >= 0
+  /// Standard deviation of their errors where it was measured, >= 0; absent: they are uniform
+  /// within the tolerance.
+  std::optional<double> spread{};
 };
 
 struct AllocationOptions {

@@ -15,6 +15,7 @@ enum class Array {
   stabiliser,    ///< R
   feedback,      ///< of residual amplifiers
   ground,        ///< from a node to ground
+  inputs,        ///< that readings come in through
   inside,        ///< of a converter or an inverter
 };
 

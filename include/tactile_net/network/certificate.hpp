@@ -217,6 +217,7 @@ struct Certificate {
   double greatest_ohm = 0.0;     ///< largest resistor
   double largest_voltage = 0.0;  ///< at any node, ideal amplifiers' outputs included [V]
   double power = 0.0;            ///< heat in the resistors, ideal amplifiers' supply aside [W]
+  std::optional<double> input_volts{};  ///< the largest of a reading [V]; absent: they are currents
   std::vector<CircuitRemark> remarks{};  ///< rules that are broken, and what to do
 };
 

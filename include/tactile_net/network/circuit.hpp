@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,10 +40,12 @@ struct Inductor {
   double henry = 0.0;  ///< > 0
 };
 
+/// What a reading drives a node with: a current from ground into it, or a voltage.
 struct CurrentSource {
-  std::string name{};  ///< begins with I
-  Node into = 0;       ///< the current flows from ground into this node
-  double ampere = 0.0;
+  std::string name{};  ///< begins with I, of a voltage with V
+  Node into = 0;
+  double ampere = 0.0;            ///< 0 of a voltage
+  std::optional<double> volts{};  ///< what it holds the node at [V]; absent: it is a current
 };
 
 /// A two-terminal device with an N-shaped characteristic, of slope -siemens at 0 V and no steeper
@@ -83,6 +86,9 @@ struct Circuit {
 
 /// Adds a node and returns its index.
 Node add_node(Circuit& circuit, std::string name);
+
+/// Which nodes the sources hold at a voltage, by their index.
+[[nodiscard]] std::vector<bool> held_nodes(const Circuit& circuit);
 
 /// Names of the outputs' nodes, in their order.
 [[nodiscard]] std::vector<std::string> output_names(const Circuit& circuit);

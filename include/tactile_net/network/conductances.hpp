@@ -29,6 +29,9 @@ struct ConductanceNetwork {
 ///                               largest entry)
 [[nodiscard]] ConductanceNetwork conductances(const Matrix& matrix);
 
+/// The largest sum of a row's entries in size, which bounds the largest eigenvalue.
+[[nodiscard]] double largest_row_sum(const Matrix& matrix);
+
 struct EigenvalueRange {
   double smallest = 0.0;
   double largest = 0.0;

@@ -16,4 +16,10 @@ namespace tactile_net {
 /// @throw std::domain_error      it has no unique operating point
 [[nodiscard]] std::vector<double> operating_voltages(const FlatCircuit& circuit);
 
+/// What the op-amps' outputs that give off current give off together at rest [A]: their supply has
+/// it beside what they take themselves.
+///
+/// @throw std::invalid_argument, std::domain_error  as `operating_voltages`
+[[nodiscard]] double sourced_current(const FlatCircuit& circuit);
+
 }  // namespace tactile_net

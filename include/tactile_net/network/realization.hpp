@@ -58,9 +58,22 @@ struct NetworkProblem {
 [[nodiscard]] NetworkProblem network_problem(const LinearProblem& problem, double alpha,
                                              std::span<const double> readings);
 
+/// How readings come in.
+enum class Inputs { current, voltage };
+
+template <>
+struct Enumerators<Inputs> {
+  static constexpr Enumerator<Inputs> all[] = {
+      {Inputs::current, "current", "Ideal currents."},
+      {Inputs::voltage, "voltage", "Voltages, each through a resistor of the circuit."}};
+};
+
 struct RealizationOptions {
   Scale scale{};
   OpAmp opamp{};
+  /// Voltages where op-amps drive the nodes: through resistors, so that no voltage is above the
+  /// largest that the answer could reach with it. What all resistors have in common then cancels.
+  Inputs inputs = Inputs::current;
   /// Where op-amps drive the nodes: inverters instead of complementary outputs.
   bool inverters = false;
   double residual_gain = 10.0;  ///< least_squares: rho, the residual amplifiers' gain, > 0
@@ -187,9 +200,9 @@ struct RealizationTraits {
 [[nodiscard]] bool takes_time(Realization realization, const RealizationOptions& options) noexcept;
 
 /// Builds the circuit. Its nodes are n0, n1, ..., or as the problem names them, one per row of P,
-/// and are its outputs; sources are I0, I1, ...; parts are named after the entry of P or K that
-/// they stand for. How each realisation does it stands at the head of its file in
-/// src/network/realizations.
+/// and are its outputs; sources are I0, I1, ..., of voltages V0, ... behind resistors Ri0, ...;
+/// parts are named after the entry of P or K that they stand for. How each realisation does it
+/// stands at the head of its file in src/network/realizations.
 ///
 /// @throw std::invalid_argument  sizes differ, a value is not finite, P is not symmetric, K is zero
 ///                               where it is used, a node's name cannot be used, or an option is

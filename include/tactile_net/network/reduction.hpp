@@ -67,8 +67,15 @@ class Reduction {
   /// With the nominal values.
   [[nodiscard]] Equations equations() const;
 
-  /// h of other sources at the circuit's nodes [A].
-  [[nodiscard]] std::vector<double> right_side(std::span<const CurrentSource> sources) const;
+  /// h of other sources at the circuit's nodes [A], with these conductances where voltages come in
+  /// through resistors.
+  [[nodiscard]] std::vector<double> right_side(std::span<const CurrentSource> sources,
+                                               std::span<const double> siemens) const;
+  [[nodiscard]] std::vector<double> right_side(std::span<const CurrentSource> sources) const {
+    return right_side(sources, siemens());
+  }
+  /// Whether readings come as voltages.
+  [[nodiscard]] bool has_voltages() const noexcept;
 
   /// How far each entry of S may move when every conductance is within a factor 1 +- error of its
   /// nominal value, for small errors: `bound(i, j) * error`.
@@ -98,6 +105,10 @@ class Reduction {
 
   /// d(S z - h)/d(log g) of every resistor, in the order of `resistors()`: each a row of `rows()`
   /// currents [A]. Through -S^-1 they are what relative errors of components do to z.
+  ///
+  /// @param sources  under which those are the unknowns; without: the circuit's own
+  [[nodiscard]] Matrix sensitivities(std::span<const double> unknowns,
+                                     std::span<const CurrentSource> sources) const;
   [[nodiscard]] Matrix sensitivities(std::span<const double> unknowns) const;
 
   /// The same by the balance of every amplifier with complementary outputs.

@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "tactile_net/network/reduction.hpp"
+#include "tactile_net/network/resistor_errors.hpp"
 #include "tactile_net/network/static_errors.hpp"
 
 namespace tactile_net {
 
-/// Currents of a load [A], as `Equations::right_side`.
-using Load = std::vector<double>;
+/// The sources of a load.
+using Load = std::vector<CurrentSource>;
 
 /// Relative changes of resistors' conductances.
 struct ResistorChange {
@@ -35,7 +36,7 @@ class LoadedNetwork {
  public:
   /// The reduction must outlive the object.
   ///
-  /// @throw std::invalid_argument  there is no load, or one has another size
+  /// @throw std::invalid_argument  there is no load
   /// @throw std::domain_error      the network has no unique answer, or it is 0 under a load
   LoadedNetwork(const Reduction& reduction, std::span<const Load> loads, BuiltOpAmps opamps = {});
   LoadedNetwork(LoadedNetwork&&) noexcept;
@@ -55,13 +56,17 @@ class LoadedNetwork {
   /// What the op-amps do by themselves.
   [[nodiscard]] OpAmpShares opamp_shares() const;
 
-  /// Errors of builds, ascending: each resistor within its tolerance of what is printed on it,
-  /// drawn as `tactile_net::drawn` does, and the op-amps as `OpAmpErrors` says; infinite: unstable.
+  /// What offsets and bias currents of builds make of the answer without a load, drawn as in
+  /// `builds`; empty: the op-amps have none.
+  [[nodiscard]] std::vector<double> offsets(std::size_t count, std::uint64_t seed) const;
+
+  /// Errors of builds, ascending: each resistor off what is printed on it as `tactile_net::drawn`
+  /// does it, and the op-amps as `OpAmpErrors` says; infinite: unstable.
   ///
-  /// @param printed     [S], as `Reduction::siemens()`
-  /// @param tolerances  as many, >= 0 and < 1
+  /// @param printed  [S], as `Reduction::siemens()`
+  /// @param errors   as many
   [[nodiscard]] std::vector<double> builds(std::span<const double> printed,
-                                           std::span<const double> tolerances, std::size_t count,
+                                           const ResistorErrors& errors, std::size_t count,
                                            std::uint64_t seed) const;
 
  private:

@@ -33,6 +33,9 @@ struct StateSpace {
   /// b while the readings' sources are at 0: offsets and bias currents, which are there before any
   /// reading is. Empty: there are none.
   std::vector<double> idle_drive{};
+  /// What the readings' step moves the states by at once: their voltages through capacitance across
+  /// resistors [V]. Empty: nothing.
+  std::vector<double> jump{};
 
   [[nodiscard]] std::size_t states() const noexcept { return drive.size(); }
 };

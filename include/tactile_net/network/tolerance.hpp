@@ -12,6 +12,7 @@
 
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/reduction.hpp"
+#include "tactile_net/network/resistor_errors.hpp"
 #include "tactile_net/network/static_errors.hpp"
 
 namespace tactile_net {
@@ -36,8 +37,14 @@ struct ToleranceOptions {
   /// op-amp's own, 0 < balance < 1. Not in `drawn`, which is of resistors alone, as it is without
   /// what else op-amps do.
   std::optional<double> balance{};
+  /// How far every op-amp's bandwidth, its second pole with it, is off, uniform within +-bandwidth,
+  /// > 0, < 1. It moves no answer at rest: not in `drawn` nor `tolerate`, but in `drawn_circuit`.
+  std::optional<double> bandwidth{};
   /// Of each resistor, as `Reduction::resistors()`, in place of `relative`; empty: all alike.
   std::vector<double> each{};
+  /// What all resistors that are bought have in common. Those of a measured reel are all whose
+  /// tolerance is not stated.
+  CommonErrors common{};
   std::optional<Series> series{};  ///< rounded to the nearest value of the series, first
   /// Arrays that are programmed instead of soldered: their cells are the resistors of K and K', or
   /// of P where there is no K, and `relative`, `each` and `series` are of the others alone. A cell
@@ -59,6 +66,15 @@ struct ToleranceOptions {
 /// component's place alone.
 [[nodiscard]] std::vector<double> drawn(const Reduction& reduction, const ToleranceOptions& options,
                                         std::size_t trial);
+
+/// The resistors as they are bought: what is printed on them [S], and how far each is off it.
+struct BoughtParts {
+  std::vector<double> printed{};
+  ResistorErrors errors;
+};
+
+/// @throw std::invalid_argument  arrays are programmed, or their lines have a resistance
+[[nodiscard]] BoughtParts bought_parts(const Reduction& reduction, const ToleranceOptions& options);
 
 /// What lines of `wire_resistance` add beside the resistors, the same in every trial: conductances
 /// between nodes of the circuit that the ends of an array's lines have besides its cells. Empty

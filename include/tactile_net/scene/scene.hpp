@@ -84,6 +84,15 @@ struct ReconstructOptions : SharedReconstructOptions {
 
 struct OpAmpPart;
 
+/// What 95 of 100 builds of a circuit are to stay within; absent: no matter.
+struct DatasheetLimits {
+  std::optional<double> error{};           ///< of the answer at rest, relative, > 0
+  std::optional<double> offset{};          ///< without readings, over the answer, > 0
+  std::optional<double> settling{};        ///< [s], > 0
+  std::optional<double> noise{};           ///< over the answer, > 0
+  std::optional<double> supply_current{};  ///< [A], > 0
+};
+
 struct NetworkOptions {
   Realization realization = Realization::ideal;
   /// Of the tractions that the nodes stand for [m], at least the surface's; absent: as that.
@@ -101,6 +110,7 @@ struct NetworkOptions {
       false;  ///< the scale's volts follow from the answer, whose largest voltage is 1 V
   std::optional<ToleranceOptions> tolerance{};  ///< absent: every component has its exact value
   std::optional<double> settling_accuracy{};    ///< absent: only the operating point
+  DatasheetLimits limits{};                     ///< that a datasheet is judged by
 };
 
 /// What scenes of lines and of skins have in common. `SensorEffects` lie between the pad and the

@@ -1,6 +1,7 @@
 /// @file
 /// Amplifier i drives node i; its summing node s_i takes |P_ij| from node j, or from its inverse
-/// where P_ij < 0, and gives off the current b_i.
+/// where P_ij < 0, and gives off the current b_i. As a voltage b_i comes through a resistor as
+/// large as the largest row's together, so that none is above the largest of the answer's.
 #include "network/realizations/nodes.hpp"
 #include "network/realizations/traits.hpp"
 
@@ -28,13 +29,14 @@ Circuit crossbar_circuit(const NetworkProblem& problem, const RealizationOptions
     circuit.outputs.push_back(nodes[i].plus);
   }
   const double siemens = options.scale.siemens;
+  const double input = options.inputs == Inputs::voltage ? siemens * largest_row_sum(matrix) : 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const std::string row = std::to_string(i);
     for (std::size_t j = 0; j < n; ++j)
       add_signed(circuit, "R" + row + "_" + std::to_string(j), nodes[j], nodes[i].summing,
                  siemens * matrix(i, j));
-    circuit.sources.push_back(
-        {"I" + row, nodes[i].summing, 0.0 - siemens * options.scale.volts * right_side[i]});
+    add_reading(circuit, row, nodes[i].summing, 0.0 - siemens * options.scale.volts * right_side[i],
+                input);
   }
   return circuit;
 }

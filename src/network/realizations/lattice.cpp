@@ -6,9 +6,11 @@
 ///
 /// With a_i = c b_i, a row's total D_i = (1 + c) b_i sum |k_ij|, so that b_i in proportion to
 /// sum |k_ij| gives every residual u_i = a_i (k f - g/scale)_i / D_i the same weight
-/// w = b_i a_i / D_i. The stabiliser's conductances are w R / scale^2 from +-f_j to s+-_i, and the
-/// fixed point is (K'K + R) f = K'g. The answer is free of K's unit: scale is the largest 2-norm of
-/// a column of K, b_i at most siemens * scale^2. The outputs are the amplifiers'.
+/// w = b_i a_i / D_i. As a pair of voltages a reading comes through resistors of a_i l, l the
+/// largest sum |k_ij|, which D_i has besides: b_i is then in proportion to sum |k_ij| + c/(1 + c)
+/// l. The stabiliser's conductances are w R / scale^2 from +-f_j to s+-_i, and the fixed point is
+/// (K'K + R) f = K'g. The answer is free of K's unit: scale is the largest 2-norm of a column of K,
+/// b_i at most siemens * scale^2. The outputs are the amplifiers'.
 #include <algorithm>
 
 #include "network/realizations/nodes.hpp"
@@ -45,6 +47,9 @@ Circuit lattice_circuit(const NetworkProblem& problem, const RealizationOptions&
   const Eigen::VectorXd row_sums = k.rowwise().lpNorm<1>() / scale;
   const double largest = row_sums.maxCoeff();
   const double siemens = options.scale.siemens * scale * scale;  // per unit of k
+  const double input = options.inputs == Inputs::voltage ? largest : 0.0;
+  const double share = array_ratio / (1.0 + array_ratio);
+  const double whole = largest + share * input;
 
   Circuit circuit;
   circuit.divider = options.divider;
@@ -64,7 +69,7 @@ Circuit lattice_circuit(const NetworkProblem& problem, const RealizationOptions&
     if (row_sum == 0.0) continue;  // a dead taxel has no residual
     const std::string row = std::to_string(i);
     const Pair u{add_node(circuit, "u" + row), add_node(circuit, "v" + row)};
-    const double b = siemens * (row_sum / largest);
+    const double b = siemens * ((row_sum + share * input) / whole);
     for (std::size_t j = 0; j < problem.kernel.columns; ++j) {
       const std::string pair = row + "_" + std::to_string(j);
       const double conductance = b * (problem.kernel(i, j) / scale);
@@ -72,14 +77,14 @@ Circuit lattice_circuit(const NetworkProblem& problem, const RealizationOptions&
       add_crossed(circuit, "Rt" + pair, u, inputs[j], -conductance);
     }
     const double ampere = array_ratio * b * options.scale.volts * (problem.readings[i] / scale);
-    circuit.sources.push_back({"I" + row + 'p', u.plus, 0.0 - ampere});
-    circuit.sources.push_back({"I" + row + 'n', u.minus, ampere});
+    add_reading(circuit, row + 'p', u.plus, 0.0 - ampere, array_ratio * b * input);
+    add_reading(circuit, row + 'n', u.minus, ampere, array_ratio * b * input);
     if (options.node_capacitance) {
       circuit.capacitors.push_back({"C" + row + 'p', u.plus, 0, *options.node_capacitance});
       circuit.capacitors.push_back({"C" + row + 'n', u.minus, 0, *options.node_capacitance});
     }
   }
-  const double weight = array_ratio / (1.0 + array_ratio) * options.scale.siemens / largest;
+  const double weight = share * options.scale.siemens / whole;
   for (std::size_t i = 0; i < problem.kernel.columns; ++i)
     for (std::size_t j = 0; j < problem.kernel.columns; ++j)
       add_crossed(circuit, "Rs" + std::to_string(i) + "_" + std::to_string(j), f[j], inputs[i],

@@ -3,7 +3,8 @@
 /// fixed point is K'K f + R f = K'g. Takes the readings themselves.
 ///
 /// Conductances are siemens * scale^2 * K/scale, scale = the largest 2-norm of a column of K, and
-/// rho * siemens * R: the answer is free of K's unit. The outputs are the main amplifiers'.
+/// rho * siemens * R: the answer is free of K's unit. The outputs are the main amplifiers'. A
+/// reading's voltage comes through a resistor as large as the largest row of K together.
 ///
 /// With a ladder the main amplifiers deliver y, and hold K'e = rho d y. Resistors from +-y to the
 /// nodes +-f, between neighbours and to ground make R f = d y of it (ladder.hpp); K's own load is
@@ -130,6 +131,8 @@ Circuit least_squares_circuit(const NetworkProblem& problem, const RealizationOp
         add_amplifier(circuit, "t" + index, "e" + index, "q" + index, others, options.inverters));
   }
 
+  const double input =
+      options.inputs == Inputs::voltage ? siemens * (largest_row_sum(k) / scale) : 0.0;
   for (std::size_t i = 0; i < k.rows; ++i) {
     if (e[i].summing == 0) continue;
     const std::string row = std::to_string(i);
@@ -140,9 +143,8 @@ Circuit least_squares_circuit(const NetworkProblem& problem, const RealizationOp
       add_signed(circuit, "Rt" + pair, e[i], y[j].summing, -conductance);
     }
     circuit.resistors.push_back({"Re" + row, e[i].plus, e[i].summing, siemens / rho});
-    circuit.sources.push_back(
-        {"I" + row, e[i].summing,
-         0.0 - siemens * options.scale.volts * (problem.readings[i] / scale)});
+    add_reading(circuit, row, e[i].summing,
+                0.0 - siemens * options.scale.volts * (problem.readings[i] / scale), input);
   }
   if (ladder) {
     ladder->close(circuit, y, stabiliser_siemens);

@@ -96,6 +96,21 @@ inline void add_driver(Circuit& circuit, Node input, const Signed& one, const st
   return one;
 }
 
+/// A reading into a node: a current, or that current's voltage behind a resistor of a node's own.
+///
+/// @param ampere   at a node of 0 V
+/// @param siemens  of the resistor; 0: it is a current
+inline void add_reading(Circuit& circuit, const std::string& name, Node into, double ampere,
+                        double siemens) {
+  if (siemens == 0.0) {
+    circuit.sources.push_back({"I" + name, into, ampere});
+    return;
+  }
+  const Node from = add_node(circuit, "g" + name);
+  circuit.resistors.push_back({"Ri" + name, from, into, siemens});
+  circuit.sources.push_back({"V" + name, from, 0.0, ampere / siemens});
+}
+
 /// A conductance of either sign from an amplifier's output into a summing node.
 inline void add_signed(Circuit& circuit, std::string name, const Signed& from, Node summing,
                        double siemens) {

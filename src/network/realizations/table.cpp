@@ -56,6 +56,11 @@ bool takes_time(Realization realization, const RealizationOptions& options) noex
 
 Circuit realize(Realization realization, const NetworkProblem& problem,
                 const RealizationOptions& options) {
+  if (options.inputs == Inputs::voltage && !traits(realization).drives_nodes)
+    throw std::invalid_argument(
+        "readings come as voltages where op-amps drive the nodes: in " +
+        std::string(name(realization)) +
+        " their resistors would load the answer; take crossbar, least_squares or lattice");
   Circuit circuit = traits(realization).build(problem, options);
   if (options.resistor_capacitance)
     for (const Resistor& one : circuit.resistors)

@@ -21,6 +21,7 @@ inline constexpr DocumentKind explain{"explain"};  ///< run --explain
 inline constexpr DocumentKind relax{"relax"};
 inline constexpr DocumentKind deck{"deck"};  ///< relax FILE.cir
 inline constexpr DocumentKind certify{"certify"};
+inline constexpr DocumentKind datasheet{"datasheet"};  ///< certify --datasheet
 inline constexpr DocumentKind simulate{"simulate"};
 inline constexpr DocumentKind solve{"solve", 2};
 inline constexpr DocumentKind identify{"identify", 2};

@@ -1,6 +1,7 @@
 #include "tactile_net/report/json/network_json.hpp"
 
 #include "report/json/board_fields.hpp"
+#include "report/json/datasheet_fields.hpp"
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
@@ -20,7 +21,7 @@ struct Fields<ElementCounts> {
       field("inductors", &ElementCounts::inductors, "Inductors."),
       field("capacitors", &ElementCounts::capacitors, "Capacitors."),
       field("devices", &ElementCounts::devices, "Devices with an N-shaped curve."),
-      field("sources", &ElementCounts::sources, "Current sources.")};
+      field("sources", &ElementCounts::sources, "Sources of readings, currents or voltages.")};
 };
 
 template <>
@@ -161,6 +162,8 @@ struct Fields<Certificate> {
       field("largest_voltage", &Certificate::largest_voltage, Measure::voltage,
             "The largest voltage of a node at rest."),
       field("power", &Certificate::power, Measure::power, "The heat in the resistors."),
+      field("input_volts", &Certificate::input_volts, Measure::voltage,
+            "The largest voltage of a reading; null: they come as currents."),
       field(
           "dynamics",
           [](const Certificate& one) {
@@ -292,10 +295,13 @@ struct Fields<lab::PartsList::Candidate> {
           "opamps_p95_error", [](const One& one) { return if_finite(one.opamps_p95); },
           "What 95 of 100 draws of op-amps with exact resistors are within; null: unstable."),
       field(
+          "common_p95_error", [](const One& one) { return if_finite(one.common_p95); },
+          "The same with what all resistors have in common, reel and temperature."),
+      field(
           "p95_error",
           [](const One& one) { return one.p95 ? if_finite(*one.p95) : std::optional<double>(); },
           "What 95 of 100 draws of all parts are within; null: unstable, or none was drawn."),
-      field("builds", &One::builds, "How many builds were drawn that the list was not made with."),
+      field("builds", &One::builds, "How many builds were drawn with which nothing was chosen."),
       field("within", &One::within, "How many of these are within the target."),
       field(
           "share_within",
@@ -304,7 +310,7 @@ struct Fields<lab::PartsList::Candidate> {
             return std::array{least, most};
           },
           "The least and the largest share of all builds within the target, with a confidence of "
-          "95 %.")};
+          "95 % (Wilson's interval).")};
 };
 
 template <>
@@ -440,7 +446,9 @@ struct Fields<lab::Certification> {
             "The circuit with what its board's copper loads it with; null: there is no board."),
       field(
           "board_written", [](const lab::Certification& one) { return one.writes_board(); },
-          "Whether a board is written, where there is a folder for it.")};
+          "Whether a board is written, where there is a folder for it."),
+      field("datasheet", &lab::Certification::datasheet,
+            "What 95 of 100 builds do; null: it was not asked for.")};
 };
 
 template <>
@@ -521,6 +529,10 @@ std::string certificate_json(const lab::Certification& certification) {
   return document_text(kind::certify, scene_told(certification.scene()), certification);
 }
 
+std::string datasheet_json(const AnyScene& scene, const lab::Datasheet& sheet) {
+  return document_text(kind::datasheet, scene_told(scene), sheet);
+}
+
 std::string deck_answer_json(const std::string& file, const decks::DeckAnswer& answer) {
   return document_text(kind::deck, DeckFileTold{file}, answer);
 }
@@ -528,6 +540,10 @@ std::string deck_answer_json(const std::string& file, const decks::DeckAnswer& a
 Json certify_schema() {
   return document_schema<SceneFrameTold, lab::Certification>(kind::certify,
                                                              "The certificate of a circuit");
+}
+Json datasheet_schema() {
+  return document_schema<SceneFrameTold, lab::Datasheet>(kind::datasheet,
+                                                         "The datasheet of a circuit");
 }
 Json relax_schema() {
   return document_schema<SceneFrameTold, NetworkTold>(kind::relax, "What `relax SCENE` has found");

@@ -9,6 +9,7 @@ namespace tactile_net::report {
 [[nodiscard]] Json calibrate_schema();
 [[nodiscard]] Json certify_schema();
 [[nodiscard]] Json check_schema();
+[[nodiscard]] Json datasheet_schema();
 [[nodiscard]] Json deck_schema();
 [[nodiscard]] Json explain_schema();
 [[nodiscard]] Json grasp_schema();

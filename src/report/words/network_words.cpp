@@ -274,6 +274,9 @@ std::vector<std::string> in_words(const Certificate& c) {
     lines.push_back("largest voltage at rest " + brief(c.largest_voltage) + " V; " +
                     (c.power < 1.0 ? brief(1e3 * c.power) + " mW" : brief(c.power) + " W") +
                     " in the resistors");
+  if (c.input_volts)
+    lines.push_back("readings come as voltages, up to " + with_unit(*c.input_volts, "V") +
+                    ", through resistors: errors that all resistors share cancel");
   for (const CircuitRemark& remark : c.remarks) lines.push_back("warning: " + in_words(remark));
   return lines;
 }

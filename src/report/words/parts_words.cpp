@@ -75,6 +75,9 @@ std::string drawn(const lab::PartsList& list, const lab::PartsList::Candidate& o
   if (one.opamps_p95 > list.wanted.target)
     return "its op-amps alone: " +
            (std::isfinite(one.opamps_p95) ? percent(one.opamps_p95) : "unstable");
+  if (one.common_p95 > list.wanted.target)
+    return "its reel and temperature alone: " +
+           (std::isfinite(one.common_p95) ? percent(one.common_p95) : "unstable");
   if (!one.list.met) return "not with these classes";
   return std::isfinite(*one.p95) ? percent(*one.p95) : "unstable";
 }
@@ -103,6 +106,11 @@ std::string none_in_words(const lab::PartsList& list) {
     return "No list of parts: no realisation is known to be stable with these op-amps and "
            "capacitances. Raise siemens, or take op-amps with less input capacitance; certify says "
            "why for each realisation.";
+  if (list.common_too_coarse())
+    return "No resistors keep 95 of 100 builds within " + target +
+           ": what all of a build have in common, their reel and the temperature, alone takes "
+           "more. "
+           "With readings that come as voltages, inputs = \"voltage\" under [network], it cancels.";
   if (!list.opamps_too_coarse())
     return "No list of parts of these classes keeps 95 of 100 builds within " + target +
            ": raise alpha, or take better parts.";
@@ -163,9 +171,10 @@ std::string in_words(const lab::PartsList& list) {
     text += ", the op-amps by " + percent(chosen.opamps_alone.total) +
             " (root mean squares: " + opamp_shares_in_words(chosen.opamps_alone) + ")";
   const auto [least, most] = chosen.interval();
-  text += ". Of " + std::to_string(chosen.builds) + " builds drawn anew with this list " +
-          std::to_string(chosen.within) + " are within " + target + ": of all, " + percent(least) +
-          " to " + percent(most) + " are";
+  text += ". Of " + std::to_string(chosen.builds) +
+          " builds drawn anew, with which nothing was chosen, " + std::to_string(chosen.within) +
+          " are within " + target + ": of all, " + percent(least) + " to " + percent(most) +
+          " are (95 % confidence, Wilson's interval)";
   const auto& sold = list.choice->soldered.parts;
   const auto rare = std::count_if(sold.begin(), sold.end(),
                                   [](const SoldPart& one) { return !is_common(one.ohm); });

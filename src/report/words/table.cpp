@@ -179,9 +179,14 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
     print_cells(out, cells(*c.parts));
     out << in_words(*c.parts) << '\n';
   }
-  if (!c.board) return;
+  if (c.board) {
+    out << '\n';
+    for (const std::string& line : in_words(*c.board)) out << line << '\n';
+  }
+  if (!c.datasheet) return;
   out << '\n';
-  for (const std::string& line : in_words(*c.board)) out << line << '\n';
+  print_cells(out, cells(*c.datasheet));
+  for (const std::string& line : in_words(*c.datasheet)) out << line << '\n';
 }
 
 void print_deck_answer(std::ostream& out, const std::string& file,

@@ -12,13 +12,21 @@ std::string error_in_words(double error) {
   return std::isfinite(error) ? percent(error) : "unstable";
 }
 
-/// What makes a build differ from the exact network: "parts within 1 %".
+}  // namespace
+
 std::string kinds_of_errors(const ToleranceOptions& options) {
   std::vector<std::string> kinds;
   if (options.series)
     kinds.push_back("values of the series E" + std::to_string(static_cast<int>(*options.series)));
   if (options.relative)
     kinds.push_back((kinds.empty() ? "parts within " : "within ") + percent(*options.relative));
+  if (const auto& reel = options.common.measured)
+    kinds.push_back("parts of a reel of which " + std::to_string(reel->parts) + " were measured, " +
+                    percent(reel->mean) + " off on average and spread by " + percent(reel->spread));
+  if (options.common.reel) kinds.push_back("reels within " + percent(*options.common.reel));
+  if (const auto& warm = options.common.temperature)
+    kinds.push_back(brief(warm->kelvin) + " K either way with " + brief(1e6 * warm->coefficient) +
+                    " ppm/K alike and " + brief(1e6 * warm->tracking) + " ppm/K apart");
   if (options.balance) kinds.push_back("complementary outputs within " + percent(*options.balance));
   if (options.stabiliser)
     kinds.push_back("the stabiliser's within " + percent(*options.stabiliser));
@@ -29,8 +37,6 @@ std::string kinds_of_errors(const ToleranceOptions& options) {
     kinds.push_back("lines of " + brief(*options.wire_resistance) + " ohm a segment");
   return join(kinds, ", ");
 }
-
-}  // namespace
 
 std::vector<std::string> in_words(const ToleranceOptions& options, const ToleranceResult& result) {
   std::vector<std::string> lines;
@@ -74,6 +80,7 @@ std::string in_words(const lab::Recommendation& r) {
   const bool arrays = r.drawn.bits || r.drawn.cell_noise || r.drawn.wire_resistance;
   std::string parts = arrays             ? kinds_of_errors(r.drawn)
                       : r.drawn.relative ? "parts of " + percent(*r.drawn.relative)
+                      : !r.drawn.series  ? kinds_of_errors(r.drawn)
                                          : "parts of the series";
   if (r.inverters_replaced) parts += ", complementary outputs instead of the scene's inverters,";
   if (r.outcome == Outcome::none_stable)

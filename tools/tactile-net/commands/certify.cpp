@@ -25,7 +25,8 @@ void run(const CertifyOptions& options, const Streams& streams) {
   Progress progress(streams);
   lab::CertificationOptions wanted{.accuracy = share_of(options.budget),
                                    .phase_margin = options.phase_margin,
-                                   .oscillating_board = options.oscillating_board};
+                                   .oscillating_board = options.oscillating_board,
+                                   .datasheet = options.datasheet};
   if (!(wanted.phase_margin > 0.0 && wanted.phase_margin < 90.0))
     throw WrongUsage("--phase-margin", "must be > 0 and below 90 degrees");
   if (!options.board.empty() && wanted.accuracy)
@@ -49,12 +50,15 @@ void run(const CertifyOptions& options, const Streams& streams) {
   if (c.certificate().stability == Stability::unstable ||
       c.certificate().stability == Stability::not_definite)
     throw CheckFailed("the circuit is not stable");
-  if (!c.board || !c.board->soldered().oscillates()) return;
-  if (!options.board.empty()) throw CheckFailed("the circuit oscillates on this board");
-  if (!c.writes_board())
-    throw CheckFailed(
-        "the circuit oscillates on its board, so board.kicad_pcb is not written; "
-        "--oscillating-board writes it all the same");
+  if (c.board && c.board->soldered().oscillates()) {
+    if (!options.board.empty()) throw CheckFailed("the circuit oscillates on this board");
+    if (!c.writes_board())
+      throw CheckFailed(
+          "the circuit oscillates on its board, so board.kicad_pcb is not written; "
+          "--oscillating-board writes it all the same");
+  }
+  if (c.datasheet && !c.datasheet->passes())
+    throw CheckFailed("the datasheet misses a limit that the scene states");
 }
 
 }  // namespace tactile_net::tool

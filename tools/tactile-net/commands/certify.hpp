@@ -21,9 +21,10 @@ struct CertifyOptions {
   std::string board{};  ///< a file of KiCad; empty: none
   double phase_margin = lab::usual_phase_margin;
   bool oscillating_board = false;
+  bool datasheet = false;
 };
 
-/// @throw CheckFailed  the circuit is not stable
+/// @throw CheckFailed  the circuit is not stable, or its datasheet misses a limit
 void run(const CertifyOptions& options, const Streams& streams);
 
 }  // namespace tactile_net::tool

@@ -16,6 +16,8 @@ namespace tactile_net::report {
 
 [[nodiscard]] std::string certificate_json(const lab::Certification& certification);
 
+[[nodiscard]] std::string datasheet_json(const AnyScene& scene, const lab::Datasheet& sheet);
+
 [[nodiscard]] std::string deck_answer_json(const std::string& file,
                                            const decks::DeckAnswer& answer);
 

@@ -42,6 +42,9 @@ namespace tactile_net::report {
 
 /// How many random draws of component values stayed stable, and how far they moved the answer; one
 /// fact a line.
+/// What makes a build differ from the exact network: "parts within 1 %".
+[[nodiscard]] std::string kinds_of_errors(const ToleranceOptions& options);
+
 [[nodiscard]] std::vector<std::string> in_words(const ToleranceOptions& options,
                                                 const ToleranceResult& result);
 
