@@ -10,6 +10,7 @@
 #include "tactile_net/report/words/board_words.hpp"
 #include "tactile_net/report/words/contact_words.hpp"
 #include "tactile_net/report/words/data_words.hpp"
+#include "tactile_net/report/words/datasheet_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
