@@ -8,12 +8,16 @@
 
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/network/laid_board.hpp"
+#include "tactile_net/network/state_space.hpp"
 #include "tactile_net/scene/scale_units.hpp"
 
 namespace tactile_net::lab {
 namespace {
 
 using Judged = BoardCertificate::Judged;
+
+/// Of more the loops' loci take minutes: poles alone are asked.
+constexpr std::size_t most_margin_states = 600;
 
 /// Without what stands for a board: the copper takes its place.
 RealizationOptions without_board(const tactile_net::NetworkOptions& options) {
@@ -104,7 +108,8 @@ class OnBoard {
     } else if (one.stable() || one.oscillates()) {
       one.slowest = circuit.poles().front().real();
     }
-    if (one.stable() && circuit.options().opamp.bandwidth)
+    if (one.stable() && circuit.options().opamp.bandwidth &&
+        count_states(circuit.flat()) <= most_margin_states)
       one.margin = phase_margin(circuit.flat());
     return one;
   }

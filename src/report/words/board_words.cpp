@@ -65,6 +65,8 @@ std::string judged_in_words(const lab::BoardCertificate::Judged& one) {
   if (one.margin)
     text += ", phase margin " + brief(one.margin->degrees) + " degrees at " +
             brief(1e-6 * one.margin->hertz) + " MHz";
+  if (!one.margin && one.stable() && one.slowest)
+    text += ", its phase margin is not computed (more than 600 states) or has no end";
   if (one.damping && one.stable()) text += ", least damping " + brief(*one.damping);
   if (one.settling_seconds) text += ", settles in " + duration(*one.settling_seconds);
   return text;
