@@ -1,4 +1,5 @@
-// Sensors by name: what is known of them without a recording, in one place for the command and for Python.
+// Sensors by name: what is known of them without a recording, in one place for the command and for
+// Python.
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>

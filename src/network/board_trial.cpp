@@ -60,7 +60,7 @@ SelfTest self_test(const Reduction& reduction, const Matrix& matrix,
     reduction.assemble(siemens, equations);
     const Eigen::MatrixXd inverse = Lu(as_eigen(equations.matrix)).inverse();
     return Solved{inverse.topRows(n) * as_eigen(std::span(equations.right_side)),
-                 inverse.topLeftCorner(n, n)};
+                  inverse.topLeftCorner(n, n)};
   };
   const Solved exact = solve(reduction.siemens());
   const Eigen::VectorXd direct = solve_definite(p, b);

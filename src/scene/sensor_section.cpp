@@ -316,8 +316,8 @@ void read_uneven_skin(Table& table, const std::optional<Value>& surface, const V
         stated ? read_surface(*stated, folder, read.units) : std::optional<CurvedSkinOptions>{};
     if (stated && !options) return;
     const auto make = [&](std::vector<FileTaxel> all) {
-      const SkinArray curved = curved_skin_of(
-          std::move(all), axes, options.value_or(CurvedSkinOptions{}), read.units);
+      const SkinArray curved =
+          curved_skin_of(std::move(all), axes, options.value_or(CurvedSkinOptions{}), read.units);
       return factor ? with_depth_factor(curved, depth_factor) : curved;
     };
     return put_uneven(std::move(rows), file, "a curved skin", make, read, skin);

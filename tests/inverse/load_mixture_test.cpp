@@ -401,9 +401,9 @@ TEST_CASE(
       const Eigen::MatrixXd means = whole_details->roots * whole.filtered(other);
       CHECK((details->roots * tables.filtered(one) - means).cwiseAbs().maxCoeff() <
             1e-9 * means.cwiseAbs().maxCoeff());
-      const auto variances = [](const auto& of, const auto& part, const auto& known) {
-        return Eigen::MatrixXd(of.spreads(part, known) +
-                               known.hidden * part.alphas().cwiseInverse().transpose());
+      const auto variances = [](const auto& of, const auto& part, const auto& seen) {
+        return Eigen::MatrixXd(of.spreads(part, seen) +
+                               seen.hidden * part.alphas().cwiseInverse().transpose());
       };
       const Eigen::MatrixXd expected_variances = variances(whole, other, *whole_details);
       CHECK((variances(tables, one, *details) - expected_variances)
@@ -418,13 +418,13 @@ TEST_CASE(
                tables.products(one, sums.row(k), sums.row(k)))
                   .norm() < 1e-13 * tables.spreads(one, sums).norm());
       // With what no reading shows of both.
-      const auto covariance = [](const auto& of, const auto& part, const auto& known) {
-        Eigen::MatrixXd both = Eigen::MatrixXd::Zero(known.roots.rows(), 2);
+      const auto covariance = [](const auto& of, const auto& part, const auto& seen) {
+        Eigen::MatrixXd both = Eigen::MatrixXd::Zero(seen.roots.rows(), 2);
         both(0, 0) = both(3, 1) = 1.0;
         both = of.sums(*part.entry, both);
         const double hidden =
-            both.col(0).dot(both.col(1)) - known.roots.row(0).dot(known.roots.row(3));
-        return Eigen::RowVectorXd(of.products(part, known.roots.row(0), known.roots.row(3)) +
+            both.col(0).dot(both.col(1)) - seen.roots.row(0).dot(seen.roots.row(3));
+        return Eigen::RowVectorXd(of.products(part, seen.roots.row(0), seen.roots.row(3)) +
                                   hidden * part.alphas().cwiseInverse().transpose());
       };
       CHECK((covariance(tables, one, *details) - covariance(whole, other, *whole_details))

@@ -23,7 +23,7 @@ struct Certification {
   /// Of the board that is given, or of that which the list of parts makes.
   std::optional<BoardCertificate> board{};
   std::optional<Datasheet> datasheet{};  ///< where one is asked for
-  bool oscillating_board = false;  ///< as `CertificationOptions`
+  bool oscillating_board = false;        ///< as `CertificationOptions`
 
   /// Stability is of the linear circuit: where devices' curves leave no answer of it, why.
   std::optional<Disagreement> curves{};

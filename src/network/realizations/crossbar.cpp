@@ -67,8 +67,7 @@ constexpr RealizationTraits crossbar_traits{
          "Complementary outputs: stable if P is positive definite (at infinite gain only then), "
          "for any bandwidths, and either any second poles or any capacitance at the summing nodes; "
          "for both where the second poles are not below the bandwidths.",
-         crossbar_conditions,
-         true},
+         crossbar_conditions, true},
     .theorem_with_inverters = {"T3",
                                "Main op-amps of at most half the inverters' bandwidth, and of no "
                                "more gain: stable if P is positive definite, for any capacitance "
