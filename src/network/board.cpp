@@ -176,6 +176,24 @@ class Layout {
                   {"2", kind.pad_x, 0.0, kind.pad_width, kind.pad_height, net(one.to)}}});
   }
 
+  /// From a supply to ground, so that it holds its voltage where it is taken.
+  void add_capacitor(const std::string& element, const char* value, const Chip& kind,
+                     std::size_t at, double x, double y) {
+    board_.footprints.push_back(
+        {.kind = Footprint::Kind::capacitor,
+         .library = &kind == &chip_0402 ? "Capacitor_SMD:C_0402_1005Metric"
+                                        : "Capacitor_SMD:C_0603_1608Metric",
+         .number = ++capacitors_,
+         .element = element,
+         .value = value,
+         .x = x,
+         .y = y,
+         .width = kind.width,
+         .height = kind.height,
+         .pads = {{"1", -kind.pad_x, 0.0, kind.pad_width, kind.pad_height, at},
+                  {"2", kind.pad_x, 0.0, kind.pad_width, kind.pad_height, net(0)}}});
+  }
+
   /// The next place of a row of equal parts, and another row where it is full.
   struct Row {
     double width, height;
@@ -197,7 +215,9 @@ class Layout {
   }
 
   void add_amplifiers() {
-    Row row{so8_width + gap, so8_height + designator_room};
+    // Below each its two capacitors.
+    constexpr double below_it = designator_room + chip_0402.height;
+    Row row{so8_width + gap, so8_height + designator_room + below_it + gap};
     std::size_t count = 0;
     for (const Instance& x : circuit_.instances) {
       const AmplifierModel* const model = amplifier(circuit_, x.subcircuit);
@@ -213,7 +233,10 @@ class Layout {
                     .width = so8_width,
                     .height = so8_height};
       std::tie(so8.x, so8.y) = next(row);
-      so8.y += 0.5 * designator_room;
+      so8.y += 0.5 * (designator_room - below_it - gap);
+      const double y = so8.y + 0.5 * so8_height + below_it - 0.5 * chip_0402.height;
+      add_capacitor("Cp" + x.name, "100n", chip_0402, positive_, so8.x - 0.25 * so8_width, y);
+      add_capacitor("Cn" + x.name, "100n", chip_0402, positive_ + 1, so8.x + 0.25 * so8_width, y);
       for (std::size_t k = 0; k < pins.size(); ++k) {
         const bool left = k < 4;
         const double along = static_cast<double>(left ? k : 7 - k);
@@ -269,6 +292,13 @@ class Layout {
     add("VCC", "supply", positive_);
     add("VEE", "supply", positive_ + 1);
     end(row);
+    Row large{chip_0603.width + gap, chip_0603.height + designator_room};
+    for (const std::size_t supply : {positive_, positive_ + 1}) {
+      const auto [x, y] = next(large);
+      add_capacitor("C" + board_.nets[supply], "10u", chip_0603, supply, x,
+                    y + 0.5 * designator_room);
+    }
+    end(large);
     board_.height = below_;
   }
 
@@ -277,6 +307,7 @@ class Layout {
   Board board_;
   std::vector<double> watts_;  // of resistors
   std::size_t positive_ = 0;   // net of VCC; VEE follows
+  std::size_t capacitors_ = 0;
   double coarsest_ = 0.0;
   double pitch_ = 0.0;     // of columns
   double below_ = margin;  // where the next block begins
@@ -285,8 +316,17 @@ class Layout {
 }  // namespace
 
 std::string Footprint::reference() const {
-  const char letter = kind == Kind::resistor ? 'R' : kind == Kind::amplifier ? 'U' : 'J';
-  return letter + std::to_string(number);
+  switch (kind) {
+    case Kind::resistor:
+      return 'R' + std::to_string(number);
+    case Kind::amplifier:
+      return 'U' + std::to_string(number);
+    case Kind::capacitor:
+      return 'C' + std::to_string(number);
+    case Kind::pin:
+      break;
+  }
+  return 'J' + std::to_string(number);
 }
 
 Board board_of(const SolderedCircuit& soldered) { return Layout(soldered).board(); }

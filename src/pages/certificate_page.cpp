@@ -251,7 +251,9 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
     page.files.insert(page.files.end(), {{"parts.csv", report::order_csv(*c.parts)},
                                          {"BOM.csv", report::bill_csv(*c.parts)}});
   if (c.board) page.files.emplace_back("copper.csv", report::copper_csv(*c.board));
-  if (c.writes_board()) page.files.emplace_back("board.kicad_pcb", report::board_text(*c.parts));
+  if (c.writes_board())
+    page.files.insert(page.files.end(), {{"board.kicad_pcb", report::board_text(*c.parts)},
+                                         {"board.kicad_pro", report::project_text()}});
 
   if (c.datasheet)
     page.files.push_back({report::datasheet_file(c.circuit.file()),

@@ -151,6 +151,14 @@ TEST_CASE("every pad of the board has the net that the deck's node is", "[board]
         CHECK(pads.at(i.name).at("1") == net_of(circuit, i.into));
         ++known;
       }
+      // Each supply of each amplifier, and each supply, has a capacitor to ground.
+      for (const Instance& x : circuit.instances) {
+        CHECK(pads.at("Cp" + x.name) == Pads{{"1", "VCC"}, {"2", "GND"}});
+        CHECK(pads.at("Cn" + x.name) == Pads{{"1", "VEE"}, {"2", "GND"}});
+      }
+      CHECK(pads.at("CVCC") == Pads{{"1", "VCC"}, {"2", "GND"}});
+      CHECK(pads.at("CVEE") == Pads{{"1", "VEE"}, {"2", "GND"}});
+      known += 2 * circuit.instances.size() + 2;
       CHECK(pads.size() == known + circuit.outputs.size() + 3);
     }
 }
@@ -175,6 +183,8 @@ TEST_CASE("designators are a letter and a number, each once, in the deck's order
       CHECK(one.reference().front() == 'U');
       CHECK(one.element == built.circuit.instances.at(amplifiers++).name);
       CHECK(one.value == "fully differential amplifier");
+    } else if (one.kind == Footprint::Kind::capacitor) {
+      CHECK(one.reference().front() == 'C');
     } else {
       CHECK(one.reference().front() == 'J');
     }

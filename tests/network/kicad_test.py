@@ -1,4 +1,4 @@
-"""KiCad's own Python loads the board that `certify --budget` writes, and finds the deck's nets on its pads.
+"""KiCad's own Python loads the board that `certify --budget` writes, finds the deck's nets on its pads, and its design rules kept.
 
 usage: kicad_test.py COMMAND PYTHON SCENE
 """
@@ -15,7 +15,12 @@ import pcbnew
 board = pcbnew.LoadBoard(sys.argv[1])
 pads = [[f.GetReference(), p.GetNumber(), p.GetNetname()] for f in board.GetFootprints() for p in f.Pads()]
 silent = [f.GetReference() for f in board.GetFootprints() if not f.Reference().IsVisible() or len(list(f.GraphicalItems())) == 0]
-print(json.dumps({"nets": board.GetNetCount(), "pads": pads, "silent": silent}))
+violations = None
+if hasattr(pcbnew, "WriteDRCReport"):
+    pcbnew.WriteDRCReport(board, sys.argv[2], pcbnew.EDA_UNITS_MILLIMETRES, True)
+    # What is not joined yet is no violation: nothing is routed.
+    violations = [line for line in open(sys.argv[2]) if line.startswith("[") and not line.startswith("[unconnected_items]")]
+print(json.dumps({"nets": board.GetNetCount(), "pads": pads, "silent": silent, "violations": violations}))
 """
 
 
@@ -48,10 +53,11 @@ def main(command, python, scene):
         chosen = json.loads((out / "certificate.json").read_text())["parts"]["choice"]
         expected = nets_of(run("gen", scene, "--budget", "1%", "--realization", chosen))
         text = subprocess.run(
-            [python, "-c", PADS, str(out / "board.kicad_pcb")], check=True, capture_output=True, text=True
+            [python, "-c", PADS, str(out / "board.kicad_pcb"), str(out / "rules.txt")], check=True, capture_output=True, text=True
         ).stdout
         found = json.loads(text.splitlines()[-1])
         assert not found["silent"], found["silent"]
+        assert not found["violations"], found["violations"][:5]
         with open(out / "BOM.csv", newline="") as file:
             element = {row["Designator"]: row["Element"] for row in csv.DictReader(file)}
         on_board = {reference for reference, _, _ in found["pads"] if not reference.startswith("J")}

@@ -50,12 +50,14 @@ struct BoardPad {
 
 struct Footprint {
   /// What it stands for; a pin is no part that is bought.
-  enum class Kind { resistor, amplifier, pin };
+  enum class Kind { resistor, amplifier, capacitor, pin };
   Kind kind = Kind::resistor;
   std::string library{};   ///< KiCad's name of it
   std::size_t number = 0;  ///< from 1, of its kind
-  std::string element{};   ///< the deck's name of it; of a pin that of its source or node
-  std::string value{};     ///< "4.99k" and "499R", in ohms; what an amplifier is; what a pin is for
+  /// The deck's name of it; of a pin that of its source or node; of a capacitor C and the name of
+  /// the amplifier that it stands beside, or of the supply.
+  std::string element{};
+  std::string value{};  ///< "4.99k" and "499R", in ohms; what an amplifier is; what a pin is for
   std::string tolerance{};  ///< "0.1 %"; empty: none is said
   double watt = 0.0;        ///< of a resistor, as the circuit's sources drive it
   double rated_watt = 0.0;  ///< what a resistor of its size carries
@@ -65,7 +67,7 @@ struct Footprint {
   double height = 0.0;
   std::vector<BoardPad> pads{};
 
-  /// The designator: R1, U1, J1.
+  /// The designator: R1, U1, C1, J1.
   [[nodiscard]] std::string reference() const;
   [[nodiscard]] bool overloaded() const noexcept { return watt > rated_watt; }
 };
@@ -82,9 +84,9 @@ struct Board {
 /// and the supply has three. Nets are the deck's nodes, ground is GND, and op-amps are fed by VCC
 /// and VEE. Parts of the coarsest class are 0402, better ones 0603; amplifiers are SO-8 with the
 /// usual pins of one op-amp, or of a fully differential amplifier (1 -IN, 2 VOCM, 3 V+, 4 +OUT,
-/// 5 -OUT, 6 V-, 7 power-down, 8 +IN): VOCM is at ground, and power-down, active low, at V+. The
-/// board is not routed, and holds only the deck's parts: add decoupling capacitors
-/// yourself.
+/// 5 -OUT, 6 V-, 7 power-down, 8 +IN): VOCM is at ground, and power-down, active low, at V+. Beside
+/// the deck's parts each amplifier has a capacitor of 100 nF from VCC and one from VEE to ground,
+/// and each supply one of 10 uF. The board is not routed.
 ///
 /// Designators are numbered in the order of the circuit's resistors, of its amplifiers, and of the
 /// pins. Courtyards do not overlap, and leave room for the designator above each.
@@ -93,6 +95,10 @@ struct Board {
 ///                               name, or one has the supply's
 /// @throw std::domain_error      it has no unique operating point, so that powers are not known
 [[nodiscard]] Board board_of(const SolderedCircuit& soldered);
+
+/// The project of board.kicad_pcb, board.kicad_pro: tracks of 0.15 mm, clearances of 0.127 mm and
+/// vias of 0.45 mm on 0.2 mm, which most makers of boards of four layers do without a surcharge.
+void write_kicad_project(std::ostream& out);
 
 /// As KiCad 6 writes it. Equal boards, equal bytes.
 void write_kicad_board(std::ostream& out, const Board& board);

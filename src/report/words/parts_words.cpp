@@ -199,12 +199,15 @@ std::string order_csv(const lab::PartsList& list) {
     text += shortest(part.ohm) + ',' + shortest(part.tolerance) + ',' +
             std::to_string(references.size()) + ',' + join(references, " ") + ",resistor\n";
   }
-  std::map<std::string, std::vector<std::string>> amplifiers;  // by what they are
-  for (const Footprint& one : parts)
+  std::map<std::string, std::vector<std::string>> others;  // by what they are
+  for (const Footprint& one : parts) {
     if (one.kind == Footprint::Kind::amplifier)
-      amplifiers[list.opamp_part.empty() ? one.value : one.value + ' ' + list.opamp_part].push_back(
+      others[list.opamp_part.empty() ? one.value : one.value + ' ' + list.opamp_part].push_back(
           one.reference());
-  for (const auto& [value, references] : amplifiers)
+    if (one.kind == Footprint::Kind::capacitor)
+      others["capacitor " + one.value].push_back(one.reference());
+  }
+  for (const auto& [value, references] : others)
     text +=
         ",," + std::to_string(references.size()) + ',' + join(references, " ") + ',' + value + '\n';
   return text;
@@ -233,6 +236,12 @@ std::string bill_csv(const lab::PartsList& list) {
 std::string board_text(const lab::PartsList& list) {
   std::ostringstream text;
   write_kicad_board(text, board_of(list.choice->soldered));
+  return std::move(text).str();
+}
+
+std::string project_text() {
+  std::ostringstream text;
+  write_kicad_project(text);
   return std::move(text).str();
 }
 

@@ -28,4 +28,7 @@ namespace tactile_net::report {
 /// The board of the chosen circuit, as KiCad reads it. @pre  there is a choice
 [[nodiscard]] std::string board_text(const lab::PartsList& list);
 
+/// The project that the board is opened with: KiCad's design rules for it.
+[[nodiscard]] std::string project_text();
+
 }  // namespace tactile_net::report
