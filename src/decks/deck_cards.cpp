@@ -27,13 +27,15 @@ std::string_view without_comment(std::string_view text) {
 /// Gathers a deck's cards, line by line.
 class Cutter {
  public:
-  Cutter(const std::string& file, DeckText& deck) : file_(file), deck_(deck) {}
+  Cutter(const std::string& file, DeckText& deck, FirstLine first)
+      : file_(file), deck_(deck), first_(first) {}
 
   void add(std::string_view whole) {
     ++line_;
     const std::string_view text = without_blanks(whole);
     column_ = text.empty() ? 1 : static_cast<std::size_t>(text.data() - whole.data()) + 1;
-    if (line_ == 1) return add_title(text);
+    if (line_ == 1) check_first(text);
+    if (line_ == 1 && first_ == FirstLine::title) return add_title(text);
     if (commands_) {
       commands_ = lower_case(text) != ".endc";
       return;
@@ -56,10 +58,12 @@ class Cutter {
   }
 
  private:
-  void add_title(std::string_view text) {
+  void check_first(std::string_view text) const {
     if (lower_case(text).starts_with("*ng_script"))
       fail("'*ng_script' makes ngspice run the file as commands, of any kind",
            "a circuit needs none: remove this line, and every command below it");
+  }
+  void add_title(std::string_view text) {
     if (text.starts_with('*')) add_comment(text);
   }
   void add_comment(std::string_view text) {
@@ -85,6 +89,7 @@ class Cutter {
 
   const std::string& file_;
   DeckText& deck_;
+  FirstLine first_;
   std::size_t line_ = 0;
   std::size_t column_ = 1;
   bool ended_ = false;
@@ -93,9 +98,9 @@ class Cutter {
 
 }  // namespace
 
-DeckText deck_cards(std::string_view text, const std::string& file) {
+DeckText deck_cards(std::string_view text, const std::string& file, FirstLine first) {
   DeckText deck;
-  Cutter cutter(file, deck);
+  Cutter cutter(file, deck, first);
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
     cutter.add(text.substr(0, end));

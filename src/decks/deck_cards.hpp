@@ -27,6 +27,9 @@ struct DeckText {
   std::vector<DeckComment> comments{};
 };
 
+/// What the first line of a file is.
+enum class FirstLine { title, card };
+
 /// @param file  for messages
 /// Commands to ngspice behind `.end` (`.control` to `.endc`), such as print the answer, are left
 /// out.
@@ -34,6 +37,7 @@ struct DeckText {
 /// @throw InputError  a line that is neither card, comment nor continuation; a card behind `.end`;
 ///                    a character that no card needs: quotes, `$`, backslashes, control characters;
 ///                    a first line that would make ngspice take the deck for a script
-[[nodiscard]] DeckText deck_cards(std::string_view text, const std::string& file);
+[[nodiscard]] DeckText deck_cards(std::string_view text, const std::string& file,
+                                  FirstLine first = FirstLine::title);
 
 }  // namespace tactile_net::decks

@@ -13,9 +13,15 @@ namespace tactile_net::decks {
 namespace {
 
 constexpr std::string_view elements = "rclefghivbdx";
+constexpr std::string_view more_of_macromodels = "sqjmtwk";
 constexpr std::array<std::string_view, 10> dot_cards = {
     ".subckt", ".ends", ".model", ".param", ".ic", ".op", ".tran", ".ac", ".options", ".option"};
+constexpr std::array<std::string_view, 5> dot_cards_of_macromodels = {".subckt", ".ends", ".model",
+                                                                      ".param", ".func"};
 constexpr std::array<std::string_view, 7> model_types = {"r", "res", "c", "cap", "l", "ind", "d"};
+
+constexpr std::array<std::string_view, 10> more_model_types = {
+    "npn", "pnp", "njf", "pjf", "nmos", "pmos", "sw", "csw", "vswitch", "iswitch"};
 
 /// How equations are solved. Other options become variables of ngspice's command language.
 constexpr std::array<std::string_view, 30> known_options = {
@@ -61,13 +67,31 @@ std::vector<std::string_view> words_in(std::string_view text) {
   return words;
 }
 
+std::size_t fields_in(std::string_view text) {
+  std::size_t count = 0;
+  bool inside = false;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\t';
+    if (!blank && !inside) ++count;
+    inside = !blank;
+  }
+  return count;
+}
+
+/// Of an element that only macromodels have: its name, its nodes, its model.
+std::size_t least_fields(char letter) {
+  if (letter == 's' || letter == 'm') return 6;
+  return letter == 'k' ? 4 : 5;
+}
+
 std::string_view first_word(std::string_view text) {
   return text.substr(0, text.find_first_of(" \t"));
 }
 
 class Rules {
  public:
-  explicit Rules(const std::string& file) : file_(file) {}
+  Rules(const std::string& file, DeckKind kind)
+      : file_(file), macromodel_(kind == DeckKind::macromodel) {}
 
   void check(const DeckCard& card) const {
     if (card.text.front() == '.')
@@ -84,37 +108,52 @@ class Rules {
   void check_element(const DeckCard& card) const {
     const char letter = card.text.front();
     if (elements.find(letter) != std::string_view::npos) return;
+    if (macromodel_ && more_of_macromodels.find(letter) != std::string_view::npos) {
+      // "shell ls" begins as a switch does.
+      if (fields_in(card.text) >= least_fields(letter)) return;
+      fail(
+          card, "'" + std::string(first_word(card.text)) + "' is neither an element nor a card",
+          "remove it: commands do not run, and a transistor, switch or line has nodes and a model");
+    }
     const std::string name(first_word(card.text));
     if (letter == 'a')
       fail(card, "'" + name + "' is a code model (A), which may open files and start programs",
            "build it of R, C, L, controlled and B sources");
     fail(card, "'" + name + "' is an element of a kind that is not allowed",
-         "only R C L E F G H I V B D and X are allowed");
+         macromodel_ ? "only R C L E F G H I V B D X S W Q J M T and K are allowed"
+                     : "only R C L E F G H I V B D and X are allowed");
   }
 
   void check_dot(const DeckCard& card) const {
     const std::string_view word = first_word(card.text);
     if (word == ".model") return check_model(card);
-    if (word == ".options" || word == ".option") return check_options(card);
-    if (is_one_of(dot_cards, word)) return;
+    if (!macromodel_ && (word == ".options" || word == ".option")) return check_options(card);
+    if (macromodel_ ? is_one_of(dot_cards_of_macromodels, word) : is_one_of(dot_cards, word))
+      return;
     for (const Refusal& refusal : refusals)
       if (word == refusal.card)
         fail(card, "'" + std::string(word) + "' " + std::string(refusal.why),
              std::string(refusal.hint));
     fail(card, "'" + std::string(word) + "' is a card that is not allowed",
-         "only .subckt .ends .model .param .ic .op .tran .ac .options .end are allowed: remove the "
-         "others");
+         macromodel_
+             ? "only .subckt .ends .model .param and .func are allowed: remove the others"
+             : "only .subckt .ends .model .param .ic .op .tran .ac .options .end are allowed: "
+               "remove the others");
   }
 
   void check_model(const DeckCard& card) const {
     const std::vector<std::string_view> words = words_in(card.text);
-    if (words.size() >= 3 && is_one_of(model_types, words[2])) return;
+    if (words.size() >= 3 && (is_one_of(model_types, words[2]) ||
+                              (macromodel_ && is_one_of(more_model_types, words[2]))))
+      return;
     const std::string type(words.size() >= 3 ? words[2] : "");
     fail(card,
          "'" + type +
              "' is a kind of model that is not allowed: it may open files or start programs",
-         "only the models r, c, l and d are allowed, with the type behind the name: .model clamp "
-         "d(is=1e-14)");
+         std::string(macromodel_ ? "only the models r, c, l, d, of transistors and of switches"
+                                 : "only the models r, c, l and d") +
+             " are allowed, with the type behind the name: .model clamp "
+             "d(is=1e-14)");
   }
 
   /// The words that stand for themselves or before `=`; behind it is a value.
@@ -143,14 +182,15 @@ class Rules {
   }
 
   const std::string& file_;
+  bool macromodel_;
 };
 
 }  // namespace
 
-void check_cards(const DeckText& deck, const std::string& file) {
-  const Rules rules(file);
+void check_cards(const DeckText& deck, const std::string& file, DeckKind kind) {
+  const Rules rules(file, kind);
   for (const DeckCard& card : deck.cards) rules.check(card);
-  check_size(deck, file);
+  (void)check_size(deck, file);
 }
 
 }  // namespace tactile_net::decks

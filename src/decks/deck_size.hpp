@@ -13,6 +13,6 @@ namespace tactile_net::decks {
 ///
 /// @throw InputError  a sub-circuit that contains itself, is not in the deck, is not closed; more
 ///                    than ten million elements
-void check_size(const DeckText& deck, const std::string& file);
+double check_size(const DeckText& deck, const std::string& file);
 
 }  // namespace tactile_net::decks

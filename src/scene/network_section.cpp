@@ -53,7 +53,9 @@ void read_named_opamp(const Value& value, NetworkOptions& network) {
 }
 
 /// Within what the part takes, and enough for its outputs to move: what they swing to.
-void read_supply(const Value& value, const OpAmpPart* part, OpAmp& opamp) {
+void read_supply(const Value& value, NetworkOptions& network) {
+  const OpAmpPart* const part = network.opamp_part;
+  OpAmp& opamp = network.parts.opamp;
   if (part == nullptr) {
     value.problem("is of a part, whose outputs stay so far from their supply",
                   "beside it, part = \"THS4551\"; of other op-amps, rail");
@@ -67,6 +69,7 @@ void read_supply(const Value& value, const OpAmpPart* part, OpAmp& opamp) {
                  " to " + shortest(*part->most_supply) + " V in all");
     return;
   }
+  network.supply = volts;
   const double swing = 0.5 * *volts - part->headroom.value_or(0.0);
   if (above_diodes.holds(swing))
     opamp.rail = swing;
@@ -114,7 +117,7 @@ void read_opamp(Table table, NetworkOptions& network) {
       opamp.bandwidth = 1e6;  // as above
     if (kind) part->problem("stands beside a class", "one of the two");
   }
-  if (const auto supply = table.value("supply")) read_supply(*supply, network.opamp_part, opamp);
+  if (const auto supply = table.value("supply")) read_supply(*supply, network);
   if (const auto gain = table.value("gain")) opamp.gain = gain->number(positive);
   if (const auto bandwidth = table.value("bandwidth"))
     opamp.bandwidth = bandwidth->number(positive, in_hertz);
@@ -282,7 +285,24 @@ DatasheetLimits read_limits(Table table) {
   return limits;
 }
 
-void read_parasitic(Table table, RealizationOptions& parts) {
+/// A vendor's macromodel: which of a file's sub-circuits, and what its pins are for.
+void read_macromodel(Table table, MacromodelOptions& macromodel) {
+  if (const auto name = table.value("name")) macromodel.name = name->text().value_or("");
+  if (const auto pins = table.value("pins")) {
+    std::vector<std::string_view> purposes;
+    for (const auto& row : Enumerators<MacromodelPin>::all) purposes.push_back(row.name);
+    const auto listed = pins->list("purposes of pins");
+    for (const Value& pin : listed.value_or(std::vector<Value>{}))
+      if (const auto index = pin.one_of("purpose of a pin", purposes))
+        macromodel.pins.push_back(Enumerators<MacromodelPin>::all[*index].value);
+  }
+  if (const auto supply = table.value("supply"))
+    macromodel.supply = supply->number(positive, in_volts);
+  table.finish();
+}
+
+void read_parasitic(Table table, NetworkOptions& network) {
+  RealizationOptions& parts = network.parts;
   const auto read = [&](std::string_view key, std::optional<double>& target, bool of_opamps) {
     const auto value = table.value(key);
     if (!value) return;
@@ -293,8 +313,11 @@ void read_parasitic(Table table, RealizationOptions& parts) {
   };
   read("node", parts.node_capacitance, false);
   read("resistor", parts.resistor_capacitance, false);
+  const double own = parts.opamp.input_capacitance.value_or(0.0);
   read("input", parts.opamp.input_capacitance, true);  // beside the op-amp's own
   read("output", parts.opamp.load_capacitance, true);
+  network.macromodel.board_input = parts.opamp.input_capacitance.value_or(0.0) - own;
+  network.macromodel.board_output = parts.opamp.load_capacitance.value_or(0.0);
   table.finish();
 }
 
@@ -347,7 +370,10 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
   }
   if (const auto prices = table_of(table.value("parts"))) read_prices(*prices, options);
   options.own_input_capacitance = parts.opamp.input_capacitance;
-  if (const auto parasitic = table_of(table.value("parasitic"))) read_parasitic(*parasitic, parts);
+  if (const auto parasitic = table_of(table.value("parasitic")))
+    read_parasitic(*parasitic, options);
+  if (const auto model = table_of(table.value("model")))
+    read_macromodel(*model, options.macromodel);
   if (const auto tolerance = table_of(table.value("tolerance")))
     options.tolerance = read_tolerance(*tolerance, options, folder);
   if (const auto limits = table_of(table.value("limits"))) options.limits = read_limits(*limits);

@@ -17,6 +17,7 @@
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
 #include "tactile_net/network/tolerance.hpp"
+#include "tactile_net/scene/macromodel.hpp"
 #include "tactile_net/scene/sensor_effects.hpp"
 #include "tactile_net/scene/timing.hpp"
 #include "tactile_net/scene/units.hpp"
@@ -103,6 +104,8 @@ struct NetworkOptions {
   /// That the scene names, whose figures `parts.opamp` begins with; null: none. One of
   /// `opamp_parts`.
   const OpAmpPart* opamp_part = nullptr;
+  std::optional<double> supply{};  ///< of the op-amps, between their pins [V]; absent: not stated
+  MacromodelOptions macromodel{};
   /// What is paid for resistors and op-amps; absent: typical prices.
   std::optional<std::vector<PartClass>> resistor_classes{};
   std::optional<double> opamp_price{};

@@ -15,7 +15,10 @@ struct NgspiceOptions {
   std::string program = "ngspice";               ///< looked up in PATH
   std::chrono::milliseconds time_limit{60'000};  ///< > 0
   std::size_t output_limit = 16U << 20;          ///< of what it prints [bytes], > 0
-  bool (*cancelled)() = nullptr;                 ///< as `ProcessOptions::cancelled`
+  /// Decks hold macromodels in PSpice's language (`ngbehavior=psa`): the warnings of a search for
+  /// an operating point that found it in the end are none.
+  bool pspice = false;
+  bool (*cancelled)() = nullptr;  ///< as `ProcessOptions::cancelled`
 };
 
 /// Runs `ngspice -b` on each deck, confined to a private temporary folder that is removed at the
