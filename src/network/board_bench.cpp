@@ -25,6 +25,9 @@ constexpr std::size_t most_candidates = 10;
 constexpr std::size_t most_shortlisted = 24;
 /// Of this many parts every fault is on that list.
 constexpr std::size_t parts_with_every_fault = 4;
+/// Multiplications that closer looks may take together, but for the first of them.
+constexpr double most_work = 2e11;
+constexpr std::size_t least_looks = 6;
 /// Where a fault moves much, other parts' errors move with what it does: so much of it.
 constexpr double share_of_large = 0.02;
 /// Of swaps, one part is among those that explain most by themselves.
@@ -467,7 +470,10 @@ void search(const BoardParts& board, const SolvedBoard& ideal, const Eigen::Matr
     const auto more = std::move(second).found();
     result.candidates.insert(result.candidates.begin(), more.begin(), more.end());
   }
-  const std::vector<BoardFault> faults = shortlist(result.candidates);
+  std::vector<BoardFault> faults = shortlist(result.candidates);
+  const double each = count * count * static_cast<double>(board.branches.size());
+  const auto looks = static_cast<std::size_t>(most_work / each);
+  if (faults.size() > looks) faults.resize(std::min(faults.size(), std::max(looks, least_looks)));
   result.candidates.clear();
   for (const BoardFault& fault : faults)
     result.candidates.push_back(

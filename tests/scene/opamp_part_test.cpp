@@ -5,10 +5,13 @@
 #include <cmath>
 #include <complex>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
 
+#include "docs/figures/circuits/numbers.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -95,6 +98,12 @@ TEST_CASE("every pin of a part has one purpose, and its package has it", "[opamp
   CHECK(sold.pins.in_plus == std::vector{8});
   CHECK(sold.pins.power_down == std::vector{7});
   CHECK(part("OPA1656").pins.out_plus == std::vector{1, 7});  // two amplifiers
+}
+
+TEST_CASE("docs/circuits.md has the table of parts as the files have it", "[opamp_part][docs]") {
+  std::ifstream page(DOCS "/circuits.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  CHECK_THAT(text, ContainsSubstring(circuits::parts_table()));
 }
 
 TEST_CASE("a part's figures are a deck's: of two outputs each has half of their difference",

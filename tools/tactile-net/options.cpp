@@ -75,9 +75,9 @@ AllCommands::AllCommands() {
        "TMPDIR: the place of ngspice's private folders."},
       {"more", "help COMMAND, with examples; docs/terminal.md, docs/scene.md, docs/results.md"}};
   for (const auto add_to :
-       {add_init, add_check, add_solve, add_report, add_identify, add_calibrate, add_plan,
-        add_grasp, add_run, add_simulate, add_tradeoff, add_sweep, add_merge, add_gen, add_relax,
-        add_certify, add_schema, add_completion, add_help})
+       {add_init,  add_check,   add_solve,    add_report,   add_identify,   add_calibrate, add_plan,
+        add_grasp, add_run,     add_simulate, add_tradeoff, add_sweep,      add_merge,     add_gen,
+        add_relax, add_certify, add_bench,    add_schema,   add_completion, add_help})
     add_to(*this);
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "command_line/table.hpp"
+#include "commands/bench.hpp"
 #include "commands/calibrate.hpp"
 #include "commands/certify.hpp"
 #include "commands/check.hpp"
@@ -28,11 +29,11 @@
 namespace tactile_net::tool {
 
 /// What one command was asked for: `run` takes it.
-using Command =
-    std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
-                 SolveOptions, ReportOptions, IdentifyOptions, PlanOptions, TradeoffOptions,
-                 GraspOptions, SweepOptions, MergeOptions, InitOptions, CheckOptions,
-                 CalibrateOptions, SchemaOptions, HelpOptions, CompletionOptions, ReleaseOptions>;
+using Command = std::variant<RunOptions, GenOptions, RelaxOptions, CertifyOptions, SimulateOptions,
+                             SolveOptions, ReportOptions, IdentifyOptions, PlanOptions,
+                             TradeoffOptions, GraspOptions, SweepOptions, MergeOptions, InitOptions,
+                             CheckOptions, CalibrateOptions, BenchOptions, SchemaOptions,
+                             HelpOptions, CompletionOptions, ReleaseOptions>;
 
 struct Invocation {
   Command command{};

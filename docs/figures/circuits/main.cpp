@@ -173,6 +173,40 @@ Beside what each resistor is off, in [`tolerance`](scene.md#network): `reel`, an
 so many parts tell it) and their spread, in place of `relative`; `temperature = { kelvin = 40, ppm = 50, tracking_ppm = 5 }`, builds that work up to 40 K from where parts have their value, with 50 ppm/K that all of a build
 share and 5 ppm/K of each part beside. All are in the yield, in the draws of `--budget` (the measured reel is that of the coarsest class there) and in the datasheet. Parts of different values are of different reels: what those do not
 share is each part's own.
+The file's `[pins]` says what each pin of the package is for, and `price` what one costs by a class, of a hundred at distributors: compare both with the data sheet and the offer before you order. Two amplifiers in a package are told by two numbers:
+
+)";
+
+constexpr const char* after_parts =
+    R"(## A vendor's macromodel
+
+`tactile-net relax SCENE.toml --model VENDOR.lib` runs the circuit with a vendor's macromodel in PSpice's language in place of our op-amps (ngspice's `ngbehavior=psa`), each with a supply of its own, in the
+[same confinement](strangers.md#macromodels-relax---model). It compares what the certificate says with what ngspice sees: `as_certified` is stable or not as certified, and settles within a fifth of the certified time; `settles_otherwise`, `does_not_settle` and
+`settles_uncertified` say what differs, `answers_otherwise` that at rest it is more than a tenth off, so that its pins may be taken wrongly. A macromodel that is as the scene's op-amp settles within 5 % of the certificate.
+
+The sub-circuit is the one of the part's name, or that no other calls. Its pins are expected in the usual order: `in_plus in_minus supply_plus supply_minus out`, and of two outputs `in_plus in_minus supply_plus supply_minus out_plus out_minus common_mode`; one
+more is for power-down. Another order is the scene's, under `[network]`: `model = { name = "THS4551", pins = ["in_plus", "in_minus", "out_plus", "out_minus", "common_mode", "supply_plus", "supply_minus", "power_down"], supply = 5 }`. The signals lie
+about 0 V between the supplies, power-down and common mode are tied as on the board.
+
+## On the bench
+
+`tactile-net bench SCENE.toml MEASURED.csv` finds what is wrong with a board that is built. MEASURED.csv has a pattern a row: a current of each input, `I0`, `I1`, ... (A; of `lattice`, into the node v of a reading's pair and out of u), then the voltage
+of each output, `n0`, `n1`, ... (V; empty where it is not known, as at a converter's end). A row whose currents are 0 is the rest, and is subtracted: op-amps' offsets do not count. Each input by itself is enough, and
+`bench SCENE.toml --simulate board.csv --fault open:Rk3_3p` writes an example: parts within the scene's tolerances, the scene's op-amps, a converter of 12 bits.
+
+*How*. A resistor adds g l w' to the equations S of the circuit, so another value of it changes the responses by c (C S^-1 l)(w'S^-1 H) exactly, c = -dg/(1 + dg w'S^-1 l), and two that are swapped by Woodbury's formula of rank two. Responses of healthy boards have the covariance
+J T J' + s^2 I, J the sensitivities, T the tolerances' variances (uniform), s the converter's noise. Each part is tried open, bridged, with ten times and a tenth of its resistance, with another value (whose likelihood is integrated over), and swapped with every
+other; the best are tried again with the sensitivities of the faulty board. A fault is named if its likelihood over that of none exceeds 20 times the number of faults tried: so at most 5 of 100 healthy boards are accused (a likelihood ratio exceeds x by chance with a probability of
+at most 1/x). What explains the responses as well within a factor of 20 is *not told apart*: the two resistors of a lattice's pair always are, since their difference is common to both inputs. `not_explained`: no single fault is enough.
+
+Of 100 boards of `lattice` with eight taxels, parts of 1 %, 12 bits and a fault that its responses show (open, wrong decade, swapped), at least 95 have it named among four candidates at most; of 100 healthy ones at most 5 are accused: tests hold both. Faults of parts that
+hardly matter stay unseen, and do no harm.
+
+*The correction* is a matrix: exact voltages are the correction times the board's. It comes from the fitted board, the named fault and the most likely errors of all parts beside it, and is the smallest that noise allows; what remains, and by how much it enlarges noise, is told.
+A healthy board of 1 % errs by some 1 %, and by less than 0.1 % behind it. `--out out` writes `correction.csv`.
+
+*The self-test* needs no bench. After an answer f a controller computes r = b - P f in numbers, sends it into the summing nodes, where the same network answers d, and w = r'd / d'P d: |w d|/|f| is the board's own error, up to some per cent of itself. `bench` says
+the limit to accept, which 95 of 100 builds of the scene's tolerances keep.
 
 ## Other simulators
 
@@ -428,12 +462,12 @@ void write_amplifiers(const std::filesystem::path& folder) {
 
 std::string page() {
   return introduction + comparison(1e-3) + "At alpha = 1e-5:\n\n" + comparison(1e-5) + choice +
-         allocations_table() + values_text + table(Realization::ideal) + nic_text +
-         table(Realization::nic) + rail_text + table(Realization::rail) + crossbar_text +
-         table(Realization::crossbar) + crossbar_inverters_text +
-         table(Realization::crossbar, {.inverters = true}) + least_squares_text +
-         table(Realization::least_squares) + ladder_text + ladder_lags() + ladder_costs +
-         ladder_tolerances() + ladder_numbers +
+         allocations_table() + values_text + parts_table() + "\n" + after_parts +
+         table(Realization::ideal) + nic_text + table(Realization::nic) + rail_text +
+         table(Realization::rail) + crossbar_text + table(Realization::crossbar) +
+         crossbar_inverters_text + table(Realization::crossbar, {.inverters = true}) +
+         least_squares_text + table(Realization::least_squares) + ladder_text + ladder_lags() +
+         ladder_costs + ladder_tolerances() + ladder_numbers +
          table(Realization::least_squares, {.ladder = true}) + least_squares_inverters_text +
          table(Realization::least_squares, {.inverters = true}) + lattice_text +
          table(Realization::lattice) + lc_text + table(Realization::lc) + ndr_text + devices() +

@@ -26,6 +26,9 @@ namespace tactile_net::circuits {
 /// Errors of N-shaped devices over their voltage.
 [[nodiscard]] std::string devices();
 
+/// Op-amps that are sold, with their pins: from circuits/parts.
+[[nodiscard]] std::string parts_table();
+
 /// Typical op-amps in three realisations, at two scales.
 [[nodiscard]] std::string opamp_classes_table();
 

@@ -120,7 +120,7 @@ class BoardModel {
 };
 
 /// Patterns times outputs that are diagnosed at once: the time grows with their square.
-inline constexpr std::size_t most_responses = 4096;
+inline constexpr std::size_t most_responses = 2048;
 
 /// The conductances of a board with that fault [S].
 [[nodiscard]] std::vector<double> with_fault(std::span<const double> siemens,

@@ -19,7 +19,9 @@ namespace kind {
 inline constexpr DocumentKind run{"run", 2};
 inline constexpr DocumentKind explain{"explain"};  ///< run --explain
 inline constexpr DocumentKind relax{"relax"};
-inline constexpr DocumentKind deck{"deck"};  ///< relax FILE.cir
+inline constexpr DocumentKind deck{"deck"};              ///< relax FILE.cir
+inline constexpr DocumentKind macromodel{"macromodel"};  ///< relax SCENE --model FILE
+inline constexpr DocumentKind bench{"bench"};
 inline constexpr DocumentKind certify{"certify"};
 inline constexpr DocumentKind datasheet{"datasheet"};  ///< certify --datasheet
 inline constexpr DocumentKind simulate{"simulate"};

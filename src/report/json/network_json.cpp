@@ -5,6 +5,7 @@
 #include "report/json/network_values.hpp"
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
+#include "tactile_net/report/words/macromodel_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 
@@ -515,6 +516,25 @@ struct Fields<decks::DeckAnswer> {
       field("ngspice_seconds", &One::ngspice_seconds, Measure::time, "How long ngspice took.")};
 };
 
+template <>
+struct Fields<lab::MacromodelComparison> {
+  using One = lab::MacromodelComparison;
+  static constexpr auto all = std::tuple{
+      field(
+          "verdict", [](const One& one) { return one.verdict(); },
+          "Whether the macromodel does as the certificate says."),
+      field(
+          "text", [](const One& one) { return report::in_words(one); }, "The same in sentences."),
+      field("macromodel", &One::macromodel, "Its sub-circuit."),
+      field("names", &One::names, "The nodes."),
+      field("voltages", &One::voltages, Measure::voltage, "Their voltages at rest."),
+      field("difference_to_direct", &One::difference,
+            "How far they are from the direct solve: |v - f|_2 / |f|_2, its offset and gain "
+            "included."),
+      field("certificate", &One::certificate, "What is known of the circuit with its op-amps."),
+      field("transient", &One::transient, "The step in ngspice, with the macromodel.")};
+};
+
 namespace report {
 
 Json network_json(const lab::Relaxation& relaxation) { return fields_json(relaxation); }
@@ -523,6 +543,10 @@ Json network_schema() { return object_schema<lab::Relaxation>(); }
 
 std::string relaxation_json(const AnyScene& scene, const lab::Relaxation& relaxation) {
   return document_text(kind::relax, scene_told(scene), NetworkTold{relaxation});
+}
+
+std::string macromodel_json(const AnyScene& scene, const lab::MacromodelComparison& comparison) {
+  return document_text(kind::macromodel, scene_told(scene), comparison);
 }
 
 std::string certificate_json(const lab::Certification& certification) {
@@ -547,6 +571,10 @@ Json datasheet_schema() {
 }
 Json relax_schema() {
   return document_schema<SceneFrameTold, NetworkTold>(kind::relax, "What `relax SCENE` has found");
+}
+Json macromodel_schema() {
+  return document_schema<SceneFrameTold, lab::MacromodelComparison>(
+      kind::macromodel, "What `relax SCENE --model FILE` has found");
 }
 Json deck_schema() {
   return document_schema<DeckFileTold, decks::DeckAnswer>(kind::deck,

@@ -17,6 +17,8 @@ namespace tactile_net::report {
 [[nodiscard]] Json plan_schema();
 [[nodiscard]] Json recordings_schema();
 [[nodiscard]] Json relax_schema();
+[[nodiscard]] Json macromodel_schema();
+[[nodiscard]] Json bench_schema();
 [[nodiscard]] Json run_schema();
 [[nodiscard]] Json simulate_schema();
 [[nodiscard]] Json solve_schema();

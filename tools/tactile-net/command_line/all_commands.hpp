@@ -49,6 +49,7 @@ void add_run(AllCommands& all);
 void add_gen(AllCommands& all);
 void add_relax(AllCommands& all);
 void add_certify(AllCommands& all);
+void add_bench(AllCommands& all);
 void add_simulate(AllCommands& all);
 void add_solve(AllCommands& all);
 void add_report(AllCommands& all);

@@ -39,12 +39,17 @@ void add_relax(AllCommands& all) {
        .pages = {"circuits.md", "strangers.md"},
        .examples = {
            {"relax scenes/nic.toml", "the scene's circuit, compared with the direct solve"},
-           {"relax nic.cir --tolerance 1e-6", "a deck that gen wrote; you may have edited it"}}});
+           {"relax nic.cir --tolerance 1e-6", "a deck that gen wrote; you may have edited it"},
+           {"relax scenes/circuits/crossbar.toml --model ths4551.lib",
+            "with a vendor's macromodel of the op-amp, against the certificate"}}});
   add_scene(command, options.scene, "Scene file (TOML), or deck (.cir)", {"toml", "cir"});
   add_json(command, options.json, "Write the result as JSON");
   command.add_option("--tolerance", options.tolerance, number(),
                      "For a deck: largest relative difference that passes (default: its `* within` "
                      "line, or 1e-9)");
+  command.add_option("--model", options.model, file("FILE", {"lib", "cir", "txt", "mod"}),
+                     "For a scene: a vendor's PSpice macromodel in place of its op-amps; settling "
+                     "and stability are compared with the certificate");
   add_network(command, options.network);
   add_simulator(command, options.simulator);
 }
@@ -81,6 +86,35 @@ void add_certify(AllCommands& all) {
                    "offset, settling, noise and supply current over tolerances and temperature, "
                    "against the scene's limits; with --budget, of the parts to order; with --out, "
                    "write it as SCENE.datasheet.json too");
+  add_network(command, options.network);
+}
+
+void add_bench(AllCommands& all) {
+  auto [command, options] = all.add<BenchOptions>(
+      {.name = "bench",
+       .text = "Find what is wrong with a built board from its measured responses, and the matrix "
+               "that corrects its answers",
+       .pages = {"circuits.md"},
+       .examples = {{"bench scenes/circuits/bench.toml --simulate board.csv --fault open:Rk3_3p",
+                     "the responses of a board with a fault, as an example"},
+                    {"bench scenes/circuits/bench.toml board.csv --out out",
+                     "the part that is wrong; the correction in out/correction.csv"}}});
+  add_scene(command, options.scene);
+  command.add_option("MEASURED", options.measured, file("MEASURED", {"csv"}),
+                     "CSV of the measured responses: a pattern a row, a current of each input (I0, "
+                     "I1, ... [A]), then a voltage of each output (n0, n1, ... [V])");
+  command.add_option("--noise", options.noise, number(),
+                     "Standard deviation of a voltage [V] (default: of 12 bits)");
+  command.add_option("--simulate", options.simulate, output_file({"csv"}),
+                     "Write such a file instead of reading one: of a board of the scene's "
+                     "tolerances");
+  command.add_option("--fault", options.faults, text("KIND:PART,..."),
+                     "With --simulate: faults that are planted, such as open:Rk3_3p, "
+                     "ten_times:Rs1_2n, swapped:Rk1_2p/Rt0_3n");
+  command.add_option("--bits", options.bits, number(), "With --simulate: of the converter (default: 12)");
+  command.add_option("--seed", options.seed, number(), "With --simulate: which board (default: 1)");
+  add_results(command, options.results, "Folder for report.html, bench.json and correction.csv",
+              "Write the result as JSON");
   add_network(command, options.network);
 }
 

@@ -7,12 +7,16 @@
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/decks/deck_file.hpp"
+#include "tactile_net/decks/macromodel.hpp"
+#include "tactile_net/lab/macromodel_comparison.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/json/network_json.hpp"
+#include "tactile_net/report/words/macromodel_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/table.hpp"
+#include "tactile_net/scene/opamp_part.hpp"
 
 namespace tactile_net::tool {
 namespace {
@@ -60,11 +64,52 @@ void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams&
     throw CheckFailed(report::in_words(*disagreement));
 }
 
+/// Between its supply pins.
+double supply_of(const tactile_net::NetworkOptions& network) {
+  if (network.macromodel.supply) return *network.macromodel.supply;
+  if (network.supply) return *network.supply;
+  throw WrongUsage("--model",
+                   "needs the op-amps' supply: under [network], opamp = { part = \"THS4551\", "
+                   "supply = 5 }, or model = { supply = 5 }");
+}
+
+void run_macromodel(const RelaxOptions& options, const Streams& streams) {
+  const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
+  Results results({.json = options.json}, streams);
+  Progress progress(streams);
+  const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
+  const tactile_net::NetworkOptions& network = circuit.options();
+  const Circuit& built = circuit.network().circuit();
+  if (built.amplifiers.empty())
+    throw WrongUsage("--model", "stands for op-amps, and this circuit has none");
+  const decks::Macromodel model = decks::read_macromodel(
+      options.model, network.macromodel,
+      network.opamp_part != nullptr ? network.opamp_part->name : std::string(),
+      built.amplifiers.front().outputs, supply_of(network));
+  lab::SimulatorChoice choice = options.simulator;
+  choice.ngspice.pspice = true;
+  const std::unique_ptr<Simulator> simulator = lab::make_simulator(choice);
+  decks::MacromodelSimulator with_model(*simulator, model, built);
+  const lab::MacromodelComparison comparison =
+      lab::compare_macromodel(circuit, with_model, model.name, progress);
+  results.write({.print = [&](std::ostream& out) { report::print_macromodel(out, comparison); },
+                 .json = [&] { return report::macromodel_json(scene, comparison); }},
+                progress);
+  if (comparison.verdict() != lab::MacromodelVerdict::as_certified)
+    throw CheckFailed(report::in_words(comparison).front());
+}
+
 }  // namespace
 
 void run(const RelaxOptions& options, const Streams& streams) {
+  const bool deck = decks::is_deck(options.scene);
+  if (!options.model.empty()) {
+    if (deck) throw WrongUsage("--model", "is for scenes: a deck has the op-amps that it has");
+    if (options.tolerance) throw WrongUsage("--tolerance", "is for decks");
+    return run_macromodel(options, streams);
+  }
   const std::unique_ptr<Simulator> simulator = lab::make_simulator(options.simulator);
-  if (decks::is_deck(options.scene))
+  if (deck)
     run_deck(options, *simulator, streams);
   else
     run_scene(options, *simulator, streams);

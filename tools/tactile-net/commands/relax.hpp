@@ -15,6 +15,7 @@ struct RelaxOptions {
   std::string scene{};  ///< or a deck
   std::string json{};
   std::optional<double> tolerance{};  ///< for a deck
+  std::string model{};                ///< a vendor's macromodel for a scene's op-amps; empty: ours
   NetworkOptions network{};
   lab::SimulatorChoice simulator{};
 };

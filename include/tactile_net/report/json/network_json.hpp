@@ -6,6 +6,7 @@
 
 #include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/certification.hpp"
+#include "tactile_net/lab/macromodel_comparison.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/scene/scene.hpp"
 
@@ -13,6 +14,9 @@ namespace tactile_net::report {
 
 /// The document of `experiment_json` with the network alone.
 [[nodiscard]] std::string relaxation_json(const AnyScene& scene, const lab::Relaxation& relaxation);
+
+[[nodiscard]] std::string macromodel_json(const AnyScene& scene,
+                                          const lab::MacromodelComparison& comparison);
 
 [[nodiscard]] std::string certificate_json(const lab::Certification& certification);
 
