@@ -38,7 +38,7 @@ struct FrameTask {
 };
 
 /// By any thread where the method takes several.
-std::optional<FrameAnswer> answer_of(const FrameTask& task, std::span<const double> readings) {
+std::optional<FrameAnswer> answer_with(const FrameTask& task, std::span<const double> readings) {
   if (!task.method) return std::nullopt;
   FrameAnswer found = task.method->answer(readings, task.repeats);
   note_clipped(found.verdict, found.remarks, task.clipped);
@@ -152,7 +152,7 @@ Remarks RecordingSolver::remarks() const { return parts_->whole->remarks(); }
 std::optional<FrameAnswer> RecordingSolver::solve(std::span<double> readings,
                                                   std::optional<double> time) {
   const FrameTask task = parts_->begin(readings, time);
-  std::optional<FrameAnswer> answer = answer_of(task, readings);
+  std::optional<FrameAnswer> answer = answer_with(task, readings);
   parts_->end(task, readings, answer);
   return answer;
 }
@@ -172,7 +172,7 @@ void RecordingSolver::solve_all(const NextFrame& next, const UseAnswer& use, std
         frame.task = parts_->begin(frame.readings, time);
         return true;
       },
-      [](Frame& frame) { frame.answer = answer_of(frame.task, frame.readings); },
+      [](Frame& frame) { frame.answer = answer_with(frame.task, frame.readings); },
       [&](Frame& frame) {
         parts_->end(frame.task, frame.readings, frame.answer);
         use(frame.readings, frame.answer);

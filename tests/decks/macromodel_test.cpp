@@ -42,8 +42,8 @@ decks::Macromodel read(const std::string& text, Outputs outputs = Outputs::singl
   return decks::read_macromodel(file.path, options, part, outputs, 5.0);
 }
 
-std::string refused(const std::string& text, Outputs outputs = Outputs::single,
-                    const MacromodelOptions& options = {}) {
+std::string refused_model(const std::string& text, Outputs outputs = Outputs::single,
+                          const MacromodelOptions& options = {}) {
   try {
     (void)read(text, outputs, options);
   } catch (const InputError& error) {
@@ -97,12 +97,12 @@ lab::SceneCircuit scene_circuit(const std::string& more) {
 lab::MacromodelComparison compare(const std::string& text, const std::string& more = "",
                                   const MacromodelOptions& options = {}) {
   const ModelFile file(text);
-  const lab::SceneCircuit circuit = scene_circuit(more);
+  const lab::SceneCircuit certified = scene_circuit(more);
   Ngspice ngspice({.pspice = true});
   decks::MacromodelSimulator simulator(
       ngspice, decks::read_macromodel(file.path, options, "", Outputs::complementary, 5.0),
-      circuit.network().circuit());
-  return lab::compare_macromodel(circuit, simulator, "fda1");
+      certified.network().circuit());
+  return lab::compare_macromodel(certified, simulator, "fda1");
 }
 
 }  // namespace
@@ -136,26 +136,27 @@ TEST_CASE("a macromodel is taken as vendors write them", "[macromodel]") {
 
 TEST_CASE("what is no macromodel, or more than one, is refused with what to do", "[macromodel]") {
   const std::string head = ".subckt OPX 1 2 3 4 5\n";
-  CHECK_THAT(refused("R1 1 2 3\n"), ContainsSubstring("no .subckt"));
-  CHECK_THAT(refused(head + "!ls\n" + body), ContainsSubstring("m.lib:2:1"));
+  CHECK_THAT(refused_model("R1 1 2 3\n"), ContainsSubstring("no .subckt"));
+  CHECK_THAT(refused_model(head + "!ls\n" + body), ContainsSubstring("m.lib:2:1"));
   for (const char* line : {"shell ls", "shell touch /tmp/x", "write x", "source x y"})
-    CHECK_THAT(refused(head + line + "\n" + body), ContainsSubstring("m.lib:2:1"));
-  CHECK_THAT(refused(head + ".control\nshell ls\n.endc\n" + body),
+    CHECK_THAT(refused_model(head + line + "\n" + body), ContainsSubstring("m.lib:2:1"));
+  CHECK_THAT(refused_model(head + ".control\nshell ls\n.endc\n" + body),
              ContainsSubstring("commands to ngspice"));
-  CHECK_THAT(refused(head + ".include /etc/passwd\n" + body),
+  CHECK_THAT(refused_model(head + ".include /etc/passwd\n" + body),
              ContainsSubstring("reads another file"));
-  CHECK_THAT(refused(".lib /tmp/x.lib\n" + head + body), ContainsSubstring("reads another file"));
-  CHECK_THAT(refused(head + "A1 1 2 code\n" + body), ContainsSubstring("code model"));
-  CHECK_THAT(refused(head + "V1 1 2 PWL file=x\n" + body), ContainsSubstring("names a file"));
-  CHECK_THAT(refused(head + ".model x d_process(a=1)\n" + body),
+  CHECK_THAT(refused_model(".lib /tmp/x.lib\n" + head + body),
+             ContainsSubstring("reads another file"));
+  CHECK_THAT(refused_model(head + "A1 1 2 code\n" + body), ContainsSubstring("code model"));
+  CHECK_THAT(refused_model(head + "V1 1 2 PWL file=x\n" + body), ContainsSubstring("names a file"));
+  CHECK_THAT(refused_model(head + ".model x d_process(a=1)\n" + body),
              ContainsSubstring("kind of model that is not allowed"));
   for (const char* card : {".tran 1n 1u", ".options reltol=1", ".op", ".global vcc"})
-    CHECK_THAT(refused(head + card + "\n" + body), ContainsSubstring("only .subckt .ends"));
-  CHECK_THAT(refused("$CDNENCSTART\n0123\n"), ContainsSubstring("encrypted"));
+    CHECK_THAT(refused_model(head + card + "\n" + body), ContainsSubstring("only .subckt .ends"));
+  CHECK_THAT(refused_model("$CDNENCSTART\n0123\n"), ContainsSubstring("encrypted"));
   // A million lines, and a million elements in few lines.
   std::string lines = head;
   for (int k = 0; k < 20'001; ++k) lines += "r" + std::to_string(k) + " 1 2 1\n";
-  CHECK_THAT(refused(lines + body), ContainsSubstring("more than 20000 cards"));
+  CHECK_THAT(refused_model(lines + body), ContainsSubstring("more than 20000 cards"));
   std::string nested = ".subckt n0 1 2\nr1 1 2 1\n.ends\n";
   for (int level = 1; level <= 6; ++level) {
     nested += ".subckt n" + std::to_string(level) + " 1 2\n";
@@ -163,23 +164,24 @@ TEST_CASE("what is no macromodel, or more than one, is refused with what to do",
       nested += "x" + std::to_string(k) + " 1 2 n" + std::to_string(level - 1) + "\n";
     nested += ".ends\n";
   }
-  CHECK_THAT(refused(nested + head + "x1 1 2 n6\n" + body),
+  CHECK_THAT(refused_model(nested + head + "x1 1 2 n6\n" + body),
              ContainsSubstring("more than a million elements"));
   // Pins: how many, and which order is expected.
-  CHECK_THAT(refused(".subckt OPX 1 2 3\n" + body),
+  CHECK_THAT(refused_model(".subckt OPX 1 2 3\n" + body),
              ContainsSubstring("has 3 pins, and 5 are expected: in_plus in_minus supply_plus "
                                "supply_minus out") &&
                  ContainsSubstring("model = { pins = [\"in_plus\""));
-  CHECK_THAT(refused(head + body, Outputs::complementary), ContainsSubstring("common_mode"));
-  CHECK_THAT(refused(head + body, Outputs::single, {.pins = {MacromodelPin::in_plus}}),
+  CHECK_THAT(refused_model(head + body, Outputs::complementary), ContainsSubstring("common_mode"));
+  CHECK_THAT(refused_model(head + body, Outputs::single, {.pins = {MacromodelPin::in_plus}}),
              ContainsSubstring("1 are mapped"));
-  CHECK_THAT(refused(head + body, Outputs::single,
-                     {.pins = {MacromodelPin::in_plus, MacromodelPin::in_plus, MacromodelPin::open,
-                               MacromodelPin::open, MacromodelPin::out}}),
-             ContainsSubstring("not one in_plus"));
-  CHECK_THAT(refused(".subckt a 1 2 3 4 5\n" + body + ".subckt b 1 2 3 4 5\n" + body),
+  CHECK_THAT(
+      refused_model(head + body, Outputs::single,
+                    {.pins = {MacromodelPin::in_plus, MacromodelPin::in_plus, MacromodelPin::open,
+                              MacromodelPin::open, MacromodelPin::out}}),
+      ContainsSubstring("not one in_plus"));
+  CHECK_THAT(refused_model(".subckt a 1 2 3 4 5\n" + body + ".subckt b 1 2 3 4 5\n" + body),
              ContainsSubstring("several sub-circuits") && ContainsSubstring("a, b"));
-  CHECK_THAT(refused(head + body, Outputs::single, {.name = "other"}),
+  CHECK_THAT(refused_model(head + body, Outputs::single, {.name = "other"}),
              ContainsSubstring("no sub-circuit 'other'"));
 }
 
