@@ -74,7 +74,7 @@ Definition definition_of(const DeckCard& card) {
          word.find('=') == std::string::npos)
     ++found.pins;
   // "gain = 3": what stands before the sign is no pin.
-  if (word == "=" && found.pins > 0) --found.pins;
+  if (word == "=" && found.pins > 0) found.pins -= 1;
   return found;
 }
 

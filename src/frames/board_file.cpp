@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "numeric/csv_fields.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -20,13 +21,6 @@ namespace {
   throw InputError({Diagnostic{file, line, line == 0 ? 0U : 1U, message, hint, {}, 0}});
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
-    text.remove_suffix(1);
-  return text;
-}
-
 /// Where each wanted column stands.
 std::vector<std::size_t> places_of(std::span<const std::string> wanted,
                                    const std::vector<std::string_view>& header,
@@ -37,7 +31,7 @@ std::vector<std::size_t> places_of(std::span<const std::string> wanted,
     if (found == header.end() || std::count(header.begin(), header.end(), name) != 1)
       refuse_board(file, line, "has not one column '" + name + "'",
                    "columns are the circuit's inputs and outputs: " + wanted.front() + ", ..., " +
-                       wanted.back() + "; bench --simulate writes such a file");
+                       wanted.back() + "; a simulated board's file is such a one");
     places.push_back(static_cast<std::size_t>(found - header.begin()));
   }
   return places;

@@ -6,7 +6,6 @@
 #include "pages/parts.hpp"
 #include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
-#include "tactile_net/frames/board_file.hpp"
 #include "tactile_net/report/words/board_bench_words.hpp"
 
 namespace tactile_net::pages {
@@ -48,8 +47,7 @@ Figure errors_figure(const lab::BoardBench& bench) {
 Page bench_html(const AnyScene& scene, const lab::BoardBench& bench, const Made& made) {
   const Figures figures({errors_figure(bench)});
   Page page{.files = figures.data()};
-  page.files.push_back(
-      {"correction.csv", frames::matrix_csv(bench.outputs, bench.diagnosis.correction)});
+  page.files.push_back({"correction.csv", report::correction_csv(bench)});
   const auto [title, file] =
       std::visit([](const auto& one) { return std::pair(one.title, one.file); }, scene);
   std::string html =

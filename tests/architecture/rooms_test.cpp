@@ -45,7 +45,7 @@ const std::vector<Room> rooms{
     {"frames",
      {"realtime", "numeric", "system", "elasticity", "sensing", "inverse", "calibration", "grasp",
       "network", "skin", "scene"}},
-    {"decks", {"numeric", "system", "simulator", "scene"}},
+    {"decks", {"numeric", "system", "network", "simulator", "scene"}},
     {"lab",
      {"realtime", "numeric", "system", "elasticity", "sensing", "inverse", "calibration", "control",
       "grasp", "network", "skin", "simulator", "scene"}},

@@ -289,7 +289,7 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
       {"\"ideal\"", "\"nic\"\ntolerance = { temperature = { kelvin = 40, ppm = 50e3 } }", "37:29",
        "changes parts by all of their value"},
       {"\"ideal\"", "\"nic\"\ntolerance = { measured = { file = \"none.csv\", nominal = 1e3 } }",
-       "37:37", "is no file of measured parts"},
+       "37:35", "is no file of measured parts"},
       {"\"ideal\"", "\"nic\"\nsettling = {}", "37:12", "network.settling.accuracy"},
       {"\"ideal\"", "\"nic\"\nparasitic = { input = 1e-12 }", "37:23", "have no bandwidth"},
       {"\"ideal\"", "\"nic\"\ntolerance = { relative = 1.0 }", "37:26", "must be > 0 and < 1"},

@@ -574,7 +574,7 @@ Json relax_schema() {
 }
 Json macromodel_schema() {
   return document_schema<SceneFrameTold, lab::MacromodelComparison>(
-      kind::macromodel, "What `relax SCENE --model FILE` has found");
+      kind::macromodel, "What relaxing with a vendor's macromodel has found");
 }
 Json deck_schema() {
   return document_schema<DeckFileTold, decks::DeckAnswer>(kind::deck,

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <ostream>
 
+#include "tactile_net/frames/board_file.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/table.hpp"
 
@@ -108,6 +109,10 @@ std::vector<std::vector<std::string>> part_cells(const lab::BoardBench& bench) {
   for (const std::size_t r : order)
     rows.push_back({bench.parts[r], percent(d.part_errors[r]), percent(d.part_deviations[r])});
   return rows;
+}
+
+std::string correction_csv(const lab::BoardBench& bench) {
+  return frames::matrix_csv(bench.outputs, bench.diagnosis.correction);
 }
 
 void print_bench(std::ostream& out, const lab::BoardBench& bench) {

@@ -22,6 +22,9 @@ namespace tactile_net::report {
 /// The parts that the responses tell most of, beside the fault: their errors.
 [[nodiscard]] std::vector<std::vector<std::string>> part_cells(const lab::BoardBench& bench);
 
+/// The digital correction as CSV: outputs by outputs, with their names.
+[[nodiscard]] std::string correction_csv(const lab::BoardBench& bench);
+
 void print_bench(std::ostream& out, const lab::BoardBench& bench);
 
 }  // namespace tactile_net::report
