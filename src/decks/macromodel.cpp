@@ -83,7 +83,7 @@ std::vector<Definition> definitions_in(const DeckText& deck) {
   int depth = 0;
   for (const DeckCard& card : deck.cards) {
     if (card.text.starts_with(".subckt") && depth++ == 0) found.push_back(definition_of(card));
-    if (card.text.starts_with(".ends")) --depth;
+    if (card.text.starts_with(".ends")) depth -= 1;
   }
   return found;
 }
