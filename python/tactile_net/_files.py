@@ -266,9 +266,10 @@ def _stranger_csv(where: str, scene: Scene | None, units: Units | None, missing:
 
     if scene is None:
         raise no_scene(where)
+    notes: list[str] = []
     if units in (None, "scene") and {"units", "calibration"} & scene.to_dict().keys():
         as_written = scene.read(where, missing=missing)
-        values, notes = as_written.readings, []
+        values = as_written.readings
     else:
         as_written = scene.replace({"units": {}, "calibration": None}).read(where, missing=missing)
         # Judges units=; the numbers themselves are calibrated by the reader.

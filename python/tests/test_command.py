@@ -243,7 +243,9 @@ def test_circuits(command: Callable[..., str], path: Path, tmp_path: Path) -> No
     certification.report(tmp_path / "ours")
     same_page(tmp_path / "ours", tmp_path / "theirs")
     assert scene.netlist() == command("gen", path)
-    assert scene.netlist("nic") == command("gen", path, "--realization", "nic")
+    # Op-amps of a lattice may be parts of two outputs, which nic does not take.
+    other = "crossbar" if 'realization = "lattice"' in path.read_text() else "nic"
+    assert scene.netlist(other) == command("gen", path, "--realization", other)
     assert certification.stability in str(certification)
 
 
