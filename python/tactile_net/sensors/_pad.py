@@ -18,6 +18,7 @@ from .._layout import _unpacked
 from .._recording import Recording
 from .._refusal import refused
 from .._skin import Skin
+from ..errors import InputError
 
 if TYPE_CHECKING:
     from .._skin_solution import SkinSolution
@@ -253,11 +254,15 @@ class SensorRecording:
 
     def recording(self, changes: Mapping[str, Any] | None = None) -> Recording:
         """The frames as readings of the scene, with its notes."""
-        scene = self.scene(changes)
         try:
+            scene = self.scene(changes)
             _ = scene.surface
         except ValueError as error:
-            raise refused(self.path, str(error)) from None
+            # Of a surface that does not hold: in the recording's name, since the scene is made for it.
+            _, of_surface, why = str(error).partition("makes cells that its surface has not: ")
+            if isinstance(error, InputError) and not of_surface:
+                raise
+            raise refused(self.path, why.splitlines()[0] if of_surface else str(error)) from None
         reads, readings = self._reads[0], self._readings
         column = {
             f"{quantity}_{name}": readings[:, k, c]
