@@ -111,7 +111,8 @@ void add_bench(AllCommands& all) {
   command.add_option("--fault", options.faults, text("KIND:PART,..."),
                      "With --simulate: faults that are planted, such as open:Rk3_3p, "
                      "ten_times:Rs1_2n, swapped:Rk1_2p/Rt0_3n");
-  command.add_option("--bits", options.bits, number(), "With --simulate: of the converter (default: 12)");
+  command.add_option("--bits", options.bits, number(),
+                     "With --simulate: of the converter (default: 12)");
   command.add_option("--seed", options.seed, number(), "With --simulate: which board (default: 1)");
   add_results(command, options.results, "Folder for report.html, bench.json and correction.csv",
               "Write the result as JSON");
