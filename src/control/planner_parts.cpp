@@ -8,6 +8,7 @@
 
 #include "inverse/significance.hpp"
 #include "numeric/eigen.hpp"
+#include "skin/cell_wrench.hpp"
 #include "tactile_net/sensing/surface_cells.hpp"
 #include "tactile_net/skin/resultant.hpp"
 
@@ -138,17 +139,14 @@ std::optional<PlanSpace> plan_space(const LinearProblem& problem,
   PlanSpace space{.wrench = std::vector<double>(6 * tractions),
                   .places = std::vector<double>(3 * cells.size())};
   for (std::size_t at = 0; at < cells.size(); ++at) {
-    const SurfaceCell& cell = cells[at];
-    const double on_surface = problem.grid.area() / cell.area;
     for (std::size_t k = 0; k < 3; ++k)
-      space.places[k * cells.size() + at] = cell.first_moment[k] / cell.area;
+      space.places[k * cells.size() + at] = cells[at].first_moment[k] / cells[at].area;
     for (std::size_t u = 0; u < problem.components; ++u) {
-      const SpaceVector& force = cell.force[u];
-      const SpaceVector moment = combined(1.0, cell.moment[u], -1.0, cross(about, force));
+      const CellWrench of = cell_wrench(problem, at, u, about);
+      const std::size_t traction = u * cells.size() + at;
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t traction = u * cells.size() + at;
-        space.wrench[k * tractions + traction] = on_surface * force[k];
-        space.wrench[(3 + k) * tractions + traction] = on_surface * moment[k];
+        space.wrench[k * tractions + traction] = of.force[k];
+        space.wrench[(3 + k) * tractions + traction] = of.moment[k];
       }
     }
   }

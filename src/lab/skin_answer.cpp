@@ -16,6 +16,7 @@
 #include "lab/skin_data_verdict.hpp"
 #include "lab/skin_method.hpp"
 #include "lab/skin_mixture.hpp"
+#include "skin/cell_wrench.hpp"
 #include "tactile_net/inverse/error_bound.hpp"
 #include "tactile_net/lab/answer.hpp"
 #include "tactile_net/lab/skin_sight.hpp"
@@ -263,17 +264,12 @@ class SkinFrameMethod final : public FrameMethod {
     std::array<double, 3> sums{};
     for (const std::size_t at : answer.cells)
       for (std::size_t u = 0; u < flat.components; ++u) {
-        const SurfaceCell& cell = (*flat.cells)[at];
-        const double on_surface = flat.grid.area() / cell.area;
-        const double found = on_surface * answer.tractions[u * count + at];
-        const double by = on_surface * moved[u * count + at];
-        force = combined(1.0, force, found, cell.force[u]);
-        off = combined(1.0, off, by, cell.force[u]);
-        turned =
-            combined(1.0, turned, by,
-                     combined(1.0, cell.moment[u], -1.0,
-                              cross(problem_.scene().reconstruct.moment_about, cell.force[u])));
-        sums[u] += by * cell.area;
+        const CellWrench of = cell_wrench(flat, at, u, problem_.scene().reconstruct.moment_about);
+        const double by = moved[u * count + at];
+        force = combined(1.0, force, answer.tractions[u * count + at], of.force);
+        off = combined(1.0, off, by, of.force);
+        turned = combined(1.0, turned, by, of.moment);
+        sums[u] += by * flat.grid.area();
       }
     const auto widen = [](Uncertain& one, double by) {
       one.deviation = std::hypot(one.deviation, by);

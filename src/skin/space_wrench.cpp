@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "skin/cell_wrench.hpp"
 #include "skin/curved_kernel.hpp"
 
 namespace tactile_net {
@@ -22,20 +23,16 @@ class SpaceSums {
       throw std::invalid_argument("a wrench in space is of the cells of a curved skin");
   }
 
-  /// @param of  a vector of a cell by the component u: per Pa on its surface
+  /// @param of  a vector of cell `at` by the component u: per Pa of the problem's tractions
   [[nodiscard]] std::array<Weights, 3> operator()(const auto& of) const {
     const std::size_t count = problem_.grid.count();
     std::array<Weights, 3> all;
     all.fill(Weights(problem_.components * count));
-    for (const std::size_t at : cells_) {
-      const SurfaceCell& cell = problem_.cells->at(at);
-      const double on_surface = problem_.grid.area() / cell.area;
+    for (const std::size_t at : cells_)
       for (std::size_t u = 0; u < problem_.components; ++u) {
-        const SpaceVector vector = of(cell, u);
-        for (std::size_t k = 0; k < all.size(); ++k)
-          all[k][u * count + at] = on_surface * vector[k];
+        const SpaceVector vector = of(at, u);
+        for (std::size_t k = 0; k < all.size(); ++k) all[k][u * count + at] = vector[k];
       }
-    }
     return all;
   }
 
@@ -71,17 +68,18 @@ SpaceWrench space_wrench(const LinearProblem& problem, std::span<const double> t
   const auto put = [&](std::array<Weights, 3> three) {
     for (Weights& one : three) all.push_back(std::move(one));
   };
-  put(sums([](const SurfaceCell& cell, std::size_t u) { return cell.force[u]; }));
-  put(sums([&](const SurfaceCell& cell, std::size_t u) {
-    return combined(1.0, cell.moment[u], -1.0, cross(about, cell.force[u]));
-  }));
+  put(sums(
+      [&](std::size_t at, std::size_t u) { return cell_wrench(problem, at, u, about).force; }));
+  put(sums(
+      [&](std::size_t at, std::size_t u) { return cell_wrench(problem, at, u, about).moment; }));
   // The mean of the places that press, and the sums on the chart.
   const bool presses = chart.centre_y && chart.centre_z && chart.normal.value > 0.0;
   const std::size_t of_places = all.size();
   SpaceVector middle = about;
   if (presses) {
-    std::array<Weights, 3> places = sums([](const SurfaceCell& cell, std::size_t u) {
-      return u == 0 ? cell.first_moment : SpaceVector{};
+    std::array<Weights, 3> places = sums([&](std::size_t at, std::size_t u) {
+      const SurfaceCell& cell = problem.cells->at(at);
+      return u == 0 ? multiple(problem.grid.area() / cell.area, cell.first_moment) : SpaceVector{};
     });
     double force = 0.0;
     for (const std::size_t cell : cells) force += problem.grid.area() * tractions[cell];
