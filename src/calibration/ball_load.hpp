@@ -52,7 +52,9 @@ class BallLoad {
   [[nodiscard]] Share next() noexcept {
     const double n = degree_++;
     const double m = n + 0.5;
-    double value = 0.0, slope = 0.0, bend = 0.0;
+    double value = 0.0;
+    double slope = 0.0;
+    double bend = 0.0;
     for (Point& at : points_) {
       // g = cos m t / cos(t/2), its slopes by t, and d / d log a = 2 tan(t/2) d / dt.
       const double first = -m * at.sine + 0.5 * at.tangent * at.cosine;

@@ -174,7 +174,9 @@ class BallPresses {
     const auto block = static_cast<Eigen::Index>(degrees_at_once);
     std::array<Eigen::MatrixXd, ball_shape_count> shapes;
     for (Eigen::MatrixXd& values : shapes) values.resize(block, radii);
-    std::array<Eigen::MatrixXd, 2> load, load_slope;  // of normal tractions, and of drags
+    // Of normal tractions, and of drags.
+    std::array<Eigen::MatrixXd, 2> load;
+    std::array<Eigen::MatrixXd, 2> load_slope;
     for (std::size_t kind = 0; kind < 2; ++kind) {
       load[kind].resize(rows, block);
       load_slope[kind].resize(rows, block);
@@ -339,7 +341,7 @@ void add_curved_readings(const PadTaxels& taxels, std::span<const PressState> pr
         const auto& [place, slope] = seen[i * presses.size() + p];
         const auto& [normal, y, z] = ball.readings(p, axes[i], place, tractions);
         const double force = std::exp(press.log_force);
-        const auto drag = [&](double cosine, double sine) {
+        const auto drag = [&y = y, &z = z](double cosine, double sine) {
           return std::pair{cosine * y + sine * z, cosine * z - sine * y};
         };
         const auto& [along_y, along_z] = drag(place.cosine, place.sine);

@@ -183,7 +183,7 @@ std::string wrapper(const AmplifierModel& amplifier, const Macromodel& model) {
         break;
       case Pin::open: {
         const std::string node = "open" + std::to_string(open++);
-        text += 'R' + node + ' ' + node + " 0 1e12\n";
+        text.append("R").append(node).append(" ").append(node).append(" 0 1e12\n");
         call += ' ' + node;
         break;
       }

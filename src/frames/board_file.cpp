@@ -82,6 +82,8 @@ BoardResponses read_board_file(const std::filesystem::path& path,
     };
     std::vector<double> currents;
     std::vector<double> voltages;
+    currents.reserve(of_inputs.size());
+    voltages.reserve(of_outputs.size());
     for (const std::size_t at : of_inputs) currents.push_back(value(at, false));
     for (const std::size_t at : of_outputs) voltages.push_back(value(at, true));
     const bool at_rest =

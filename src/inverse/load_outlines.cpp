@@ -74,7 +74,7 @@ void LoadPrior::Tables::outline_all(std::size_t of) {
         weighted = HouseholderQr(weighted.transpose()).triangle().transpose();
       const Index size = outline.classes.emplace_back(weighted).diagonal().size();
       if (i == 0)
-        outline.u.push_back(
+        outline.u.emplace_back(
             outline.classes.back().rotate(Eigen::MatrixXd::Identity(size, size)).transpose());
       count += size;
     }
@@ -188,7 +188,7 @@ Eigen::RowVectorXd LoadPrior::Tables::products(const Part& part, const Eigen::Ro
   return a.cwiseProduct(b) * over(part);
 }
 
-Eigen::MatrixXd LoadPrior::Tables::over(const Part& part) const {
+Eigen::MatrixXd LoadPrior::Tables::over(const Part& part) {
   Eigen::MatrixXd all(part.beta.size(), std::ssize(part.sizes));
   for (Index i = 0; i < all.cols(); ++i)
     all.col(i) =

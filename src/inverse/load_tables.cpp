@@ -456,7 +456,7 @@ std::shared_ptr<const LoadPrior::Tables::Details> LoadPrior::Tables::details(
   // Not under the lock: two threads may make the same, which is the same.
   const auto own = std::make_shared<Details>();
   make(entry, *own);
-  const std::shared_ptr<const Details> made = own;
+  std::shared_ptr<const Details> made = own;
   const auto numbers = [](const Details& one) {
     return static_cast<std::size_t>(one.v.size() + one.roots.size()) +
            static_cast<std::size_t>(one.hidden.size()) * (1 + one.spreads.size());

@@ -119,8 +119,8 @@ struct LoadPrior::Tables {
 
     /// U'x. @param x  coordinates of the range
     [[nodiscard]] Eigen::MatrixXd rotated(const Eigen::MatrixXd& x) const;
-    [[nodiscard]] DampedBidiagonal damped(Eigen::VectorXd alphas) const {
-      return {diagonal, above, std::move(alphas)};
+    [[nodiscard]] DampedBidiagonal damped(Eigen::VectorXd by) const {
+      return {diagonal, above, std::move(by)};
     }
   };
   /// What answers need of an entry.
@@ -217,7 +217,7 @@ struct LoadPrior::Tables {
   };
   [[nodiscard]] Shown shown(const Shape& shape) const;
   [[nodiscard]] Entry decomposed(std::size_t at) const;
-  void outline_all(std::size_t shape);
+  void outline_all(std::size_t of);
   void size_alphas(double largest_gamma);
   /// Leaves out what no reading shows, and adds what is known of it before anything is read.
   void weigh(Entry& entry) const;
@@ -229,9 +229,9 @@ struct LoadPrior::Tables {
   [[nodiscard]] std::vector<Eigen::SparseMatrix<double>> classes_by(
       std::span<const Reflection* const> by) const;
   /// T, V and what they hide.
-  void make(const Entry& entry, Details& details) const;
+  void make(const Entry& entry, Details& made) const;
   /// 1 / (gamma^2 + alpha), a column for each size.
-  [[nodiscard]] Eigen::MatrixXd over(const Part& part) const;
+  [[nodiscard]] static Eigen::MatrixXd over(const Part& part);
   [[nodiscard]] Eigen::MatrixXd value_vectors(const Entry& entry) const;
   /// The same of an outline.
   [[nodiscard]] Eigen::MatrixXd outlined_vectors(std::size_t at) const;

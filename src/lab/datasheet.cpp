@@ -124,13 +124,14 @@ DatasheetFigure figure_of(FigureKind kind, std::vector<double> values,
   std::sort(values.begin(), values.end());
   const std::size_t count = values.size();
   const auto [low, high] = quantile_ranks(count, 0.95);
+  const double most = high > count ? never_settles : values[high - 1];
   return {.kind = kind,
           .builds = count,
           .least = values.front(),
           .typical = values[count / 2],
           .p95 = values[std::min(count * 95 / 100, count - 1)],
           .p95_least = low == 0 ? values.front() : values[low - 1],
-          .p95_most = high > count ? never_settles : values[high - 1],
+          .p95_most = most,
           .limit = limit};
 }
 

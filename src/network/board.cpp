@@ -202,8 +202,9 @@ class Layout {
   std::pair<double, double> next(Row& row) const {
     const double wide = std::max(1.0, std::floor((board_.width - 2.0 * margin) / row.width));
     const auto in_row = static_cast<std::size_t>(wide);
+    const std::size_t rows_before = row.count / in_row;
     const double x = margin + row.width * (static_cast<double>(row.count % in_row) + 0.5);
-    const double y = below_ + row.height * (static_cast<double>(row.count / in_row) + 0.5);
+    const double y = below_ + row.height * (static_cast<double>(rows_before) + 0.5);
     ++row.count;
     return {x, y};
   }
@@ -239,7 +240,7 @@ class Layout {
       add_capacitor("Cn" + x.name, "100n", chip_0402, positive_ + 1, so8.x + 0.25 * so8_width, y);
       for (std::size_t k = 0; k < pins.size(); ++k) {
         const bool left = k < 4;
-        const double along = static_cast<double>(left ? k : 7 - k);
+        const auto along = static_cast<double>(left ? k : 7 - k);
         so8.pads.push_back({std::to_string(k + 1), left ? -2.475 : 2.475, 1.27 * (along - 1.5),
                             1.95, 0.6, net_of(pins[k], x)});
       }

@@ -279,7 +279,7 @@ class FaultSearch {
   }
 
   /// What a change of one conductance makes of the inverse: a factor of its column.
-  [[nodiscard]] double reach(double change, double across) const {
+  [[nodiscard]] static double reach(double change, double across) {
     return -change / (1.0 + change * across);
   }
 
@@ -444,7 +444,7 @@ void search(const BoardParts& board, const SolvedBoard& ideal, const Eigen::Matr
             const Measured& measured, BoardDiagnosis& result) {
   const PartEffects effects = board.effects(ideal, measured);
   const Eigen::VectorXd off = measured.off(board.answers(ideal));
-  const double count = static_cast<double>(off.size());
+  const auto count = static_cast<double>(off.size());
   double healthy = 0.0;
   {
     const LinearBoard linear(effects, board.nominal(), board.tolerances, measured.noise);

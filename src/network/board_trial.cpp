@@ -8,6 +8,7 @@
 #include "network/nodal_equations.hpp"
 #include "network/random.hpp"
 #include "numeric/decompositions.hpp"
+#include "numeric/robust.hpp"
 #include "tactile_net/network/board_bench.hpp"
 #include "tactile_net/network/tolerance.hpp"
 
@@ -93,11 +94,6 @@ SelfTest self_test(const Reduction& reduction, const Matrix& matrix,
     shown.push_back(seen);
     if (own > 0.0) apart.push_back(std::abs(seen / own - 1.0));
   }
-  const auto quantile = [](std::vector<double>& values, double share) {
-    if (values.empty()) return 0.0;
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
-  };
   return {.limit = quantile(shown, 0.95),
           .median = quantile(shown, 0.5),
           .apart = quantile(apart, 0.95)};

@@ -1,5 +1,6 @@
 #include "tactile_net/network/drawn_circuit.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,9 +13,9 @@ namespace {
 constexpr std::uint64_t of_bandwidth = std::uint64_t{1} << 42U;
 
 bool any_of_models(const Circuit& circuit, std::optional<double> OpAmp::*key) {
-  for (const AmplifierModel& model : circuit.amplifiers)
-    if ((model.opamp.*key).value_or(0.0) != 0.0) return true;
-  return false;
+  return std::any_of(
+      circuit.amplifiers.begin(), circuit.amplifiers.end(),
+      [&](const AmplifierModel& model) { return (model.opamp.*key).value_or(0.0) != 0.0; });
 }
 
 }  // namespace

@@ -255,7 +255,7 @@ class BoardReading {
       part.element = std::move(value);
   }
 
-  std::size_t layer_of(const Item& item) const {
+  [[nodiscard]] std::size_t layer_of(const Item& item) const {
     const Item layer = item.get("layer").part(0);
     const auto known = layer_.find(layer.text());
     if (known == layer_.end())

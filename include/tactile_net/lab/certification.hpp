@@ -52,6 +52,6 @@ struct CertificationOptions {
 /// @throw std::invalid_argument, std::domain_error  the scene's options make no circuit, or as
 ///                                                  `parts_list`, `certify_board` and `datasheet`
 [[nodiscard]] Certification certify(const AnyScene& scene, Observer& observer = silent,
-                                    const CertificationOptions& options = {});
+                                    const CertificationOptions& wanted = {});
 
 }  // namespace tactile_net::lab

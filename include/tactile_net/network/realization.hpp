@@ -40,7 +40,7 @@ inline constexpr std::array realizations = {
     Realization::least_squares, Realization::lattice, Realization::lc,   Realization::ndr};
 
 [[nodiscard]] std::string_view name(Realization realization) noexcept;
-[[nodiscard]] std::optional<Realization> realization_named(std::string_view name) noexcept;
+[[nodiscard]] std::optional<Realization> realization_named(std::string_view text) noexcept;
 
 /// What a network solves: P f = b, and the least-squares problem that it comes from.
 struct NetworkProblem {

@@ -43,8 +43,8 @@ class BallModesOf {
   /// @param depth      [0, 1], in units of the thickness
   BallModesOf(const Number& nu, const Number& curvature, const Number& depth) noexcept;
 
-  /// @param n  degree, any
-  [[nodiscard]] BallModeOf<Number> operator()(std::size_t n) const noexcept;
+  /// @param degree  any
+  [[nodiscard]] BallModeOf<Number> operator()(std::size_t degree) const noexcept;
 
   /// Degrees that matter: those beyond are below exp(-40) of the largest.
   [[nodiscard]] std::size_t degrees() const noexcept {
