@@ -139,10 +139,11 @@ nb::typed<nb::dict, nb::str, nb::any> fields_of(Answers answers, const SkinScene
 
 nb::typed<nb::tuple, nb::typed<nb::list, nb::any>, nb::any> uncertainty_of(Answers answers,
                                                                            const SkinScene& scene) {
-  std::vector<std::string> names = report::uncertainty_columns(scene);
+  const lab::SkinSceneProblem problem(scene);
+  std::vector<std::string> names = report::uncertainty_columns(problem);
   names.pop_back();
   const Array values = rows_of(answers, names.size(), [&](const lab::FrameAnswer& one) {
-    return report::uncertainty_values(one, scene);
+    return report::uncertainty_values(problem, one);
   });
   return nb::make_tuple(nb::cast(names), values);
 }

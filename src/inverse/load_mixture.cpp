@@ -21,6 +21,13 @@ namespace {
 constexpr double least_sigma = 1e-14;         // over the largest reading: below is rounding
 constexpr double deviations_from_zero = 5.0;  // of a ratio's denominator
 
+void check_options(const LoadPriorOptions& options) {
+  require_positive("depth", options.depth);
+  require_positive("narrowest", options.narrowest);
+  require(options.prior_power >= 0.0 && std::isfinite(options.prior_power), "prior_power",
+          "be >= 0 and finite", options.prior_power);
+}
+
 /// Of Student's t with these degrees of freedom.
 double student_variance(double degrees) {
   if (std::isinf(degrees)) return 1.0;
@@ -29,11 +36,13 @@ double student_variance(double degrees) {
 
 }  // namespace
 
+LoadWork load_work(const LinearProblem& problem, const LoadPriorOptions& options) {
+  check_options(options);
+  return LoadPrior::Tables(problem, options, LoadPrior::Tables::WindowsAlone{}).work();
+}
+
 LoadPrior::LoadPrior(const LinearProblem& problem, const LoadPriorOptions& options) {
-  require_positive("depth", options.depth);
-  require_positive("narrowest", options.narrowest);
-  require(options.prior_power >= 0.0 && std::isfinite(options.prior_power), "prior_power",
-          "be >= 0 and finite", options.prior_power);
+  check_options(options);
   tables_ = std::make_shared<const Tables>(problem, options);
 }
 

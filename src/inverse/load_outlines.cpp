@@ -37,6 +37,29 @@ struct ClassRows {
 
 }  // namespace
 
+LoadWork LoadPrior::Tables::work() const {
+  constexpr double likely_alphas = 12.0;  // of each window in a frame of noise
+  constexpr double alphas_of_variances = 20.0;
+  const auto weights = static_cast<double>(tangential_weights.size());
+  const auto rows = static_cast<double>(weighting.size());
+  LoadWork work;
+  for (const Shape& shape : shapes) {
+    const auto by = static_cast<double>(classifying(shape).size());  // 0, 1 or 2: so many halvings
+    const double classes = std::exp2(by);
+    const auto values = static_cast<double>(shape.columns.size());
+    const double shown = std::min(values, rows);
+    const double longer = std::max(values, rows);
+    // A QR of each class, and for each weight a bidiagonal matrix.
+    work.set_up += (2.0 * longer * shown * shown + weights * 8.0 / 3.0 * shown * shown * shown) /
+                   (classes * classes);
+    if (values > rows) work.set_up += weights * 4.0 * shown * shown * shown / (classes * classes);
+    work.frame +=
+        static_cast<double>(shape.windows.size()) * weights * likely_alphas * 2.0 * values * shown;
+    work.kept += weights * values * (shown + alphas_of_variances);
+  }
+  return work;
+}
+
 Eigen::MatrixXd LoadPrior::Tables::Rows::back(const Eigen::MatrixXd& x, Index all) const {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(all, x.cols());
   if (!qr) {

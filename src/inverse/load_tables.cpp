@@ -54,12 +54,22 @@ Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& options,
                           std::size_t least_parted)
+    : Tables(problem, options, WindowsAlone{}) {
+  kernel_ = as_eigen(problem.kernel);
+  is_long_ = problem.kernel.rows >= least_parted;
+  entries_.resize(shapes.size() * tangential_weights.size());
+  kept_.resize(entries_.size());
+  asked_.resize(entries_.size());
+  prepare(options.threads);
+}
+
+LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& options,
+                          WindowsAlone)
     : weighting(problem),
       components(static_cast<Index>(problem.components)),
       block(static_cast<Index>(problem.grid.count())),
-      kernel_(as_eigen(problem.kernel)),
       prior_power_(options.prior_power),
-      is_long_(problem.kernel.rows >= least_parted) {
+      is_long_(problem.kernel.rows >= few_readings) {
   if (problem.components == 1)
     tangential_weights = {1.0};
   else if (problem.is_line)
@@ -68,11 +78,7 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
     tangential_weights.assign(skin_weights.begin(), skin_weights.end());
   find_reflections(problem);
   add_windows(problem, options);
-  entries_.resize(shapes.size() * tangential_weights.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i].first = i * tangential_weights.size();
-  kept_.resize(entries_.size());
-  asked_.resize(entries_.size());
-  prepare(options.threads);
 }
 
 WindowPlace LoadPrior::Tables::Reflection::image(const WindowPlace& place,

@@ -57,6 +57,7 @@ class WindowCoordinates {
 struct LoadPrior::Tables {
   /// Of the alphas those at which every window is looked at: each fourth, the first one too.
   static constexpr int looked_apart = 4;
+  static constexpr std::size_t few_readings = 128;
 
   /// Of readings and of tractions: y -> -y, z -> -z, both or none, and then y and z exchanged or
   /// not.
@@ -136,7 +137,11 @@ struct LoadPrior::Tables {
   /// @param least_parted  readings: of fewer a decomposition takes a millisecond, as a thread does,
   ///                      and is neither parted into classes nor given one, nor outlined
   Tables(const LinearProblem& problem, const LoadPriorOptions& options,
-         std::size_t least_parted = 128);
+         std::size_t least_parted = few_readings);
+  /// Of these no more than the windows, which say how much work the rest is.
+  struct WindowsAlone {};
+  Tables(const LinearProblem& problem, const LoadPriorOptions& options, WindowsAlone);
+  [[nodiscard]] LoadWork work() const;
 
   [[nodiscard]] std::size_t entries_count() const noexcept { return entries_.size(); }
   [[nodiscard]] const Entry& entry(std::size_t at) const { return entries_[at]; }

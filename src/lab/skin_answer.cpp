@@ -128,7 +128,8 @@ class SkinFrameMethod final : public FrameMethod {
         readings_(readings),
         frame_(method_->analyse(readings)),
         choose_(std::move(choose)),
-        repeats_(repeats) {}
+        repeats_(repeats),
+        mixture_left_out_(!choose_ && given.mixture_is_left_out()) {}
 
   ChosenAlpha alpha() override {
     ChosenAlpha alpha = alpha_of(problem_, frame_, choose_);
@@ -150,6 +151,7 @@ class SkinFrameMethod final : public FrameMethod {
       throw FrameOverflow();
     if (problem_.is_large() && !answer.iteration) answer.iteration = FrameAnswer::Iteration{};
     answer.solved = answer.verdict;
+    if (mixture_left_out_) answer.remarks.emplace_back(remark::MixtureLeftOut{});
   }
 
   [[nodiscard]] double residual(std::span<const double> tractions) const override {
@@ -336,6 +338,7 @@ class SkinFrameMethod final : public FrameMethod {
   FilterFrame frame_;
   SkinAlphaChooser choose_;
   std::optional<std::size_t> repeats_;
+  bool mixture_left_out_;
   std::optional<TikhonovFamily> face_{};  // what constraints leave free
 };
 

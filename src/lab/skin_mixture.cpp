@@ -80,18 +80,19 @@ std::vector<double> force_in(std::span<const std::size_t> cells, const LinearPro
 WrenchDistributions distributions_in(std::span<const std::size_t> cells, const LoadMixture& mixture,
                                      const LinearProblem& problem) {
   const SurfaceGrid& grid = problem.grid;
-  const std::vector<double> force = force_in(cells, problem, 0);
-  const auto centre = [&](bool along_z) {
-    std::vector<double> moment = force;
-    for (const std::size_t cell : cells)
-      moment[cell] *= along_z ? grid.z(cell % grid.columns) : grid.y(cell / grid.columns);
-    return mixture.ratio(moment, force);
-  };
+  std::vector<std::vector<double>> weights(3, force_in(cells, problem, 0));  // and moments
+  for (const std::size_t cell : cells) {
+    weights[1][cell] *= grid.y(cell / grid.columns);
+    weights[2][cell] *= grid.z(cell % grid.columns);
+  }
+  for (std::size_t u = 1; u < problem.components; ++u)
+    weights.push_back(force_in(cells, problem, u));
+  const LoadSums sums = mixture.sums(weights);
   WrenchDistributions known{
-      .normal = mixture.of(force), .centre_y = centre(false), .centre_z = centre(true)};
+      .normal = sums.of(0), .centre_y = sums.ratio(1, 0), .centre_z = sums.ratio(2, 0)};
   if (problem.components == 1) return known;
-  known.tangential_y = mixture.of(force_in(cells, problem, 1));
-  known.tangential_z = mixture.of(force_in(cells, problem, 2));
+  known.tangential_y = sums.of(3);
+  known.tangential_z = sums.of(4);
   return known;
 }
 

@@ -46,6 +46,22 @@ bool is_too_large(const SkinScene& scene, std::size_t most_dense) noexcept {
   }
 }
 
+LoadPriorOptions prior_options(const SkinScene& scene) {
+  return {.depth = least_depth(scene.sensor), .narrowest = 3.5};
+}
+
+// Cores did 5 to 10 billion in a second of the set-up, and a billion of a frame, whose numbers come
+// from memory: some four seconds, and one and a half where a frame is noise alone.
+constexpr double most_set_up = 4e10;
+constexpr double most_in_frame = 1.5e9;
+constexpr double most_kept = 32.0 * 1024 * 1024;
+
+bool may_answer_by_mixture(const SkinSceneProblem& problem) {
+  const SkinArray& skin = problem.scene().sensor;
+  return !problem.is_large() && problem.stated_noise() &&
+         channel_count(skin) * taxel_count(skin) <= most_mixture_readings;
+}
+
 /// What the frames of one key need, lent to all that ask for it at the same time. As many keys are
 /// kept as were lent at once: one where frames come one after the other, whichever threads they
 /// come from.
@@ -100,6 +116,7 @@ struct SkinSceneProblem::Parts {
   std::unique_ptr<LargeSkin> large{};
   std::optional<AlphaTables> alpha_tables{};
   std::optional<LoadPrior> load_prior{};
+  std::optional<bool> takes_long{};  // that prior
   std::optional<DataJudge> data_judge{};
   std::optional<std::vector<bool>> unseen{};
   std::optional<std::vector<std::size_t>> border{};
@@ -262,15 +279,31 @@ std::shared_ptr<const ConeTikhonov> SkinSceneProblem::cone(double alpha) const {
 }
 
 bool SkinSceneProblem::answers_by_mixture() const {
-  return parts_->scene.reconstruct.answer == AnswerKind::mixture && !is_large() && stated_noise() &&
-         problem().kernel.rows <= most_mixture_readings;
+  const auto& options = parts_->scene.reconstruct;
+  if (!may_answer_by_mixture(*this)) return false;
+  if (options.answer) return *options.answer == AnswerKind::mixture;
+  return !options.alpha && !options.alpha_rule && !mixture_takes_long();
+}
+
+bool SkinSceneProblem::mixture_is_left_out() const {
+  const auto& options = parts_->scene.reconstruct;
+  return !options.answer && !options.alpha && !options.alpha_rule && may_answer_by_mixture(*this) &&
+         mixture_takes_long();
+}
+
+bool SkinSceneProblem::mixture_takes_long() const {
+  const std::lock_guard lock(parts_->mutex);
+  if (!parts_->takes_long) {
+    const LoadWork work = load_work(problem(), prior_options(parts_->scene));
+    parts_->takes_long =
+        work.set_up > most_set_up || work.frame > most_in_frame || work.kept > most_kept;
+  }
+  return *parts_->takes_long;
 }
 
 const LoadPrior& SkinSceneProblem::load_prior() const {
   const std::lock_guard lock(parts_->mutex);
-  if (!parts_->load_prior)
-    parts_->load_prior.emplace(
-        problem(), LoadPriorOptions{.depth = least_depth(parts_->scene.sensor), .narrowest = 3.5});
+  if (!parts_->load_prior) parts_->load_prior.emplace(problem(), prior_options(parts_->scene));
   return *parts_->load_prior;
 }
 

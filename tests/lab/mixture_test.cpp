@@ -15,6 +15,7 @@
 #include "tactile_net/lab/skin_simulation.hpp"
 #include "tactile_net/lab/time_course.hpp"
 #include "tactile_net/report/csv/uncertainty_csv.hpp"
+#include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 #include "tests/lab/scene_parts.hpp"
@@ -281,8 +282,8 @@ SkinScene pressed_skin(const std::string& reconstruct, const std::string& size =
 
 }  // namespace
 
-TEST_CASE("a skin is answered by its mixture where that is asked for", "[lab][mixture][skin]") {
-  const SkinScene scene = pressed_skin(mixture);
+TEST_CASE("a skin is answered by its mixture", "[lab][mixture][skin]") {
+  const SkinScene scene = pressed_skin("");
   const std::vector<double> readings = simulate(scene).readings;
   const SkinSceneProblem problem(scene);
   const FrameAnswer answer = solve(problem, readings);
@@ -337,14 +338,52 @@ TEST_CASE("a skin is answered by its mixture where that is asked for", "[lab][mi
   CHECK(solver.solve(read, {})->tractions == answer.tractions);
 }
 
+TEST_CASE("one alpha answers a skin whose scene states it, or whose mixture takes long",
+          "[lab][mixture][skin]") {
+  const auto has_interval = [](const SkinSceneProblem& problem) {
+    const auto columns = report::uncertainty_columns(AnyProblem(problem));
+    return std::find(columns.begin(), columns.end(), "normal_low") != columns.end();
+  };
+  const auto is_told = [](const FrameAnswer& answer) {
+    return std::any_of(answer.remarks.begin(), answer.remarks.end(), [](const Remark& one) {
+      return std::holds_alternative<remark::MixtureLeftOut>(one) &&
+             report::in_words(one).find("answer = \"mixture\"") != std::string::npos;
+    });
+  };
+  CHECK(has_interval(SkinSceneProblem(pressed_skin(""))));
+  for (const char* by_alpha : {"alpha = 1e-3\n", "alpha = \"aicc\"\n", "answer = \"alpha\"\n"}) {
+    const SkinSceneProblem problem(pressed_skin(by_alpha));
+    CHECK_FALSE(problem.answers_by_mixture());
+    CHECK_FALSE(problem.mixture_is_left_out());
+    CHECK_FALSE(has_interval(problem));
+    const FrameAnswer answer = solve(problem, simulate(problem.scene()).readings);
+    CHECK_FALSE(answer.mixture);
+    CHECK_FALSE(is_told(answer));
+  }
+  SkinScene quiet = pressed_skin("");
+  quiet.noise.reset();
+  CHECK_FALSE(SkinSceneProblem(quiet).answers_by_mixture());
+
+  const SkinSceneProblem fine(pressed_skin("", "16"));
+  CHECK(fine.mixture_takes_long());
+  CHECK(fine.mixture_is_left_out());
+  CHECK_FALSE(has_interval(fine));
+  const FrameAnswer answer = solve(fine, simulate(fine.scene()).readings);
+  CHECK_FALSE(answer.mixture);
+  CHECK(is_told(answer));
+  const SkinSceneProblem asked(pressed_skin(mixture, "16"));
+  CHECK(asked.answers_by_mixture());
+  CHECK_FALSE(asked.mixture_is_left_out());
+}
+
 TEST_CASE("a skin's tractions under constraints are its cones', and its forces the mixture's",
           "[lab][mixture][skin]") {
-  const SkinScene scene = pressed_skin("friction_limit = 0.8\n" + mixture);
+  const SkinScene scene = pressed_skin("friction_limit = 0.8\n");
   const std::vector<double> readings = simulate(scene).readings;
   const FrameAnswer bound = solve(SkinSceneProblem(scene), readings);
   const FrameAnswer free = solve(SkinSceneProblem(pressed_skin(mixture)), readings);
   const FrameAnswer by_alpha =
-      solve(SkinSceneProblem(pressed_skin("friction_limit = 0.8\n")), readings);
+      solve(SkinSceneProblem(pressed_skin("friction_limit = 0.8\nanswer = \"alpha\"\n")), readings);
   REQUIRE(bound.mixture);
   CHECK_FALSE(by_alpha.mixture);
   CHECK(bound.tractions == by_alpha.tractions);

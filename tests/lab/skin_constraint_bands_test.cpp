@@ -321,8 +321,10 @@ TEST_CASE("a row of --uncertainty has the names that its header has", "[lab][ski
     const SkinScene scene = square_skin("6", "2.0", 0.0, 0.0, more);
     const lab::FrameAnswer answer =
         lab::solve(lab::SkinSceneProblem(scene), lab::simulate(scene).readings);
-    const std::vector<std::string> names = report::uncertainty_columns(scene);
-    const std::vector<double> values = report::uncertainty_values(answer, scene);
+    const std::vector<std::string> names =
+        report::uncertainty_columns(lab::SkinSceneProblem(scene));
+    const std::vector<double> values =
+        report::uncertainty_values(lab::SkinSceneProblem(scene), answer);
     REQUIRE(values.size() + 1 == names.size());
     CHECK(names.back() == "verdict");
     const auto value = [&](const std::string& name) {

@@ -82,6 +82,15 @@ struct LoadPriorOptions {
   std::size_t threads = 0;
 };
 
+/// How much work a prior is, counted from its sizes before any of it is done.
+struct LoadWork {
+  double set_up = 0.0;  ///< multiplications and additions
+  double frame = 0.0;   ///< of one of noise alone, which makes nearly every window likely
+  double kept = 0.0;    ///< numbers that such a frame needs of all windows; 256 MB are kept
+};
+/// @throw std::invalid_argument  as LoadPrior
+[[nodiscard]] LoadWork load_work(const LinearProblem& problem, const LoadPriorOptions& options);
+
 class LoadMixture;
 
 /// What is known of a load before anything is read. Copies share the tables.

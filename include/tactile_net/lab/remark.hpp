@@ -70,6 +70,7 @@ struct ModelError {
 struct FlatKernel {
   double share = 0.0;  ///< of the force, that a flat layer's formula is off on this curved skin
 };
+struct MixtureLeftOut {};  ///< one alpha answers: all windows would take long
 struct Clipped {
   std::vector<std::size_t> taxels{};  ///< that read the end of their range, rising
   std::vector<std::string> names{};   ///< theirs, as many
@@ -101,7 +102,7 @@ using Remark =
                  remark::Unexplained, remark::Rounding, remark::EstimatedWeight,
                  remark::OffsetsFound, remark::ModelError, remark::FlatKernel, remark::Clipped,
                  remark::DataDoubted, remark::Hidden, remark::ConstraintsIgnored,
-                 remark::VoltagesUnresolved>;
+                 remark::VoltagesUnresolved, remark::MixtureLeftOut>;
 
 using Remarks = std::vector<Remark>;
 

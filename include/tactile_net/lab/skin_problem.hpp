@@ -85,9 +85,15 @@ class SkinSceneProblem {
   [[nodiscard]] std::shared_ptr<const ConeTikhonov> cone(double alpha) const;
 
   /// Whether the answer is what the readings leave on average of all windows, and not the minimiser
-  /// of one alpha: where the scene asks for it, the noise is known, and the skin has at most
-  /// `most_mixture_readings`. Under constraints the tractions are the minimiser's all the same.
+  /// of one alpha: where the noise is known, the skin has at most `most_mixture_readings`, and the
+  /// scene asks for it, or states neither an answer nor an alpha and it does not take long. Under
+  /// constraints the tractions are the minimiser's all the same.
   [[nodiscard]] bool answers_by_mixture() const;
+  /// Whether it would be, and is not since it takes long.
+  [[nodiscard]] bool mixture_is_left_out() const;
+  /// By a count of its work (`load_work`): more than some seconds of set-up, or than a good part of
+  /// a second where a frame is noise alone.
+  [[nodiscard]] bool mixture_takes_long() const;
   /// Of windows from three and a half depths on. A second or so.
   [[nodiscard]] const LoadPrior& load_prior() const;
 

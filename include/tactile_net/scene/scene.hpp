@@ -68,8 +68,8 @@ struct SharedReconstructOptions {
   bool nonnegative = false;          ///< f_v >= 0
   std::optional<double> friction_limit{};  ///< |f_t| <= limit f_v; implies f_v >= 0
   bool offset = false;  ///< each channel's readings have a constant that is not known
-  /// Absent: of lines the mixture where no alpha and no rule for it is stated, else that alpha's;
-  /// of skins one alpha's.
+  /// Absent: the mixture where no alpha and no rule for it is stated and, of skins, its windows do
+  /// not take long; else one alpha's.
   std::optional<AnswerKind> answer{};
 };
 

@@ -5,6 +5,7 @@
 
 #include "report/columns.hpp"
 #include "report/csv/frame_row.hpp"
+#include "tactile_net/lab/skin_problem.hpp"
 
 namespace tactile_net::report {
 
@@ -21,9 +22,7 @@ std::vector<std::string> traction_columns(const SurfaceGrid& grid, std::size_t c
 namespace {
 
 /// Whether frames may have them: one that is answered by an alpha all the same has none.
-bool has_intervals(const SkinScene& scene) {
-  return scene.reconstruct.answer == AnswerKind::mixture;
-}
+bool has_intervals(const lab::SkinSceneProblem& problem) { return problem.answers_by_mixture(); }
 
 bool is_curved(const SkinScene& scene) { return scene.sensor.curved != nullptr; }
 
@@ -44,8 +43,9 @@ std::vector<double> resultant_values(const lab::FrameAnswer& answer, bool interv
   return values_of(row, true, intervals, curved);
 }
 
-std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
-  std::vector<std::string> names = resultant_columns(has_intervals(scene), is_curved(scene));
+std::vector<std::string> uncertainty_columns(const lab::SkinSceneProblem& problem) {
+  const SkinScene& scene = problem.scene();
+  std::vector<std::string> names = resultant_columns(has_intervals(problem), is_curved(scene));
   if (scene.reconstruct.offset)
     for (const Channel& channel : channels(scene.sensor)) names.push_back("offset_" + channel.name);
   for (std::string& name : columns_of<TrustRow>(true)) names.push_back(std::move(name));
@@ -53,8 +53,10 @@ std::vector<std::string> uncertainty_columns(const SkinScene& scene) {
   return names;
 }
 
-std::vector<double> uncertainty_values(const lab::FrameAnswer& answer, const SkinScene& scene) {
-  std::vector<double> values = resultant_values(answer, has_intervals(scene), is_curved(scene));
+std::vector<double> uncertainty_values(const lab::SkinSceneProblem& problem,
+                                       const lab::FrameAnswer& answer) {
+  const SkinScene& scene = problem.scene();
+  std::vector<double> values = resultant_values(answer, has_intervals(problem), is_curved(scene));
   if (scene.reconstruct.offset)
     values.insert(values.end(), answer.offsets.begin(), answer.offsets.end());
   for (const double value : values_of(trust_row(answer.data, answer.alpha.value), true))

@@ -74,13 +74,13 @@ std::vector<std::string> traction_columns(const lab::AnyProblem& problem) {
 
 std::vector<std::string> uncertainty_columns(const lab::AnyProblem& problem) {
   if (const auto* line = std::get_if<lab::SceneProblem>(&problem)) return line_columns(*line);
-  return uncertainty_columns(std::get<lab::SkinSceneProblem>(problem).scene());
+  return uncertainty_columns(std::get<lab::SkinSceneProblem>(problem));
 }
 
 std::vector<double> uncertainty_values(const lab::AnyProblem& problem,
                                        const lab::FrameAnswer& answer) {
   if (const auto* skin = std::get_if<lab::SkinSceneProblem>(&problem))
-    return uncertainty_values(answer, skin->scene());
+    return uncertainty_values(*skin, answer);
   return line_values(std::get<lab::SceneProblem>(problem), answer);
 }
 

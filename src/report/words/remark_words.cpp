@@ -86,6 +86,11 @@ std::string say(const remark::FlatKernel& r) {
   return "the skin is curved and kernel = \"flat\" takes it for flat: the force is about " +
          percent(r.share) + " off; leave kernel out";
 }
+std::string say(const remark::MixtureLeftOut&) {
+  return "the answer is that of one alpha: all that the readings leave possible has narrower "
+         "bands, "
+         "and takes long on this skin; answer = \"mixture\" under [reconstruct] asks for it";
+}
 std::string say(const remark::Clipped& r) {
   constexpr std::size_t most = 12;
   const std::size_t shown = std::min(r.names.size(), most);

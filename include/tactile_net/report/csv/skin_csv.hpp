@@ -27,9 +27,9 @@ namespace tactile_net::report {
 /// Of `solve --uncertainty`: those, then the constant found in each channel where offsets are not
 /// known, whether the readings can be true (0, or 1 + the worst `DataDoubt`), and alpha, all in SI
 /// units where the scene has [units]; last the verdict, a word.
-[[nodiscard]] std::vector<std::string> uncertainty_columns(const SkinScene& scene);
+[[nodiscard]] std::vector<std::string> uncertainty_columns(const lab::SkinSceneProblem& problem);
 /// Of all columns but the last.
-[[nodiscard]] std::vector<double> uncertainty_values(const lab::FrameAnswer& answer,
-                                                     const SkinScene& scene);
+[[nodiscard]] std::vector<double> uncertainty_values(const lab::SkinSceneProblem& problem,
+                                                     const lab::FrameAnswer& answer);
 
 }  // namespace tactile_net::report
