@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -18,6 +19,41 @@ constexpr double never_counted = 1e-15;
 constexpr double least_outside = 1e-6;  // of |g|^2, told by a difference
 constexpr Index looked_apart = LoadPrior::Tables::looked_apart;
 
+/// At most so many of these probabilities, others 0, that on average say the same: the large ones
+/// are as they are, of the small ones some stand for those about them, all with one probability
+/// (the optimal resampling of Fearnhead and Clifford 2003). Which ones no readings' noise decides:
+/// one of each stretch of that probability, as far along as the golden section's multiples are.
+std::vector<double> few_of(const std::vector<double>& all, std::size_t most) {
+  const auto some = static_cast<std::size_t>(
+      std::count_if(all.begin(), all.end(), [](double p) { return p > 0.0; }));
+  if (some <= most) return all;
+  std::vector<double> falling = all;
+  std::sort(falling.begin(), falling.end(), std::greater<>());
+  double rest = std::accumulate(falling.begin(), falling.end(), 0.0);
+  std::size_t large = 0;
+  while (large + 1 < most && falling[large] * static_cast<double>(most - large) > rest)
+    rest -= falling[large++];
+  const double each = rest / static_cast<double>(most - large);
+  std::vector<double> few(all.size(), 0.0);
+  double passed = 0.0;
+  double section = 0.5;
+  double next = section;
+  std::size_t chosen = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] > each) {
+      few[i] = all[i];
+      continue;
+    }
+    passed += all[i] / each;
+    while (passed >= next) {
+      few[i] += each;
+      section = std::fmod(section + 0.5 * (std::sqrt(5.0) - 1.0), 1.0);
+      next = static_cast<double>(++chosen) + section;
+    }
+  }
+  return few;
+}
+
 /// Each term of q, alpha beta^2 / (gamma^2 + alpha), rises with alpha and is concave in it: between
 /// two alphas q lies above its chord. And q = g'(I + K C K' / alpha)^-1 g rises with the tangential
 /// weight, as C falls: what it is for one weight bounds it for those above. The rest of log p is in
@@ -27,12 +63,15 @@ class LikelyParts {
   /// @param g      over sigma
   /// @param known  nu
   /// @param least  q is not less
-  LikelyParts(const LoadPrior::Tables& tables, const Eigen::VectorXd& g, double known, double least)
+  /// @param most   that answer
+  LikelyParts(const LoadPrior::Tables& tables, const Eigen::VectorXd& g, double known, double least,
+              std::size_t most)
       : tables_(tables),
         square_(g.squaredNorm()),
         known_(known),
         degrees_(known + static_cast<double>(tables.weighting.rows())),
-        least_(least) {
+        least_(least),
+        most_(most) {
     for (const LoadPrior::Tables::Reflection& by : tables_.reflections)
       reflected_.emplace_back(by.signs.cwiseProduct(g(by.readings)));
   }
@@ -172,22 +211,28 @@ class LikelyParts {
     double all = 0.0;
     for (Found& found : found_)
       for (double& log : found.log) all += log = std::exp(log - best_);
-    double kept = 0.0;
-    for (const Found& found : found_)
+    std::vector<double> kept;
+    for (const Found& found : found_) {
+      kept.push_back(0.0);
       for (const double p : found.log)
-        if (p > unlikely * all) kept += p;
+        if (p > unlikely * all) kept.back() += p;
+    }
+    const std::vector<double> answering = few_of(kept, most_);
+    const double whole = std::accumulate(answering.begin(), answering.end(), 0.0);
     std::vector<LoadPrior::Part> parts;
-    for (Found& found : found_) {
+    for (std::size_t k = 0; k < found_.size(); ++k) {
+      Found& found = found_[k];
+      if (answering[k] == 0.0) continue;
       LoadPrior::Part part{.window = &tables_.windows[found.window]};
       for (std::size_t i = 0; i < found.log.size(); ++i)
         if (found.log[i] > unlikely * all)
           part.sizes.push_back(
               {.at = found.alphas[i],
                .alpha = tables_.alphas(found.alphas[i]),
-               .probability = found.log[i] / kept,
+               .probability = found.log[i] / kept[k] * (answering[k] / whole),
                .scale2 = std::isinf(known_) ? 1.0 : (known_ + found.left[i]) / degrees_});
-      if (part.sizes.empty()) continue;
       part.entry = &tables_.entry(found.entry);
+      if (tables_.is_long()) part.damped = tables_.outline(found.entry).damped(part.alphas());
       part.beta = std::move(found.beta);
       parts.push_back(std::move(part));
     }
@@ -199,6 +244,7 @@ class LikelyParts {
   double known_;
   double degrees_;
   double least_;
+  std::size_t most_;
   std::vector<Eigen::VectorXd> reflected_{};                // g, of each reflection
   double best_ = -std::numeric_limits<double>::infinity();  // log p
   std::vector<Found> found_{};
@@ -207,8 +253,8 @@ class LikelyParts {
 }  // namespace
 
 std::vector<LoadPrior::Part> likely_parts(const LoadPrior::Tables& tables, const Eigen::VectorXd& g,
-                                          double known, double least) {
-  return LikelyParts(tables, g, known, least).found();
+                                          double known, double least, std::size_t most) {
+  return LikelyParts(tables, g, known, least, most).found();
 }
 
 }  // namespace tactile_net

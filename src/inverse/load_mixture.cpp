@@ -66,8 +66,9 @@ LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& 
   const double known = noise.rms ? noise.degrees : 0.0;  // nu
   mixture.degrees_ = known + rows;
   mixture.model_share_ = noise.model_share;
-  auto parts = std::make_shared<const std::vector<Part>>(
-      likely_parts(tables, g, known, noise.rms ? 0.0 : least_sigma * least_sigma));
+  auto parts = std::make_shared<const std::vector<Part>>(likely_parts(
+      tables, g, known, noise.rms ? 0.0 : least_sigma * least_sigma,
+      tables.is_long() ? Tables::most_answering : std::numeric_limits<std::size_t>::max()));
   for (const Part& part : *parts)
     for (const Part::Size& size : part.sizes)
       mixture.used_ += size.probability * part.entry->used(size.at);

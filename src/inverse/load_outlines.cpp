@@ -57,6 +57,9 @@ LoadWork LoadPrior::Tables::work() const {
         static_cast<double>(shape.windows.size()) * weights * likely_alphas * 2.0 * values * shown;
     work.kept += weights * values * (shown + alphas_of_variances);
   }
+  if (is_long_)
+    work.frame *= std::min(
+        1.0, static_cast<double>(most_answering) / (static_cast<double>(windows.size()) * weights));
   return work;
 }
 
@@ -190,7 +193,7 @@ Eigen::MatrixXd LoadPrior::Tables::outlined_vectors(std::size_t at) const {
 }
 
 Eigen::MatrixXd LoadPrior::Tables::filtered(const Part& part) const {
-  if (is_long_) return outlines_[index_of(*part.entry)].damped(part.alphas()).filtered(part.beta);
+  if (is_long_) return part.damped->filtered(part.beta);
   const Entry& entry = *part.entry;
   Eigen::MatrixXd all(part.beta.size(), std::ssize(part.sizes));
   for (Index i = 0; i < all.cols(); ++i)
@@ -201,13 +204,13 @@ Eigen::MatrixXd LoadPrior::Tables::filtered(const Part& part) const {
 }
 
 Eigen::MatrixXd LoadPrior::Tables::spreads(const Part& part, const Eigen::MatrixXd& sums) const {
-  if (is_long_) return outlines_[index_of(*part.entry)].damped(part.alphas()).spreads(sums);
+  if (is_long_) return part.damped->spreads(sums);
   return sums.cwiseAbs2() * over(part);
 }
 
 Eigen::RowVectorXd LoadPrior::Tables::products(const Part& part, const Eigen::RowVectorXd& a,
                                                const Eigen::RowVectorXd& b) const {
-  if (is_long_) return outlines_[index_of(*part.entry)].damped(part.alphas()).products(a, b);
+  if (is_long_) return part.damped->products(a, b);
   return a.cwiseProduct(b) * over(part);
 }
 
@@ -227,6 +230,7 @@ Eigen::MatrixXd LoadPrior::Tables::spreads(const Part& part, const Details& deta
     if (details.spreads[static_cast<std::size_t>(size.at)].size() == 0)
       missing.sizes.push_back(size);
   if (!missing.sizes.empty()) {
+    missing.damped = outlines_[index_of(*part.entry)].damped(missing.alphas());
     const Eigen::MatrixXd made = spreads(missing, details.roots);
     for (Index i = 0; i < made.cols(); ++i)
       details.spreads[static_cast<std::size_t>(missing.sizes[static_cast<std::size_t>(i)].at)] =

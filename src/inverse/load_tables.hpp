@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -58,6 +59,10 @@ struct LoadPrior::Tables {
   /// Of the alphas those at which every window is looked at: each fourth, the first one too.
   static constexpr int looked_apart = 4;
   static constexpr std::size_t few_readings = 128;
+  /// Windows with a weight that answer for a frame of many readings. Contacts make fewer likely; of
+  /// a frame of noise alone forces' bands are within a tenth of what all windows say, cells' mostly
+  /// within a sixth.
+  static constexpr std::size_t most_answering = 64;
 
   /// Of readings and of tractions: y -> -y, z -> -z, both or none, and then y and z exchanged or
   /// not.
@@ -267,7 +272,8 @@ struct LoadPrior::Part {
     double probability = 0.0;
     double scale2 = 1.0;  // of variances: (nu + q) / (nu + rows)
   };
-  std::vector<Size> sizes{};  // those that are likely
+  std::vector<Size> sizes{};                 // those that are likely
+  std::optional<DampedBidiagonal> damped{};  // by them, where there are outlines
 
   [[nodiscard]] Eigen::VectorXd alphas() const {
     Eigen::VectorXd all(std::ssize(sizes));
@@ -285,8 +291,9 @@ inline constexpr double unlikely = 1e-6;
 /// @param g      readings over sigma
 /// @param known  nu
 /// @param least  q is not less
-[[nodiscard]] std::vector<LoadPrior::Part> likely_parts(const LoadPrior::Tables& tables,
-                                                        const Eigen::VectorXd& g, double known,
-                                                        double least);
+/// @param most   > 0: windows with a weight; where more are likely so many stand for all
+[[nodiscard]] std::vector<LoadPrior::Part> likely_parts(
+    const LoadPrior::Tables& tables, const Eigen::VectorXd& g, double known, double least,
+    std::size_t most = std::numeric_limits<std::size_t>::max());
 
 }  // namespace tactile_net

@@ -51,9 +51,9 @@ LoadPriorOptions prior_options(const SkinScene& scene) {
 }
 
 // Cores did 5 to 10 billion in a second of the set-up, and a billion of a frame, whose numbers come
-// from memory: some four seconds, and one and a half where a frame is noise alone.
+// from memory: some four seconds, and half a one where a frame is noise alone.
 constexpr double most_set_up = 4e10;
-constexpr double most_in_frame = 1.5e9;
+constexpr double most_in_frame = 5e8;
 constexpr double most_kept = 32.0 * 1024 * 1024;
 
 bool may_answer_by_mixture(const SkinSceneProblem& problem) {
