@@ -304,7 +304,8 @@ class Solution(Document):
         behind it. nan where a frame has no answer or it was not solved for, and of the centre where nothing presses.
 
         ValueError where there is no such name, the level is not between 0 and 1, or the answer is one alpha's: the scene
-        states an alpha, nobody knows the noise, or a skin's scene does not say `answer = "mixture"`.
+        states an alpha, nobody knows the noise, or a skin's taxels are not dense and its scene does not say
+        `answer = "mixture"`.
         """
         return self.distribution(what).interval(level)
 

@@ -111,15 +111,17 @@ constexpr double too_far_apart = 2.001;
 /// Whether the readings, not what presses, decide where the force lies: it is then a guess.
 bool is_guessed(const FrameAnswer& answer, const SkinSceneProblem& problem,
                 std::span<const double> readings) {
-  return answer.unseen > most_guessed || (answer.cells.empty() && answer.verdict != Verdict::ok &&
+  // That of a mixture is of no alpha.
+  const bool may_be = answer.verdict != Verdict::ok || answer.mixture != nullptr;
+  return answer.unseen > most_guessed || (answer.cells.empty() && may_be &&
                                           strongest_at_edge(problem, readings, answer.noise.rms()));
 }
 
 class SkinFrameMethod final : public FrameMethod {
  public:
-  SkinFrameMethod(const SkinSceneProblem& given, std::span<const double> readings,
+  SkinFrameMethod(const SkinSceneProblem& given, std::span<const double> readings, bool by_mixture,
                   SkinAlphaChooser choose, std::optional<std::size_t> repeats)
-      : mixture_(!choose && given.answers_by_mixture() ? mixture_of(given, readings) : nullptr),
+      : mixture_(by_mixture ? mixture_of(given, readings) : nullptr),
         weight_(given.estimates_weight() && !is_mean(given)
                     ? std::optional(given.likeliest_weight(readings))
                     : std::nullopt),
@@ -199,7 +201,7 @@ class SkinFrameMethod final : public FrameMethod {
       for (std::size_t i = 0; i < answer.deviations.size(); ++i)
         answer.deviations[i] = std::hypot(answer.deviations[i], share * answer.tractions[i]);
     if (answer.unseen > most_unseen && !problem_.scene().reconstruct.grid.margin) {
-      SkinFrameMethod beyond(problem_.reaching_beyond(), readings_, {}, {});
+      SkinFrameMethod beyond(problem_.reaching_beyond(), readings_, false, {}, {});
       take_from_beyond(answer, lab::answer(beyond), problem_.reaching_beyond().grid(),
                        problem_.grid());
     }
@@ -346,8 +348,13 @@ class SkinFrameMethod final : public FrameMethod {
 FrameAnswer solve_as_read(const SkinSceneProblem& problem, std::span<const double> readings,
                           const SkinAlphaChooser& choose = {},
                           std::optional<std::size_t> repeats = {}) {
-  SkinFrameMethod frame(problem, readings, choose, repeats);
-  FrameAnswer found = answer(frame);
+  const auto found_by = [&](bool mixture) {
+    SkinFrameMethod frame(problem, readings, mixture, choose, repeats);
+    return answer(frame);
+  };
+  FrameAnswer found = found_by(!choose && problem.answers_by_mixture());
+  // Windows end a depth beyond the taxels: what presses there is held by the bands of one alpha.
+  if (found.mixture && found.unseen > most_unseen) found = found_by(false);
   if (problem.scene().sensor.curved)  // which is never large
     for (std::vector<double>* const of_cells :
          {&found.tractions, &found.deviations, &found.low, &found.high})

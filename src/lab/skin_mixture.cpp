@@ -41,11 +41,22 @@ std::vector<Cells> regions_of(const SurfaceGrid& grid, std::span<const Cells> co
   return regions;
 }
 
+/// The weights of a sum over cells of one component: its force.
+std::vector<double> force_in(std::span<const std::size_t> cells, const LinearProblem& problem,
+                             std::size_t component) {
+  const SurfaceGrid& grid = problem.grid;
+  std::vector<double> weights(problem.components * grid.count());
+  for (const std::size_t cell : cells) weights[component * grid.count() + cell] = grid.area();
+  return weights;
+}
+
 /// Cells above a tenth of the highest pressure that lie side by side, the strongest first: those
-/// whose part of the force is a tenth of the strongest one's and six deviations of the whole. None
+/// whose part of the force is a tenth of the strongest one's and six of its own deviations. None
 /// where the whole is no more than noise. As `patches_of` has the contacts on a line.
-std::vector<Cells> contacts_in(const SurfaceGrid& grid, std::span<const double> tractions,
-                               std::span<const double> mean, const Uncertain& force) {
+std::vector<Cells> contacts_in(const LinearProblem& problem, std::span<const double> tractions,
+                               std::span<const double> mean, const LoadCovariance& covariance,
+                               const Uncertain& force, double rms) {
+  const SurfaceGrid& grid = problem.grid;
   if (!(force.value > deviations_that_press * force.deviation)) return {};
   const std::span<const double> pressure = tractions.first(grid.count());
   const double limit = least_share * *std::max_element(pressure.begin(), pressure.end());
@@ -56,24 +67,19 @@ std::vector<Cells> contacts_in(const SurfaceGrid& grid, std::span<const double> 
   if (contacts.size() < 2) return contacts;
   const std::vector<Cells> regions = regions_of(grid, contacts);
   std::vector<double> forces;
-  forces.reserve(regions.size());
-  for (const Cells& region : regions) forces.push_back(grid.area() * sum_over(mean, region));
-  const double least = std::max(least_share * *std::max_element(forces.begin(), forces.end()),
-                                deviations_of_part * force.deviation);
+  std::vector<std::vector<double>> weights;
+  for (const Cells& region : regions) {
+    forces.push_back(grid.area() * sum_over(mean, region));
+    weights.push_back(force_in(region, problem, 0));
+  }
+  const std::vector<double> deviations = covariance.deviations_of(weights);
+  const double least = least_share * *std::max_element(forces.begin(), forces.end());
   std::vector<Cells> counted;
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (forces[k] > least) counted.push_back(std::move(contacts[k]));
+    if (forces[k] > std::max(least, deviations_of_part * rms * deviations[k]))
+      counted.push_back(std::move(contacts[k]));
   if (counted.empty()) counted.push_back(std::move(contacts.front()));
   return counted;
-}
-
-/// The weights of a sum over cells of one component: its force.
-std::vector<double> force_in(std::span<const std::size_t> cells, const LinearProblem& problem,
-                             std::size_t component) {
-  const SurfaceGrid& grid = problem.grid;
-  std::vector<double> weights(problem.components * grid.count());
-  for (const std::size_t cell : cells) weights[component * grid.count() + cell] = grid.area();
-  return weights;
 }
 
 /// What the readings leave possible of what presses in some cells.
@@ -176,7 +182,8 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
   answer.wrench = resultant_of(grid, mean, all, covariance, rms);
   intervals.add(answer.wrench, all);
   add_space(answer.wrench, problem, mean, all, covariance, rms);
-  const std::vector<Cells> contacts = contacts_in(grid, f, mean, answer.wrench.normal);
+  const std::vector<Cells> contacts =
+      contacts_in(solved, f, mean, covariance, answer.wrench.normal, rms);
   answer.cells.clear();
   for (const Cells& contact : contacts)
     answer.cells.insert(answer.cells.end(), contact.begin(), contact.end());

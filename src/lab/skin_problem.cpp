@@ -13,6 +13,7 @@
 #include "lab/large_skin.hpp"
 #include "lab/lines_and_skins.hpp"
 #include "lab/pattern_cache.hpp"
+#include "lab/skin_bands.hpp"
 #include "lab/skin_crop.hpp"
 #include "lab/skin_data_verdict.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
@@ -55,6 +56,20 @@ LoadPriorOptions prior_options(const SkinScene& scene) {
 constexpr double most_set_up = 4e10;
 constexpr double most_in_frame = 5e8;
 constexpr double most_kept = 32.0 * 1024 * 1024;
+
+// Taxels, in depths: between those that lie farther apart narrower contacts press than windows
+// hold.
+constexpr double most_apart = 0.75;
+
+/// Whether bands hold without a look at what presses: taxels are dense and read what pressure does.
+bool is_seen_by_windows(const SkinArray& skin) {
+  const auto tells_pressure = [](Quantity quantity) {
+    return quantity == Quantity::stress_x || quantity == Quantity::strain_x ||
+           quantity == Quantity::displacement_x;
+  };
+  return pitch_in_depths(skin) <= most_apart &&
+         std::any_of(skin.reads.begin(), skin.reads.end(), tells_pressure);
+}
 
 bool may_answer_by_mixture(const SkinSceneProblem& problem) {
   const SkinArray& skin = problem.scene().sensor;
@@ -282,13 +297,14 @@ bool SkinSceneProblem::answers_by_mixture() const {
   const auto& options = parts_->scene.reconstruct;
   if (!may_answer_by_mixture(*this)) return false;
   if (options.answer) return *options.answer == AnswerKind::mixture;
-  return !options.alpha && !options.alpha_rule && !mixture_takes_long();
+  return !options.alpha && !options.alpha_rule && is_seen_by_windows(parts_->scene.sensor) &&
+         !mixture_takes_long();
 }
 
 bool SkinSceneProblem::mixture_is_left_out() const {
   const auto& options = parts_->scene.reconstruct;
   return !options.answer && !options.alpha && !options.alpha_rule && may_answer_by_mixture(*this) &&
-         mixture_takes_long();
+         is_seen_by_windows(parts_->scene.sensor) && mixture_takes_long();
 }
 
 bool SkinSceneProblem::mixture_takes_long() const {

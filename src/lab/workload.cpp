@@ -47,7 +47,9 @@ Sizes sizes_of(const SkinScene& scene) {
           .places = grid(scene).count(),
           .drags = any_drag(scene),
           .is_large = is_large(scene),
-          .estimates_weight = problem.estimates_weight(),
+          // A mixture has all weights in it.
+          .estimates_weight = problem.estimates_weight() &&
+                              (problem.constraints() || !problem.answers_by_mixture()),
           .has_limits = problem.constraints().has_value(),
           .knows_noise = problem.stated_noise().has_value()};
 }

@@ -267,10 +267,11 @@ TEST_CASE("CSV and JSON have the intervals that an answer has", "[lab][mixture]"
 namespace {
 
 /// Of two contacts 9 depths apart, dragged apart.
-SkinScene pressed_skin(const std::string& reconstruct, const std::string& size = "8") {
+SkinScene pressed_skin(const std::string& reconstruct, const std::string& size = "8",
+                       const std::string& pitch = "1.0") {
   return std::get<SkinScene>(parse_any_scene(
-      "[sensor]\nrows = " + size + "\ncolumns = " + size +
-          "\npitch = 1.0\ndepth = 1.0\nreads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+      "[sensor]\nrows = " + size + "\ncolumns = " + size + "\npitch = " + pitch +
+          "\ndepth = 1.0\nreads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
           "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.5\n[noise]\nrms = 4e-4\n"
           "[[contact]]\nshape = \"sphere\"\nradius = 1.2\nplace = [-1.9, -1.9]\nforce = 0.2\n"
           "friction = 0.4\ndirection = 200.0\n"
@@ -282,8 +283,8 @@ SkinScene pressed_skin(const std::string& reconstruct, const std::string& size =
 
 }  // namespace
 
-TEST_CASE("a skin is answered by its mixture", "[lab][mixture][skin]") {
-  const SkinScene scene = pressed_skin("");
+TEST_CASE("a skin is answered by its mixture where that is asked for", "[lab][mixture][skin]") {
+  const SkinScene scene = pressed_skin(mixture);
   const std::vector<double> readings = simulate(scene).readings;
   const SkinSceneProblem problem(scene);
   const FrameAnswer answer = solve(problem, readings);
@@ -338,7 +339,7 @@ TEST_CASE("a skin is answered by its mixture", "[lab][mixture][skin]") {
   CHECK(solver.solve(read, {})->tractions == answer.tractions);
 }
 
-TEST_CASE("one alpha answers a skin whose scene states it, or whose mixture takes long",
+TEST_CASE("a skin of dense taxels is answered by its mixture unless that takes long",
           "[lab][mixture][skin]") {
   const auto has_interval = [](const SkinSceneProblem& problem) {
     const auto columns = report::uncertainty_columns(AnyProblem(problem));
@@ -350,9 +351,23 @@ TEST_CASE("one alpha answers a skin whose scene states it, or whose mixture take
              report::in_words(one).find("answer = \"mixture\"") != std::string::npos;
     });
   };
-  CHECK(has_interval(SkinSceneProblem(pressed_skin(""))));
+  const auto dense = [](const std::string& more) {
+    SkinScene scene = pressed_skin(more, "8", "0.7");
+    scene.contacts.resize(1);
+    auto& contact = std::get<SkinContact>(scene.contacts.front());
+    contact.y = contact.z = 0.3;
+    return scene;
+  };
+  const SkinScene first = dense("");
+  CHECK(has_interval(SkinSceneProblem(first)));
+  CHECK(solve(SkinSceneProblem(first), simulate(first).readings).mixture);
+  // Between taxels that lie farther apart, or that feel no pressure, may be what no window holds.
+  CHECK_FALSE(SkinSceneProblem(pressed_skin("")).answers_by_mixture());
+  SkinScene sheared = dense("");
+  sheared.sensor.reads = {Quantity::shear_xy, Quantity::shear_xz};
+  CHECK_FALSE(SkinSceneProblem(sheared).answers_by_mixture());
   for (const char* by_alpha : {"alpha = 1e-3\n", "alpha = \"aicc\"\n", "answer = \"alpha\"\n"}) {
-    const SkinSceneProblem problem(pressed_skin(by_alpha));
+    const SkinSceneProblem problem(dense(by_alpha));
     CHECK_FALSE(problem.answers_by_mixture());
     CHECK_FALSE(problem.mixture_is_left_out());
     CHECK_FALSE(has_interval(problem));
@@ -360,25 +375,41 @@ TEST_CASE("one alpha answers a skin whose scene states it, or whose mixture take
     CHECK_FALSE(answer.mixture);
     CHECK_FALSE(is_told(answer));
   }
-  SkinScene quiet = pressed_skin("");
+  SkinScene quiet = first;
   quiet.noise.reset();
   CHECK_FALSE(SkinSceneProblem(quiet).answers_by_mixture());
 
-  const SkinSceneProblem fine(pressed_skin("", "16"));
+  const SkinSceneProblem fine(pressed_skin("", "16", "0.7"));
   CHECK(fine.mixture_takes_long());
   CHECK(fine.mixture_is_left_out());
   CHECK_FALSE(has_interval(fine));
   const FrameAnswer answer = solve(fine, simulate(fine.scene()).readings);
   CHECK_FALSE(answer.mixture);
   CHECK(is_told(answer));
-  const SkinSceneProblem asked(pressed_skin(mixture, "16"));
+  const SkinSceneProblem asked(pressed_skin(mixture, "16", "0.7"));
   CHECK(asked.answers_by_mixture());
   CHECK_FALSE(asked.mixture_is_left_out());
 }
 
+TEST_CASE("what presses over the edge of a skin is answered by one alpha, whose bands hold it",
+          "[lab][mixture][skin]") {
+  for (const char* answer : {"", "answer = \"mixture\"\n"}) {
+    SkinScene scene = pressed_skin(answer, "8", "0.7");
+    scene.contacts.resize(1);
+    auto& contact = std::get<SkinContact>(scene.contacts.front());
+    for (const double y : {0.0, 2.5, 3.0}) {  // the last taxels are at 2.45
+      contact.y = y;
+      const FrameAnswer found = solve(SkinSceneProblem(scene), simulate(scene).readings);
+      CAPTURE(answer, y, found.wrench.normal.value, found.wrench.normal.deviation);
+      CHECK((found.mixture != nullptr) == (y == 0.0));
+      CHECK(std::abs(found.wrench.normal.value - 0.2) < 3.0 * found.wrench.normal.deviation);
+    }
+  }
+}
+
 TEST_CASE("a skin's tractions under constraints are its cones', and its forces the mixture's",
           "[lab][mixture][skin]") {
-  const SkinScene scene = pressed_skin("friction_limit = 0.8\n");
+  const SkinScene scene = pressed_skin("friction_limit = 0.8\n" + mixture);
   const std::vector<double> readings = simulate(scene).readings;
   const FrameAnswer bound = solve(SkinSceneProblem(scene), readings);
   const FrameAnswer free = solve(SkinSceneProblem(pressed_skin(mixture)), readings);

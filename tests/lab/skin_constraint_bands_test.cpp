@@ -81,8 +81,8 @@ const std::string press_alone = "tangential = false\nnonnegative = true\n";
 TEST_CASE("where nothing may pull deviations hold force and place",
           "[lab][skin][constraints][long]") {
   // With what constraints hold taken for certain 3 of 4 forces did, of a fine skin.
-  const Errors fine = errors_of(12, "14", "1.0", 3.5, press_alone);
-  CHECK(fine.held >= 11);
+  const Errors fine = errors_of(40, "14", "1.0", 3.5, press_alone);
+  CHECK(fine.held >= 34);  // force and both places at once: 87 % of honest bands
   CHECK(std::abs(fine.sum) / fine.draws < 1.0);
   const Errors coarse = errors_of(12, "8", "2.0", 4.0, press_alone);
   CHECK(coarse.held >= 11);

@@ -111,7 +111,7 @@ TEMPLATE_TEST_CASE("an estimated weight is the answer that stating it gives", "[
                                                       "friction_limit = 0.8\n",
                                                       "offset = true\nnonnegative = true\n");
   CAPTURE(rest);
-  const TestType sensor(scene<TestType>(rest + estimated_weight));
+  const TestType sensor(scene<TestType>(rest + "answer = \"alpha\"\n" + estimated_weight));
   REQUIRE(sensor.problem.estimates_weight());
   const std::vector<double> g = sensor.readings();
   const FrameNumbers found = sensor.solve(g);

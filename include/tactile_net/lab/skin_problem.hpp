@@ -86,8 +86,9 @@ class SkinSceneProblem {
 
   /// Whether the answer is what the readings leave on average of all windows, and not the minimiser
   /// of one alpha: where the noise is known, the skin has at most `most_mixture_readings`, and the
-  /// scene asks for it, or states neither an answer nor an alpha and it does not take long. Under
-  /// constraints the tractions are the minimiser's all the same.
+  /// scene asks for it, or states neither an answer nor an alpha, taxels are dense and read what
+  /// pressure does, and it does not take long. Under constraints the tractions are the minimiser's
+  /// all the same. A frame whose load reaches beyond what taxels see is of one alpha.
   [[nodiscard]] bool answers_by_mixture() const;
   /// Whether it would be, and is not since it takes long.
   [[nodiscard]] bool mixture_is_left_out() const;
