@@ -9,6 +9,7 @@
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/network/laid_board.hpp"
 #include "tactile_net/network/state_space.hpp"
+#include "tactile_net/scene/opamp_part.hpp"
 #include "tactile_net/scene/scale_units.hpp"
 
 namespace tactile_net::lab {
@@ -43,7 +44,10 @@ class OnBoard {
     result_.to_plane = board.layers.front().to_plane;
     result_.copper = net_copper(board);
     const NetworkCircuit plain(result_.realization, problem_, options);
-    result_.nodes = node_capacitances(board, result_.copper, plain.flat().circuit());
+    result_.nodes = node_capacitances(board, result_.copper, plain.flat().circuit(),
+                                      circuit.options().opamp_part != nullptr
+                                          ? std::optional(circuit.options().opamp_part->packaged())
+                                          : std::nullopt);
     options_ = options;
     result_.circuit = at(options.scale.siemens);
     result_.stated = result_.used = judged(*result_.circuit, true);

@@ -11,6 +11,7 @@
 
 #include "network/nodal_equations.hpp"
 #include "network/node_names.hpp"
+#include "network/package_lands.hpp"
 #include "tactile_net/network/arrays.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -33,15 +34,6 @@ constexpr Chip chip_0603{"Resistor_SMD:R_0603_1608Metric", 2.96, 1.46, 0.825, 0.
 constexpr double gap = 0.3;              // between courtyards of a row
 constexpr double designator_room = 1.0;  // above a courtyard
 
-/// What pins of an SO-8 are for: a pin of the deck's amplifier, or of the supply.
-enum class Pin { plus, minus, out, inverse, ground, positive, negative, none };
-constexpr std::array one_output = {Pin::none, Pin::minus, Pin::plus,     Pin::negative,
-                                   Pin::none, Pin::out,   Pin::positive, Pin::none};
-// Power-down is active low where there is one, so that pin 7 keeps the amplifier on.
-constexpr std::array two_outputs = {Pin::minus,   Pin::ground,   Pin::positive, Pin::out,
-                                    Pin::inverse, Pin::negative, Pin::positive, Pin::plus};
-constexpr double so8_width = 7.4;  // of courtyards
-constexpr double so8_height = 5.4;
 constexpr double pin_width = 2.4;
 constexpr double pin_pitch = 2.54;
 
@@ -218,57 +210,75 @@ class Layout {
   void add_amplifiers() {
     // Below each its two capacitors.
     constexpr double below_it = designator_room + chip_0402.height;
-    Row row{so8_width + gap, so8_height + designator_room + below_it + gap};
     std::size_t count = 0;
+    Row row{};
     for (const Instance& x : circuit_.instances) {
-      const AmplifierModel* const model = amplifier(circuit_, x.subcircuit);
-      if (model == nullptr)
-        throw std::invalid_argument("element " + x.name + ": a board has no sub-circuits");
-      const bool both = model->outputs == Outputs::complementary;
-      const auto& pins = both ? two_outputs : one_output;
-      Footprint so8{.kind = Footprint::Kind::amplifier,
-                    .library = "Package_SO:SOIC-8_3.9x4.9mm_P1.27mm",
-                    .number = ++count,
-                    .element = x.name,
-                    .value = both ? "fully differential amplifier" : "op-amp",
-                    .width = so8_width,
-                    .height = so8_height};
-      std::tie(so8.x, so8.y) = next(row);
-      so8.y += 0.5 * (designator_room - below_it - gap);
-      const double y = so8.y + 0.5 * so8_height + below_it - 0.5 * chip_0402.height;
-      add_capacitor("Cp" + x.name, "100n", chip_0402, positive_, so8.x - 0.25 * so8_width, y);
-      add_capacitor("Cn" + x.name, "100n", chip_0402, positive_ + 1, so8.x + 0.25 * so8_width, y);
-      for (std::size_t k = 0; k < pins.size(); ++k) {
-        const bool left = k < 4;
-        const auto along = static_cast<double>(left ? k : 7 - k);
-        so8.pads.push_back({std::to_string(k + 1), left ? -2.475 : 2.475, 1.27 * (along - 1.5),
-                            1.95, 0.6, net_of(pins[k], x)});
-      }
-      board_.footprints.push_back(std::move(so8));
+      Footprint part = amplifier_footprint(x);
+      part.number = ++count;
+      if (count == 1) row = {part.width + gap, part.height + designator_room + below_it + gap};
+      std::tie(part.x, part.y) = next(row);
+      part.y += 0.5 * (designator_room - below_it - gap);
+      const double y = part.y + 0.5 * part.height + below_it - 0.5 * chip_0402.height;
+      add_capacitor("Cp" + x.name, "100n", chip_0402, positive_, part.x - 0.25 * part.width, y);
+      add_capacitor("Cn" + x.name, "100n", chip_0402, positive_ + 1, part.x + 0.25 * part.width, y);
+      board_.footprints.push_back(std::move(part));
     }
     end(row);
   }
 
-  [[nodiscard]] std::size_t net_of(Pin pin, const Instance& x) const {
-    switch (pin) {
-      case Pin::plus:
-        return net(x.pins[0]);
-      case Pin::minus:
-        return net(x.pins[1]);
-      case Pin::out:
-        return net(x.pins[2]);
-      case Pin::inverse:
-        return net(x.pins[3]);
-      case Pin::ground:
-        return net(0);
-      case Pin::positive:
-        return positive_;
-      case Pin::negative:
-        return positive_ + 1;
-      case Pin::none:
-        break;
+  /// With the nets of its pins.
+  Footprint amplifier_footprint(const Instance& x) {
+    const AmplifierModel* const model = amplifier(circuit_, x.subcircuit);
+    if (model == nullptr)
+      throw std::invalid_argument("element " + x.name + ": a board has no sub-circuits");
+    const bool both = model->outputs == Outputs::complementary;
+    const AmplifierPackage package =
+        soldered_.amplifiers.value_or(AmplifierPackage::usual(model->outputs));
+    if (both == package.pins.out_minus.empty())
+      throw std::invalid_argument("element " + x.name + " has " +
+                                  (both ? "two outputs" : "one output") + ", and " + package.part +
+                                  " has not");
+    if (both && package.pins.amplifiers() != 1)
+      throw std::invalid_argument(package.part +
+                                  " holds several fully differential amplifiers: "
+                                  "take the one that holds one");
+    PackageLands lands = lands_of(package);
+    const auto join = [&](const std::vector<int>& pins, std::size_t at) {
+      for (const int pin : pins) lands.pads.at(static_cast<std::size_t>(pin) - 1).net = at;
+    };
+    const AmplifierPins& pins = package.pins;
+    const auto signals = {&pins.in_plus, &pins.in_minus, &pins.out_plus, &pins.out_minus};
+    for (std::size_t k = 0; const std::vector<int>* const signal : signals) {
+      if (k < x.pins.size()) join({signal->at(0)}, net(x.pins[k]));
+      ++k;
     }
-    return 0;
+    // What the package has beside is a follower at ground.
+    for (std::size_t idle = 1; idle < pins.amplifiers(); ++idle) {
+      const std::size_t own = add_net("idle" + std::to_string(idle) + x.name);
+      join({pins.in_plus[idle]}, net(0));
+      join({pins.in_minus.at(idle), pins.out_plus.at(idle)}, own);
+    }
+    join(pins.supply_plus, positive_);
+    join(pins.supply_minus, positive_ + 1);
+    join(pins.common_mode, net(0));
+    join(pins.power_down, positive_);
+    join(pins.exposed, net(0));
+    return {.kind = Footprint::Kind::amplifier,
+            .library = std::move(lands.library),
+            .element = x.name,
+            .value = both ? "fully differential amplifier" : "op-amp",
+            .width = lands.width,
+            .height = lands.height,
+            .pads = std::move(lands.pads)};
+  }
+
+  /// That no node of the circuit has.
+  std::size_t add_net(const std::string& name) {
+    if (std::find(board_.nets.begin(), board_.nets.end(), name) != board_.nets.end())
+      throw std::invalid_argument("a node is named '" + name +
+                                  "', as a net of the board is: give it another name");
+    board_.nets.push_back(name);
+    return board_.nets.size() - 1;
   }
 
   void add_pins() {

@@ -255,8 +255,9 @@ std::vector<NetCopper> net_copper(const LaidBoard& board) {
 
 std::vector<NodeCapacitance> node_capacitances(const LaidBoard& board,
                                                std::span<const NetCopper> copper,
-                                               const Circuit& circuit) {
-  check_same_circuit(board, circuit);
+                                               const Circuit& circuit,
+                                               const std::optional<AmplifierPackage>& amplifiers) {
+  check_same_circuit(board, circuit, amplifiers);
   std::map<std::string, double> farad;
   for (const NetCopper& one : copper) farad[one.net] = one.farad();
   std::map<std::string, double> ohm;  // of parts

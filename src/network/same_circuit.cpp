@@ -16,7 +16,9 @@ constexpr double most_apart = 1.0 / 6.0;  // E12 rounds by a tenth
 
 class SameCircuit {
  public:
-  SameCircuit(const LaidBoard& board, const Circuit& circuit) : board_(board), circuit_(circuit) {
+  SameCircuit(const LaidBoard& board, const Circuit& circuit,
+              const std::optional<AmplifierPackage>& amplifiers)
+      : board_(board), circuit_(circuit), amplifiers_(amplifiers) {
     for (const LaidBoard::Part& part : board.parts) {
       if (part.element.empty()) continue;
       if (!parts_.try_emplace(part.element, &part).second)
@@ -127,16 +129,23 @@ class SameCircuit {
   void compare(const Instance& one) {
     const LaidBoard::Part* const part = find(one.name);
     if (part == nullptr) lacks(one.name);
+    const bool both = one.pins.size() == 4;
     const AmplifierPins pins =
-        one.pins.size() == 4 ? AmplifierPins::fully_differential() : AmplifierPins::single();
-    expect(*part, std::to_string(pins.in_plus), one.pins[0]);
-    expect(*part, std::to_string(pins.in_minus), one.pins[1]);
-    expect(*part, std::to_string(pins.out_plus), one.pins[2]);
-    if (one.pins.size() == 4) expect(*part, std::to_string(pins.out_minus), one.pins[3]);
+        amplifiers_
+            .value_or(AmplifierPackage::usual(both ? Outputs::complementary : Outputs::single))
+            .pins;
+    if (both == pins.out_minus.empty())
+      refuse(*part, "is to be a " + amplifiers_->part + ", which has " +
+                        (both ? "one output" : "two outputs"));
+    expect(*part, std::to_string(pins.in_plus.at(0)), one.pins[0]);
+    expect(*part, std::to_string(pins.in_minus.at(0)), one.pins[1]);
+    expect(*part, std::to_string(pins.out_plus.at(0)), one.pins[2]);
+    if (both) expect(*part, std::to_string(pins.out_minus.at(0)), one.pins[3]);
   }
 
   const LaidBoard& board_;
   const Circuit& circuit_;
+  const std::optional<AmplifierPackage>& amplifiers_;
   std::map<std::string, const LaidBoard::Part*> parts_;  // by their elements
   std::set<std::string> seen_;
 };
@@ -165,8 +174,9 @@ double resistance_of(const std::string& value) {
   return read_number(digits, ohm) && ohm > 0.0 ? unit * ohm : 0.0;
 }
 
-void check_same_circuit(const LaidBoard& board, const Circuit& circuit) {
-  SameCircuit(board, circuit).compare();
+void check_same_circuit(const LaidBoard& board, const Circuit& circuit,
+                        const std::optional<AmplifierPackage>& amplifiers) {
+  SameCircuit(board, circuit, amplifiers).compare();
 }
 
 }  // namespace tactile_net

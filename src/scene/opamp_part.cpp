@@ -66,23 +66,20 @@ void take(OpAmpPart& part, const PartFigure& figure, std::vector<double> values,
 
 struct PinKey {
   std::string_view name;
-  std::vector<int> OpAmpPart::Pins::*member;
+  std::vector<int> AmplifierPins::*member;
 };
 
-constexpr PinKey pins_of_one_output[] = {{"in_plus", &OpAmpPart::Pins::in_plus},
-                                         {"in_minus", &OpAmpPart::Pins::in_minus},
-                                         {"out", &OpAmpPart::Pins::out_plus},
-                                         {"supply_plus", &OpAmpPart::Pins::supply_plus},
-                                         {"supply_minus", &OpAmpPart::Pins::supply_minus}};
+constexpr PinKey pins_of_one_output[] = {{"in_plus", &AmplifierPins::in_plus},
+                                         {"in_minus", &AmplifierPins::in_minus},
+                                         {"out", &AmplifierPins::out_plus},
+                                         {"supply_plus", &AmplifierPins::supply_plus},
+                                         {"supply_minus", &AmplifierPins::supply_minus}};
 
-constexpr PinKey pins_of_two_outputs[] = {{"in_plus", &OpAmpPart::Pins::in_plus},
-                                          {"in_minus", &OpAmpPart::Pins::in_minus},
-                                          {"out_plus", &OpAmpPart::Pins::out_plus},
-                                          {"out_minus", &OpAmpPart::Pins::out_minus},
-                                          {"common_mode", &OpAmpPart::Pins::common_mode},
-                                          {"supply_plus", &OpAmpPart::Pins::supply_plus},
-                                          {"supply_minus", &OpAmpPart::Pins::supply_minus},
-                                          {"power_down", &OpAmpPart::Pins::power_down}};
+constexpr PinKey pins_of_two_outputs[] = {
+    {"in_plus", &AmplifierPins::in_plus},           {"in_minus", &AmplifierPins::in_minus},
+    {"out_plus", &AmplifierPins::out_plus},         {"out_minus", &AmplifierPins::out_minus},
+    {"common_mode", &AmplifierPins::common_mode},   {"supply_plus", &AmplifierPins::supply_plus},
+    {"supply_minus", &AmplifierPins::supply_minus}, {"power_down", &AmplifierPins::power_down}};
 
 void read_pins(Table table, OpAmpPart& part) {
   const std::span<const PinKey> keys = part.outputs == Outputs::complementary
@@ -99,8 +96,10 @@ void read_pins(Table table, OpAmpPart& part) {
       pins = {static_cast<int>(*pin)};
     }
   }
+  if (const auto pad = table.value("exposed"))
+    if (const auto number = pad->integer(1, 400)) part.pins.exposed = {static_cast<int>(*number)};
   if (const auto place = table.required("at", "where the data sheet says it"))
-    part.pins.at = place->text().value_or("");
+    part.pins_at = place->text().value_or("");
   table.finish();
 }
 

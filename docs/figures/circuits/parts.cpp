@@ -30,7 +30,7 @@ std::string parts_table() {
          "power-down "
          "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const OpAmpPart& part : opamp_parts()) {
-    const OpAmpPart::Pins& pins = part.pins;
+    const AmplifierPins& pins = part.pins;
     out << "| " << part.name << " | " << figure_of(part, "gain_bandwidth", 1e6) << " | "
         << figure_of(part, "slew", 1e6) << " | " << figure_of(part, "noise_voltage", 1e-9) << " | "
         << figure_of(part, "offset", 1e-3) << " | " << figure_of(part, "bias_current", 1e-9)

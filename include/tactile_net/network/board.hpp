@@ -14,29 +14,6 @@
 
 namespace tactile_net {
 
-/// Which pins of a package take what; 0: it has none.
-struct AmplifierPins {
-  int in_plus = 0, in_minus = 0, out_plus = 0, out_minus = 0;
-  int supply_plus = 0, supply_minus = 0;
-  int common_mode = 0;  ///< takes the outputs' mean voltage
-  int power_down = 0;   ///< works while it is high
-
-  /// The usual ones of an SO-8.
-  [[nodiscard]] static constexpr AmplifierPins single() noexcept {
-    return {.in_plus = 3, .in_minus = 2, .out_plus = 6, .supply_plus = 7, .supply_minus = 4};
-  }
-  [[nodiscard]] static constexpr AmplifierPins fully_differential() noexcept {
-    return {.in_plus = 8,
-            .in_minus = 1,
-            .out_plus = 4,
-            .out_minus = 5,
-            .supply_plus = 3,
-            .supply_minus = 6,
-            .common_mode = 2,
-            .power_down = 7};
-  }
-};
-
 /// Places and sizes are in millimetres, y down.
 struct BoardPad {
   std::string name{};
@@ -82,17 +59,19 @@ struct Board {
 /// Resistors stand in the rows and columns of their entries, the stabiliser's below them,
 /// amplifiers below those; each current source is a pin that takes a reading, each output a pin,
 /// and the supply has three. Nets are the deck's nodes, ground is GND, and op-amps are fed by VCC
-/// and VEE. Parts of the coarsest class are 0402, better ones 0603; amplifiers are SO-8 with the
-/// usual pins of one op-amp, or of a fully differential amplifier (1 -IN, 2 VOCM, 3 V+, 4 +OUT,
-/// 5 -OUT, 6 V-, 7 power-down, 8 +IN): VOCM is at ground, and power-down, active low, at V+. Beside
-/// the deck's parts each amplifier has a capacitor of 100 nF from VCC and one from VEE to ground,
-/// and each supply one of 10 uF. The board is not routed.
+/// and VEE. Parts of the coarsest class are 0402, better ones 0603. Amplifiers are in the package
+/// that `SolderedCircuit::amplifiers` names, the usual SO-8 where it names none: VOCM and an
+/// exposed pad are at ground, and power-down, active low, at V+. Of a package of two op-amps one is
+/// used, and the other a follower at ground. Beside the deck's parts each amplifier has a capacitor
+/// of 100 nF from VCC and one from VEE to ground, and each supply one of 10 uF. The board is not
+/// routed.
 ///
 /// Designators are numbered in the order of the circuit's resistors, of its amplifiers, and of the
 /// pins. Courtyards do not overlap, and leave room for the designator above each.
 ///
 /// @throw std::invalid_argument  the circuit has other parts, or sub-circuits; two nodes have one
-///                               name, or one has the supply's
+///                               name, or one has the supply's; the amplifiers' package has other
+///                               outputs than the circuit's, or no footprint
 /// @throw std::domain_error      it has no unique operating point, so that powers are not known
 [[nodiscard]] Board board_of(const SolderedCircuit& soldered);
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,11 +74,12 @@ struct NodeCapacitance {
 /// end as has the smaller resistance to it, which is exact to first order in frequency but for what
 /// couples the two ends.
 ///
-/// @param circuit  without sub-circuits
+/// @param circuit     without sub-circuits
+/// @param amplifiers  as `SolderedCircuit::amplifiers`
 /// @throw std::invalid_argument  as `check_same_circuit`
-[[nodiscard]] std::vector<NodeCapacitance> node_capacitances(const LaidBoard& board,
-                                                             std::span<const NetCopper> copper,
-                                                             const Circuit& circuit);
+[[nodiscard]] std::vector<NodeCapacitance> node_capacitances(
+    const LaidBoard& board, std::span<const NetCopper> copper, const Circuit& circuit,
+    const std::optional<AmplifierPackage>& amplifiers = {});
 
 /// The circuit with a capacitor Cb and the node's name each from these nodes to ground.
 ///

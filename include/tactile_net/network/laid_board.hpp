@@ -6,10 +6,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/network/amplifier_package.hpp"
 #include "tactile_net/network/circuit.hpp"
 
 namespace tactile_net {
@@ -86,8 +88,10 @@ struct LaidBoard {
 /// the circuit's nodes on its pads, and resistors are within a sixth of the circuit's. One of the
 /// circuit may be two on the board, in series or in parallel.
 ///
-/// @param circuit  without sub-circuits
+/// @param circuit     without sub-circuits
+/// @param amplifiers  as `SolderedCircuit::amplifiers`
 /// @throw std::invalid_argument  it is not; with the part, the net or the value that differs
-void check_same_circuit(const LaidBoard& board, const Circuit& circuit);
+void check_same_circuit(const LaidBoard& board, const Circuit& circuit,
+                        const std::optional<AmplifierPackage>& amplifiers = {});
 
 }  // namespace tactile_net

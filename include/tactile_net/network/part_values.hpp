@@ -7,9 +7,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "tactile_net/network/amplifier_package.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/network/reduction.hpp"
 #include "tactile_net/network/tolerance.hpp"
@@ -77,6 +79,8 @@ struct SolderedCircuit {
   std::vector<SoldPart> parts{};  ///< of its resistors
   /// Of each of its resistors the other one of its pair; itself where it stands alone.
   std::vector<std::size_t> partner{};
+  /// What its amplifiers are bought in, all of them; absent: the usual SO-8 of their kind.
+  std::optional<AmplifierPackage> amplifiers{};
 };
 
 /// Without sub-circuits; two parts that stand for R1 are called R1a and R1b, and meet at node mR1

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tactile_net/network/amplifier_package.hpp"
 #include "tactile_net/network/opamp.hpp"
 
 namespace tactile_net {
@@ -33,21 +34,11 @@ struct OpAmpPart {
   /// hundred, as distributors typically ask. A scene's own price is what counts.
   std::string price{};
 
-  /// Numbers of the package's pins, from 1. Of a signal one for each amplifier that the package
-  /// holds; of a supply all of them, to be joined. Pins that are not named stay open.
-  struct Pins {
-    std::vector<int> in_plus{}, in_minus{};
-    std::vector<int> out_plus{};   ///< of an op-amp of one output that one
-    std::vector<int> out_minus{};  ///< empty: one output
-    std::vector<int> supply_plus{}, supply_minus{};
-    std::vector<int> common_mode{};  ///< takes the outputs' mean voltage; empty: has none
-    std::vector<int> power_down{};   ///< works while it is high; empty: has none
-    std::string at{};                ///< where the data sheet says it
+  AmplifierPins pins{};
+  std::string pins_at{};  ///< where the data sheet says it
 
-    /// How many amplifiers the package holds.
-    [[nodiscard]] std::size_t amplifiers() const noexcept { return in_plus.size(); }
-  };
-  Pins pins{};
+  /// As a board takes it.
+  [[nodiscard]] AmplifierPackage packaged() const { return {name, package, pins}; }
 
   /// A figure as the data sheet has it, and where it stands there.
   struct Figure {
