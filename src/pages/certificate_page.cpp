@@ -251,9 +251,13 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
     page.files.insert(page.files.end(), {{"parts.csv", report::order_csv(*c.parts)},
                                          {"BOM.csv", report::bill_csv(*c.parts)}});
   if (c.board) page.files.emplace_back("copper.csv", report::copper_csv(*c.board));
-  if (c.writes_board())
+  std::vector<std::pair<std::string, std::string>> schematic;
+  if (c.writes_board()) {
+    schematic = report::schematic_texts(*c.parts);
     page.files.insert(page.files.end(), {{"board.kicad_pcb", report::board_text(*c.parts)},
-                                         {"board.kicad_pro", report::project_text()}});
+                                         {"board.kicad_pro", report::project_text()},
+                                         schematic.front()});
+  }
 
   if (c.datasheet)
     page.files.push_back({report::datasheet_file(c.circuit.file()),
@@ -300,6 +304,8 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
   html += colophon("The scene, the files, the command",
                    std::visit([](const auto& scene) { return scene_html(scene); }, c.scene()),
                    page.files, made);
+  // The sheets are found from the first one.
+  for (std::size_t k = 1; k < schematic.size(); ++k) page.files.push_back(std::move(schematic[k]));
   page.html = page_html(c.circuit.file() + " - tactile-net certify", html);
   return page;
 }

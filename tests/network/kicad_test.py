@@ -1,10 +1,12 @@
-"""KiCad's own Python loads the board that `certify --budget` writes, finds the deck's nets on its pads, and its design rules kept.
+"""KiCad's own Python loads the board that `certify --budget` writes, finds the deck's nets on its pads,
+and its design rules kept; the schematic has the same nets.
 
 usage: kicad_test.py COMMAND PYTHON SCENE
 """
 
 import csv
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -39,6 +41,59 @@ def nets_of(deck):
     return ends
 
 
+def lists(text):
+    """KiCad's lists in brackets as Python's."""
+    open_lists = [[]]
+    for token in re.findall(r'"(?:\\.|[^"\\])*"|[()]|[^\s()]+', text):
+        if token == "(":
+            open_lists.append([])
+        elif token == ")":
+            done = open_lists.pop()
+            open_lists[-1].append(done)
+        else:
+            open_lists[-1].append(re.sub(r"\\(.)", r"\1", token[1:-1]) if token[0] == '"' else token)
+    return open_lists[0][0]
+
+
+def every(parent, name):
+    return [one for one in parent if isinstance(one, list) and one[0] == name]
+
+
+def the(parent, name):
+    (one,) = every(parent, name)
+    return one[1:]
+
+
+def place_of(one):
+    x, y = (round(1e4 * float(number)) for number in the(one, "at")[:2])
+    return x, y
+
+
+def schematic_nets(folder):
+    """The net of every pin that the schematic draws, by designator: labels and pins that meet are one."""
+    root = lists((folder / "board.kicad_sch").read_text())
+    references = {path[1]: the(path, "reference")[0] for path in every(the(root, "symbol_instances"), "path")}
+    sheets = [("/", root)]
+    for sheet in every(root, "sheet"):
+        (file,) = [one[2] for one in every(sheet, "property") if one[1] == "Sheet file"]
+        sheets.append((f"/{the(sheet, 'uuid')[0]}/", lists((folder / file).read_text())))
+    drawn = {}
+    for path, sheet in sheets:
+        net_at = {place_of(one): one[1] for one in every(sheet, "global_label")}
+        net_at.update({place_of(one): "" for one in every(sheet, "no_connect")})
+        symbols = {one[1]: [pin for unit in every(one, "symbol") for pin in every(unit, "pin")] for one in every(the(sheet, "lib_symbols"), "symbol")}
+        for symbol in every(sheet, "symbol"):
+            reference = references.pop(path + the(symbol, "uuid")[0])
+            at = place_of(symbol)
+            pins = {}
+            for pin in symbols[the(symbol, "lib_id")[0]]:
+                x, y = place_of(pin)
+                pins[the(pin, "number")[0]] = net_at[at[0] + x, at[1] - y]
+            drawn[reference] = pins
+    assert not references, references
+    return drawn
+
+
 def main(command, python, scene):
     if subprocess.run([python, "-c", "import pcbnew"], capture_output=True).returncode != 0:
         print("skipped: apt-get install kicad, whose Python module is pcbnew")
@@ -49,14 +104,10 @@ def main(command, python, scene):
         out = pathlib.Path(folder) / "out"
         run = lambda *words: subprocess.run([command, *words], check=True, capture_output=True, text=True).stdout
         run("certify", scene, "--budget", "1%", "--out", str(out))
-        certificate = json.loads((out / "certificate.json").read_text())
-        chosen = certificate["parts"]["choice"]
-        # gen writes the same parts of a scene that states the siemens that the board asked for.
-        used = pathlib.Path(folder) / "scene.toml"
-        text = pathlib.Path(scene).read_text()
-        assert text.count("\n[network]\n") == 1 and "\nsiemens" not in text
-        used.write_text(text.replace("\n[network]\n", f"\n[network]\nsiemens = {certificate['board']['used']['siemens']!r}\n"))
-        expected = nets_of(run("gen", str(used), "--budget", "1%", "--realization", chosen))
+        chosen = json.loads((out / "certificate.json").read_text())["parts"]["choice"]
+        # gen writes the same parts of the scene that states the siemens that the board asked for.
+        ordered = out / (pathlib.Path(scene).stem + ".ordered.toml")
+        expected = nets_of(run("gen", str(ordered), "--budget", "1%"))
         text = subprocess.run(
             [python, "-c", PADS, str(out / "board.kicad_pcb"), str(out / "rules.txt")], check=True, capture_output=True, text=True
         ).stdout
@@ -77,6 +128,11 @@ def main(command, python, scene):
         assert len(resistors) == len(expected), (len(resistors), len(expected))
         names = {net for one in pads.values() for net in one.values()}
         assert found["nets"] == len(names | {""}), (found["nets"], len(names))
+        drawn = schematic_nets(out)
+        of_board = {}
+        for reference, number, net in found["pads"]:
+            of_board.setdefault(reference, {})[number] = net
+        assert drawn == of_board, {name for name in drawn.keys() | of_board.keys() if drawn.get(name) != of_board.get(name)}
         print(f"{len(expected)} resistors, {found['nets']} nets of {chosen}: as in the deck")
     return 0
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tactile_net/network/board.hpp"
+#include "tactile_net/network/kicad_schematic.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
@@ -237,6 +238,14 @@ std::string board_text(const lab::PartsList& list) {
   std::ostringstream text;
   write_kicad_board(text, board_of(list.choice->soldered));
   return std::move(text).str();
+}
+
+std::vector<std::pair<std::string, std::string>> schematic_texts(const lab::PartsList& list) {
+  const SolderedCircuit& soldered = list.choice->soldered;
+  std::vector<std::pair<std::string, std::string>> texts;
+  for (SchematicFile& file : kicad_schematic(board_of(soldered), soldered.circuit, list.opamp_part))
+    texts.emplace_back(std::move(file.name), std::move(file.text));
+  return texts;
 }
 
 std::string project_text() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tactile_net/lab/parts_list.hpp"
@@ -27,6 +28,10 @@ namespace tactile_net::report {
 
 /// The board of the chosen circuit, as KiCad reads it. @pre  there is a choice
 [[nodiscard]] std::string board_text(const lab::PartsList& list);
+
+/// Its schematic, the root's file first: name and text of each. @pre  there is a choice
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> schematic_texts(
+    const lab::PartsList& list);
 
 /// The project that the board is opened with: KiCad's design rules for it.
 [[nodiscard]] std::string project_text();

@@ -1,0 +1,464 @@
+#include "tactile_net/network/kicad_schematic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "tactile_net/network/arrays.hpp"
+#include "tactile_net/numeric/number_text.hpp"
+
+namespace tactile_net {
+namespace schematic {
+namespace {
+
+// Places are on KiCad's grid, in millimetres.
+constexpr double pitch = 2.54;
+constexpr double letter = 1.27;        // a text's height, and about what one of its letters is wide
+constexpr double label_room = 3.81;    // of a label beside its text
+constexpr double sheet_edge = 25.4;    // around a sheet's contents
+constexpr double title_block = 43.18;  // below them
+constexpr double sheet_width = 381.0;  // of contents, where they fill it
+
+/// Up to the next place of the grid.
+double on_grid(double value) { return pitch * std::ceil(value / pitch - 1e-9); }
+
+std::string place(double value) { return shortest(std::round(value * 1e4) / 1e4 + 0.0); }
+
+std::string at(double x, double y, int angle) {
+  return "(at " + place(x) + ' ' + place(y) + ' ' + std::to_string(angle) + ')';
+}
+
+std::string in_quotes(const std::string& text) {
+  std::string result = "\"";
+  for (const char one : text) {
+    if (one == '"' || one == '\\') result += '\\';
+    result += one;
+  }
+  return result + '"';
+}
+
+std::string effects(const char* more = "", double size = letter) {
+  return "(effects (font (size " + place(size) + ' ' + place(size) + "))" + more + ')';
+}
+
+/// The same for the same name, so that equal boards are equal files.
+std::string identifier(const std::string& name) {
+  std::array<std::uint64_t, 2> halves = {0xcbf29ce484222325U, 0x84222325cbf29ce4U};
+  for (std::size_t k = 0; k < 2; ++k)
+    for (const char one : name) {  // Fowler, Noll and Vo
+      halves[k] ^= static_cast<unsigned char>(one) + 0x100U * k;
+      halves[k] *= 0x100000001b3U;
+    }
+  std::array<char, 40> text{};
+  (void)std::snprintf(
+      text.data(), text.size(), "%08x-%04x-5%03x-8%03x-%012llx",
+      static_cast<unsigned>(halves[0] >> 32U), static_cast<unsigned>(halves[0] >> 16U & 0xffffU),
+      static_cast<unsigned>(halves[0] & 0xfffU), static_cast<unsigned>(halves[1] >> 52U),
+      static_cast<unsigned long long>(halves[1] & 0xffffffffffffU));
+  return text.data();
+}
+
+/// A footprint's pins: pads of one name are one.
+struct Pin {
+  std::string number{};
+  std::string name = "~";
+  std::size_t net = 0;
+};
+
+std::vector<Pin> pins_of(const Footprint& one) {
+  std::vector<Pin> pins;
+  for (const BoardPad& pad : one.pads) {
+    const auto same = std::find_if(pins.begin(), pins.end(),
+                                   [&](const Pin& pin) { return pin.number == pad.name; });
+    if (same == pins.end())
+      pins.push_back({pad.name, "~", pad.net});
+    else if (same->net != pad.net)
+      throw std::invalid_argument("pads " + pad.name + " of " + one.reference() +
+                                  " are of different nets");
+  }
+  return pins;
+}
+
+/// "R" of "R12".
+std::string letters_of(const std::string& reference) {
+  return reference.substr(0, reference.find_first_of("0123456789"));
+}
+
+/// What is drawn, once for all parts that are alike. Places are from its middle, y up.
+struct Symbol {
+  std::string name{};
+  std::string letters{};  ///< that its parts' designators begin with
+  bool box = true;        ///< false: a resistor's or a capacitor's own sign
+  std::vector<Pin> pins{};
+  double half_width = 0.0, half_height = 0.0;  ///< of the box
+
+  [[nodiscard]] std::size_t left() const { return (pins.size() + 1) / 2; }
+  /// Down the left side, and up the right one, as a package's pins go.
+  [[nodiscard]] std::pair<double, double> end(std::size_t k) const {
+    if (!box) return {k == 0 ? -1.5 * pitch : 1.5 * pitch, 0.0};
+    const std::size_t rows = left();
+    const std::size_t row = k < rows ? k : pins.size() - 1 - k;
+    const double y = pitch * (0.5 * static_cast<double>(rows - 1) - static_cast<double>(row));
+    const double reach = half_width + pitch;
+    // On the grid where the number of rows is even, too.
+    return {k < rows ? -reach : reach, y + (rows % 2 == 0 ? 0.5 * pitch : 0.0)};
+  }
+  [[nodiscard]] static bool points_right(double x) { return x > 0.0; }
+};
+
+std::string property(const char* name, const std::string& value, int id, const std::string& where,
+                     const char* more) {
+  return "    (property \"" + std::string(name) + "\" " + in_quotes(value) + " (id " +
+         std::to_string(id) + ") " + where + ' ' + effects(more) + ")\n";
+}
+
+std::string rectangle(double x, double y, double to_x, double to_y) {
+  return "      (rectangle (start " + place(x) + ' ' + place(y) + ") (end " + place(to_x) + ' ' +
+         place(to_y) +
+         ") (stroke (width 0.254) (type default) (color 0 0 0 0)) (fill (type none)))\n";
+}
+
+std::string line(double x, double y, double to_x, double to_y) {
+  return "      (polyline (pts (xy " + place(x) + ' ' + place(y) + ") (xy " + place(to_x) + ' ' +
+         place(to_y) +
+         ")) (stroke (width 0.254) (type default) (color 0 0 0 0)) (fill (type none)))\n";
+}
+
+std::string drawing_of(const Symbol& symbol) {
+  if (symbol.box)
+    return rectangle(-symbol.half_width, -symbol.half_height, symbol.half_width,
+                     symbol.half_height);
+  if (symbol.letters == "R") return rectangle(-pitch, -0.4 * pitch, pitch, 0.4 * pitch);
+  return line(-0.2 * pitch, -0.6 * pitch, -0.2 * pitch, 0.6 * pitch) +
+         line(0.2 * pitch, -0.6 * pitch, 0.2 * pitch, 0.6 * pitch);
+}
+
+/// As the file's lib_symbols have it.
+std::string text_of(const Symbol& symbol) {
+  std::string text = "    (symbol \"tactile-net:" + symbol.name + "\"";
+  text += symbol.box ? " (pin_names (offset 0.508))" : " (pin_numbers hide) (pin_names (offset 0))";
+  text += " (in_bom yes) (on_board yes)\n";
+  text += property("Reference", symbol.letters, 0, at(0.0, symbol.half_height + pitch, 0), "");
+  text += property("Value", symbol.name, 1, at(0.0, -symbol.half_height - pitch, 0), "");
+  text += property("Footprint", "", 2, at(0.0, 0.0, 0), " hide");
+  text += property("Datasheet", "~", 3, at(0.0, 0.0, 0), " hide");
+  text += "      (symbol \"" + symbol.name + "_0_1\"\n" + drawing_of(symbol) + "      )\n";
+  text += "      (symbol \"" + symbol.name + "_1_1\"\n";
+  for (std::size_t k = 0; k < symbol.pins.size(); ++k) {
+    const auto [x, y] = symbol.end(k);
+    const double length = symbol.box ? pitch : symbol.letters == "R" ? 0.5 * pitch : 1.3 * pitch;
+    text += "        (pin passive line " + at(x, y, Symbol::points_right(x) ? 180 : 0) +
+            " (length " + place(length) + ") (name " + in_quotes(symbol.pins[k].name) + ' ' +
+            effects() + ") (number " + in_quotes(symbol.pins[k].number) + ' ' + effects() + "))\n";
+  }
+  return text + "      )\n    )\n";
+}
+
+/// A part and where it stands, with its symbol.
+struct Part {
+  const Footprint* footprint = nullptr;
+  std::vector<Pin> pins{};
+  std::size_t symbol = 0;
+  std::string group{};  ///< what stands together on a sheet
+};
+
+struct Sheet {
+  std::string title{};
+  std::string file{};
+  std::vector<Part> parts{};
+};
+
+/// Room of a part with the texts around it.
+struct Room {
+  double width = 0.0, height = 0.0;
+};
+
+class Schematic {
+ public:
+  Schematic(const Board& board, const Circuit& circuit, std::string amplifier_part)
+      : board_(board), circuit_(circuit), amplifier_part_(std::move(amplifier_part)) {
+    for (const Instance& one : circuit_.instances) instances_[one.name] = &one;
+    std::map<std::size_t, Sheet> rows;
+    for (const Footprint& one : board.footprints) {
+      Part part{.footprint = &one, .pins = pins_of(one)};
+      name_pins(part);
+      part.symbol = symbol_for(part);
+      const std::optional<std::size_t> row = row_of(one.element);
+      part.group = group_of(one);
+      (row ? rows[*row] : root_).parts.push_back(std::move(part));
+    }
+    root_.title = "board";
+    root_.file = "board.kicad_sch";
+    for (auto& [row, sheet] : rows) {
+      sheet.title = "row " + std::to_string(row);
+      sheet.file = "board-row" + std::to_string(row) + ".kicad_sch";
+      sheets_.push_back(std::move(sheet));
+    }
+    for (Sheet* sheet : all()) sort(*sheet);
+  }
+
+  [[nodiscard]] std::vector<SchematicFile> files() {
+    std::vector<SchematicFile> result = {{root_.file, root_text()}};
+    for (const Sheet& sheet : sheets_) {
+      const auto [parts, height] = parts_text(sheet, sheet_edge);
+      result.push_back({sheet.file, head(sheet, height) + parts + ")\n"});
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::vector<Sheet*> all() {
+    std::vector<Sheet*> sheets = {&root_};
+    for (Sheet& sheet : sheets_) sheets.push_back(&sheet);
+    return sheets;
+  }
+
+  static std::optional<std::size_t> row_of(const std::string& element) {
+    if (element.find_first_of("0123456789") == std::string::npos) return std::nullopt;
+    return place_of(element).row;
+  }
+
+  static std::string group_of(const Footprint& one) {
+    const std::string letters = letters_of(one.reference());
+    if (letters == "R") return std::string(tactile_net::name(place_of(one.element).array));
+    return letters == "U" || letters == "C" ? "amplifiers and capacitors" : "pins";
+  }
+
+  /// Amplifiers, pins, then array by array, by their designators' numbers.
+  static void sort(Sheet& sheet) {
+    const auto order = [](const Part& part) {
+      const std::string letters = letters_of(part.footprint->reference());
+      const auto array = letters == "R"
+                             ? 2 + static_cast<int>(place_of(part.footprint->element).array)
+                             : static_cast<int>(part.group == "pins");
+      return std::tuple(array, letters != "U", letters, part.footprint->number);
+    };
+    std::stable_sort(sheet.parts.begin(), sheet.parts.end(),
+                     [&](const Part& a, const Part& b) { return order(a) < order(b); });
+  }
+
+  /// What each of an amplifier's pins is for, by the net that it has.
+  void name_pins(Part& part) const {
+    const auto found = instances_.find(part.footprint->element);
+    if (found == instances_.end()) return;
+    constexpr std::array purposes = {"IN+", "IN-", "OUT+", "OUT-"};
+    const std::vector<Node>& nodes = found->second->pins;
+    for (Pin& pin : part.pins) {
+      const std::string& net = board_.nets[pin.net];
+      if (pin.net == 0) pin.name = "NC";
+      if (net == "VCC" || net == "VEE" || net == "GND") pin.name = net;
+      for (std::size_t k = 0; k < std::min(nodes.size(), purposes.size()); ++k)
+        if (nodes[k] != 0 && net == circuit_.nodes[nodes[k]])
+          pin.name = nodes.size() == 3 && k == 2 ? "OUT" : purposes[k];
+    }
+  }
+
+  /// Parts of one footprint whose pins have the same names share a symbol.
+  std::size_t symbol_for(const Part& part) {
+    const Footprint& one = *part.footprint;
+    const std::string letters = letters_of(one.reference());
+    const bool box = letters != "R" && letters != "C";
+    std::string key = letters;
+    if (box) key += ' ' + one.library;
+    for (const Pin& pin : part.pins) key += ' ' + pin.number + '=' + pin.name;
+    const auto [known, is_new] = symbol_at_.try_emplace(key, symbols_.size());
+    if (!is_new) return known->second;
+    Symbol symbol{.letters = letters, .box = box, .pins = part.pins};
+    std::string name = letters;
+    if (box) name += '_' + one.library.substr(one.library.find(':') + 1);
+    std::size_t alike = 1;
+    for (const Symbol& other : symbols_)
+      if (other.name == name || other.name.starts_with(name + '.')) ++alike;
+    symbol.name = alike == 1 ? name : name + '.' + std::to_string(alike);
+    if (box) {
+      const bool both = symbol.pins.size() > 1;
+      const auto rows = static_cast<double>(std::max<std::size_t>(symbol.left(), 1));
+      symbol.half_width = both ? 3.0 * pitch : pitch;
+      symbol.half_height = 0.5 * pitch * (rows + (symbol.left() % 2 == 0 ? 2.0 : 1.0));
+    }
+    symbols_.push_back(std::move(symbol));
+    return known->second;
+  }
+
+  [[nodiscard]] double label_width(const Pin& pin) const {
+    return pin.net == 0 ? letter
+                        : label_room + letter * static_cast<double>(board_.nets[pin.net].size());
+  }
+
+  [[nodiscard]] Room room_of(const Part& part) const {
+    const Symbol& symbol = symbols_[part.symbol];
+    double reach = 0.0;
+    for (std::size_t k = 0; k < part.pins.size(); ++k)
+      reach = std::max(reach, std::abs(symbol.end(k).first) + label_width(part.pins[k]));
+    if (symbol.box)
+      reach = std::max(reach, 0.5 * letter * static_cast<double>(part.footprint->value.size()));
+    const double height = symbol.box ? 2.0 * symbol.half_height + 3.5 * pitch : 3.0 * pitch;
+    return {on_grid(2.0 * reach + pitch), on_grid(height)};
+  }
+
+  [[nodiscard]] std::string text_of_part(const Part& part, const std::string& sheet, double x,
+                                         double y) const {
+    const Footprint& one = *part.footprint;
+    const Symbol& symbol = symbols_[part.symbol];
+    const std::string reference = one.reference();
+    const std::string id = sheet + '/' + reference;
+    const double above = symbol.box ? symbol.half_height + letter : pitch;
+    std::string text = "  (symbol (lib_id \"tactile-net:" + symbol.name + "\") " + at(x, y, 0) +
+                       " (unit 1)\n    (in_bom " +
+                       (one.kind < Footprint::Kind::pin ? "yes" : "no") +
+                       ") (on_board yes)\n    (uuid " + identifier(id) + ")\n";
+    const bool beside = !symbol.box && !one.tolerance.empty();
+    text += property("Reference", reference, 0, at(x, y - above, 0), "");
+    text += property("Value", one.value, 1, at(beside ? x - 0.5 * letter : x, y + above, 0),
+                     beside ? " (justify right)" : "");
+    text += property("Footprint", one.library, 2, at(x, y, 0), " hide");
+    text += property("Datasheet", "~", 3, at(x, y, 0), " hide");
+    text += property("Element", one.element, 4, at(x, y, 0), " hide");
+    int field = 5;
+    if (!one.tolerance.empty())
+      text += property("Tolerance", one.tolerance, field++, at(x + 0.5 * letter, y + above, 0),
+                       " (justify left)");
+    if (one.kind < Footprint::Kind::pin)
+      text += property("MPN", one.kind == Footprint::Kind::amplifier ? amplifier_part_ : "", field,
+                       at(x, y + above + 1.5 * letter, 0),
+                       one.kind == Footprint::Kind::amplifier ? "" : " hide");
+    for (const Pin& pin : part.pins)
+      text += "    (pin " + in_quotes(pin.number) + " (uuid " + identifier(id + '.' + pin.number) +
+              "))\n";
+    text += "  )\n";
+    for (std::size_t k = 0; k < part.pins.size(); ++k) {
+      const auto [along, up] = symbol.end(k);
+      text += end_of(part.pins[k], id + ':' + part.pins[k].number, x + along, y - up, along > 0.0);
+    }
+    return text;
+  }
+
+  /// The net of a pin, where it ends.
+  [[nodiscard]] std::string end_of(const Pin& pin, const std::string& id, double x, double y,
+                                   bool right) const {
+    if (pin.net == 0)
+      return "  (no_connect (at " + place(x) + ' ' + place(y) + ") (uuid " + identifier(id) +
+             "))\n";
+    return "  (global_label " + in_quotes(board_.nets[pin.net]) + " (shape passive) " +
+           at(x, y, right ? 0 : 180) + ' ' +
+           effects(right ? " (justify left)" : " (justify right)") + "\n    (uuid " +
+           identifier(id) +
+           ")\n    (property \"Intersheet References\" \"${INTERSHEET_REFS}\" (id 0) " +
+           at(x, y, 0) + ' ' + effects(" hide") + ")\n  )\n";
+  }
+
+  /// Group below group, each in rows and columns.
+  /// @return  and where it ends
+  [[nodiscard]] std::pair<std::string, double> parts_text(const Sheet& sheet, double top) const {
+    std::string text;
+    double y = top;
+    for (std::size_t first = 0; first < sheet.parts.size();) {
+      std::size_t last = first;
+      Room cell;
+      for (; last < sheet.parts.size() && sheet.parts[last].group == sheet.parts[first].group;
+           ++last) {
+        const Room room = room_of(sheet.parts[last]);
+        cell = {std::max(cell.width, room.width), std::max(cell.height, room.height)};
+      }
+      y += 2.0 * pitch;
+      text += "  (text " + in_quotes(sheet.parts[first].group) + ' ' + at(sheet_edge, y, 0) + ' ' +
+              effects(" (justify left bottom)", 2.0 * letter) + " (uuid " +
+              identifier(sheet.title + '#' + sheet.parts[first].group) + "))\n";
+      y += pitch;
+      const auto columns =
+          static_cast<std::size_t>(std::max(1.0, std::floor(sheet_width / cell.width)));
+      for (std::size_t k = first; k < last; ++k) {
+        const auto column = static_cast<double>((k - first) % columns);
+        const auto row = static_cast<double>((k - first) / columns);
+        text += text_of_part(sheet.parts[k], sheet.title,
+                             sheet_edge + on_grid((column + 0.5) * cell.width),
+                             y + on_grid((row + 0.5) * cell.height));
+      }
+      y += cell.height * static_cast<double>((last - first + columns - 1) / columns) + pitch;
+      first = last;
+    }
+    return {text, y};
+  }
+
+  [[nodiscard]] std::string head(const Sheet& sheet, double height) const {
+    std::string text = "(kicad_sch (version 20211123) (generator tactile-net)\n  (uuid " +
+                       identifier(sheet.file) + ")\n  (paper \"User\" " +
+                       place(sheet_width + 2.0 * sheet_edge) + ' ' +
+                       place(std::max(height + title_block, 210.0)) + ")\n  (title_block (title " +
+                       in_quotes(sheet.title) + "))\n  (lib_symbols\n";
+    std::vector<bool> used(symbols_.size());
+    for (const Part& part : sheet.parts) used[part.symbol] = true;
+    for (std::size_t k = 0; k < symbols_.size(); ++k)
+      if (used[k]) text += text_of(symbols_[k]);
+    return text + "  )\n";
+  }
+
+  /// The supply's parts, a box a sheet, and which part stands where.
+  [[nodiscard]] std::string root_text() const {
+    auto [text, y] = parts_text(root_, sheet_edge);
+    y += 2.0 * pitch;
+    std::string pages = "  (sheet_instances\n    (path \"/\" (page \"1\"))\n";
+    std::string parts = "  (symbol_instances\n" + instances_text(root_, "/");
+    constexpr double width = 20.0 * pitch;
+    constexpr double height = 4.0 * pitch;
+    const auto columns = static_cast<std::size_t>(sheet_width / (width + 3.0 * pitch));
+    for (std::size_t k = 0; k < sheets_.size(); ++k) {
+      const Sheet& sheet = sheets_[k];
+      const double left = sheet_edge + static_cast<double>(k % columns) * (width + 3.0 * pitch);
+      const double top = y + static_cast<double>(k / columns) * (height + 4.0 * pitch);
+      const std::string id = identifier("sheet " + sheet.title);
+      text += "  (sheet (at " + place(left) + ' ' + place(top) + ") (size " + place(width) + ' ' +
+              place(height) +
+              ")\n    (stroke (width 0.1524) (type solid) (color 0 0 0 0))\n    (fill (color 0 0 0 "
+              "0.0))\n    (uuid " +
+              id + ")\n";
+      text += property("Sheet name", sheet.title, 0, at(left, top - 0.5 * letter, 0),
+                       " (justify left bottom)");
+      text += property("Sheet file", sheet.file, 1, at(left, top + height + 0.5 * letter, 0),
+                       " (justify left top)");
+      text += "  )\n";
+      pages += "    (path \"/" + id + "\" (page \"" + std::to_string(k + 2) + "\"))\n";
+      parts += instances_text(sheet, "/" + id + '/');
+    }
+    y += (height + 4.0 * pitch) * static_cast<double>((sheets_.size() + columns - 1) / columns);
+    return head(root_, y) + text + pages + "  )\n" + parts + "  )\n)\n";
+  }
+
+  [[nodiscard]] static std::string instances_text(const Sheet& sheet, const std::string& path) {
+    std::string text;
+    for (const Part& part : sheet.parts) {
+      const Footprint& one = *part.footprint;
+      const std::string reference = one.reference();
+      text += "    (path \"" + path + identifier(sheet.title + '/' + reference) + "\" (reference " +
+              in_quotes(reference) + ") (unit 1) (value " + in_quotes(one.value) + ") (footprint " +
+              in_quotes(one.library) + "))\n";
+    }
+    return text;
+  }
+
+  const Board& board_;
+  const Circuit& circuit_;
+  std::string amplifier_part_;
+  std::map<std::string, const Instance*> instances_;  // by their names
+  std::map<std::string, std::size_t> symbol_at_;      // by what it is like
+  std::vector<Symbol> symbols_;
+  Sheet root_;
+  std::vector<Sheet> sheets_;
+};
+
+}  // namespace
+}  // namespace schematic
+
+std::vector<SchematicFile> kicad_schematic(const Board& board, const Circuit& circuit,
+                                           const std::string& amplifier_part) {
+  return schematic::Schematic(board, circuit, amplifier_part).files();
+}
+
+}  // namespace tactile_net
