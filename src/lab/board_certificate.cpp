@@ -9,6 +9,7 @@
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/network/laid_board.hpp"
 #include "tactile_net/network/state_space.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/opamp_part.hpp"
 #include "tactile_net/scene/scale_units.hpp"
 
@@ -73,9 +74,7 @@ class OnBoard {
       (one.enough(result_.wanted) ? high : low) = middle;
       if (one.enough(result_.wanted)) best = one;
     }
-    if (best.siemens == result_.stated.siemens) return;
-    result_.circuit = at(best.siemens);
-    result_.used = judged(*result_.circuit, true);
+    if (best.siemens != result_.stated.siemens) result_.used = judged(*at(best.siemens), true);
   }
 
   [[nodiscard]] BoardCertificate& result() noexcept { return result_; }
@@ -124,6 +123,12 @@ class OnBoard {
   BoardCertificate result_;
 };
 
+void check_boards(Realization realization) {
+  if (!traits(realization).uses_opamps || !traits(realization).linear())
+    throw std::invalid_argument("a board is of resistors and op-amps: the realization " +
+                                std::string(name(realization)) + " is not");
+}
+
 void check_wanted(double degrees) {
   if (!(degrees > 0.0 && degrees < 90.0))
     throw std::invalid_argument("a phase margin must be > 0 and < 90 degrees");
@@ -146,7 +151,9 @@ AnyScene scene_with(const AnyScene& scene, Realization realization, bool ladder,
 /// To three digits, so that a scene can state it.
 double rounded_up(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
-  return std::ceil(value / unit) * unit;
+  double rounded = 0.0;
+  (void)read_number(brief(std::ceil(value / unit) * unit, 3), rounded);
+  return rounded;
 }
 
 LaidBoard laid(const SolderedCircuit& soldered) {
@@ -157,12 +164,23 @@ LaidBoard laid(const SolderedCircuit& soldered) {
 
 }  // namespace
 
+SceneCircuit on_board(const SceneCircuit& circuit, const LaidBoard& board) {
+  check_boards(circuit.network().realization());
+  const NetworkCircuit plain(circuit.network().realization(), circuit.network().shared_problem(),
+                             without_board(circuit.options()));
+  return {circuit, std::make_shared<const NetworkCircuit>(
+                       plain.realization(), plain.shared_problem(), plain.options(),
+                       node_capacitances(board, net_copper(board), plain.flat().circuit()))};
+}
+
+SceneCircuit circuit_on_board(const AnyScene& scene, const std::optional<LaidBoard>& board) {
+  SceneCircuit circuit = simulated_circuit(scene);
+  return board ? on_board(circuit, *board) : circuit;
+}
+
 BoardCertificate certify_board(const SceneCircuit& circuit, const LaidBoard& board, double wanted) {
   check_wanted(wanted);
-  const Realization own = circuit.network().realization();
-  if (!traits(own).uses_opamps || !traits(own).linear())
-    throw std::invalid_argument("a board is of resistors and op-amps: the realization " +
-                                std::string(name(own)) + " is not");
+  check_boards(circuit.network().realization());
   OnBoard on(circuit, board, wanted);
   on.raise();
   on.result().file = board.file;

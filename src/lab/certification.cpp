@@ -31,7 +31,8 @@ Certification certify(const AnyScene& scene, Observer& observer,
   }
   if (wanted.datasheet) {
     observer.step({Step::Kind::draws});
-    result.datasheet = lab::datasheet(result.circuit, result.parts ? &*result.parts : nullptr);
+    result.datasheet = lab::datasheet(result.circuit, result.parts ? &*result.parts : nullptr,
+                                      result.board ? &*result.board : nullptr);
   }
   return result;
 }

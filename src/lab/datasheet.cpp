@@ -40,13 +40,15 @@ struct BuiltCircuit {
   BoughtParts bought;
 };
 
-BuiltCircuit source_of(const SceneCircuit& circuit, const PartsList* parts) {
-  if (parts != nullptr && parts->choice) return {parts->choice->network, parts->choice->bought};
+BuiltCircuit source_of(const SceneCircuit& circuit, const PartsList* parts,
+                       const BoardCertificate* board) {
+  if (parts != nullptr && parts->choice)
+    return {board != nullptr ? board->circuit : parts->choice->network, parts->choice->bought};
   const NetworkCircuit& own = circuit.network();
   if (!traits(own.realization()).linear() || !traits(own.realization()).uses_opamps)
     throw std::invalid_argument("the realization " + std::string(name(own.realization())) +
                                 " is not built of resistors and op-amps: it has no datasheet");
-  return {std::shared_ptr<const NetworkCircuit>(std::shared_ptr<void>(), &own),
+  return {board != nullptr ? board->circuit : circuit.shared_network(),
           bought_parts(own.reduction(), circuit.tolerance())};
 }
 
@@ -135,14 +137,16 @@ DatasheetFigure figure_of(FigureKind kind, std::vector<double> values,
           .limit = limit};
 }
 
-Circuit datasheet_build(const SceneCircuit& circuit, const PartsList* parts, std::size_t build) {
-  return build_of(source_of(circuit, parts), circuit.tolerance(), build);
+Circuit datasheet_build(const SceneCircuit& circuit, const PartsList* parts, std::size_t build,
+                        const BoardCertificate* board) {
+  return build_of(source_of(circuit, parts, board), circuit.tolerance(), build);
 }
 
-Datasheet datasheet(const SceneCircuit& circuit, const PartsList* parts) {
+Datasheet datasheet(const SceneCircuit& circuit, const PartsList* parts,
+                    const BoardCertificate* board) {
   if (!circuit.loaded())
     throw std::invalid_argument("there is no load: no answer for a datasheet to compare with");
-  const BuiltCircuit source = source_of(circuit, parts);
+  const BuiltCircuit source = source_of(circuit, parts, board);
   const NetworkCircuit& network = *source.network;
   const NetworkOptions& options = circuit.options();
   const DatasheetLimits& limits = options.limits;
@@ -150,6 +154,7 @@ Datasheet datasheet(const SceneCircuit& circuit, const PartsList* parts) {
                   .ladder = has_ladder(network.realization(), network.options()),
                   .opamps = network.flat().amplifiers().size(),
                   .ordered = parts != nullptr && parts->choice,
+                  .on_board = board != nullptr,
                   .drawn = circuit.tolerance(),
                   .settling_accuracy = options.settling_accuracy.value_or(1e-3)};
   if (options.opamp_part != nullptr) sheet.opamp_part = options.opamp_part->name;

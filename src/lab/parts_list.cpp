@@ -342,9 +342,7 @@ PartsList own_parts_list(const SceneCircuit& circuit, double target) {
     throw std::invalid_argument(
         "a list of parts is of op-amps with complementary outputs: leave out inverters under "
         "[network]");
-  const std::shared_ptr<const NetworkCircuit> not_owned(std::shared_ptr<void>(),
-                                                        &circuit.network());
-  return list_of(circuit, target, {not_owned});
+  return list_of(circuit, target, {circuit.shared_network()});
 }
 
 }  // namespace tactile_net::lab

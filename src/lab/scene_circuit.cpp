@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "tactile_net/lab/simulated_frame.hpp"
@@ -125,6 +126,16 @@ SceneCircuit::SceneCircuit(const std::shared_ptr<const CircuitSource>& source,
       network_(std::make_shared<const NetworkCircuit>(
           options().realization,
           std::make_shared<const NetworkProblem>(source_->problem(alpha.value)), options().parts)) {
+}
+
+SceneCircuit::SceneCircuit(const SceneCircuit& other, std::shared_ptr<const NetworkCircuit> network)
+    : source_(other.source_),
+      alpha_(other.alpha_),
+      direct_(other.direct_),
+      options_(other.options_),
+      network_(std::move(network)) {
+  options_.realization = network_->realization();
+  options_.parts = network_->options();
 }
 
 const std::string& SceneCircuit::file() const noexcept {

@@ -58,13 +58,24 @@ struct BoardCertificate {
   /// margin, or of those that were tried the ones with the largest; equal: nothing was changed. Of
   /// a board from a file the latter would be other resistors on the same copper.
   Judged stated{}, used{};
-  /// With the capacitances, at the siemens that are used.
+  /// With the capacitances, as it is soldered.
   std::shared_ptr<const NetworkCircuit> circuit{};
 
   [[nodiscard]] bool changed() const noexcept { return stated.siemens != used.siemens; }
   /// What is, or would be, soldered: of a board from a file its own resistors.
   [[nodiscard]] const Judged& soldered() const noexcept { return file.empty() ? used : stated; }
 };
+
+/// The scene's circuit with its board's capacitances, in place of `parasitic.node` and
+/// `parasitic.input`: for decks, simulations and certificates.
+///
+/// @throw std::invalid_argument  the realisation is not one of resistors and op-amps, or the board
+///                               is of another circuit
+[[nodiscard]] SceneCircuit on_board(const SceneCircuit& circuit, const LaidBoard& board);
+
+/// `simulated_circuit`, on its board where one is given. @throw  as both
+[[nodiscard]] SceneCircuit circuit_on_board(const AnyScene& scene,
+                                            const std::optional<LaidBoard>& board);
 
 /// The scene's own circuit on that board, in place of `parasitic.node` and `parasitic.input`.
 ///

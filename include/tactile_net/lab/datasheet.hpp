@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tactile_net/lab/board_certificate.hpp"
 #include "tactile_net/lab/observer.hpp"
 #include "tactile_net/lab/parts_list.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
@@ -50,7 +51,8 @@ struct Datasheet {
   bool ladder = false;  ///< see `has_ladder`
   std::size_t opamps = 0;
   std::string opamp_part{};  ///< empty: the scene names none
-  bool ordered = false;  ///< it is of the list that is to order, else of the scene's own circuit
+  bool ordered = false;   ///< it is of the list that is to order, else of the scene's own circuit
+  bool on_board = false;  ///< with the capacitances of its board
   ToleranceOptions drawn{};  ///< what resistors and op-amps are off
   std::size_t loads = 1;     ///< the contacts' places that errors are root mean squares over
   double settling_accuracy = 1e-3;
@@ -72,14 +74,17 @@ inline constexpr std::size_t most_datasheet_states = 400;
 /// Of the circuit that a list of parts has chosen, or of the scene's own with its tolerances.
 ///
 /// @param parts  null, or without a choice: the scene's own circuit
+/// @param board  of that list, or of the scene's own circuit; null: with what the scene states of a
+///               board
 /// @throw std::invalid_argument  there is no load; the circuit is not of resistors and op-amps, or
 ///                               has programmed arrays or lines with a resistance
-[[nodiscard]] Datasheet datasheet(const SceneCircuit& circuit, const PartsList* parts = nullptr);
+[[nodiscard]] Datasheet datasheet(const SceneCircuit& circuit, const PartsList* parts = nullptr,
+                                  const BoardCertificate* board = nullptr);
 
 /// A build of those that the figures over time are of, for whoever compares.
 ///
 /// @throw std::invalid_argument  as `datasheet`
 [[nodiscard]] Circuit datasheet_build(const SceneCircuit& circuit, const PartsList* parts,
-                                      std::size_t build);
+                                      std::size_t build, const BoardCertificate* board = nullptr);
 
 }  // namespace tactile_net::lab

@@ -45,6 +45,8 @@ class SceneCircuit {
   SceneCircuit(const SceneFrame& frame, const ChosenAlpha& alpha);
   /// @throw std::invalid_argument  the source refuses the realisation
   SceneCircuit(const std::shared_ptr<const CircuitSource>& source, const ChosenAlpha& alpha);
+  /// The same problem with another circuit of it.
+  SceneCircuit(const SceneCircuit& other, std::shared_ptr<const NetworkCircuit> network);
 
   /// `CircuitSource::scene`
   [[nodiscard]] const AnyScene& scene() const noexcept { return source_->scene(); }
@@ -61,6 +63,10 @@ class SceneCircuit {
 
   /// The circuit, with its flat form, reduction, state space and P's eigenvalues.
   [[nodiscard]] const NetworkCircuit& network() const noexcept { return *network_; }
+  /// For whoever outlives this object.
+  [[nodiscard]] const std::shared_ptr<const NetworkCircuit>& shared_network() const noexcept {
+    return network_;
+  }
   [[nodiscard]] std::size_t nodes() const noexcept { return network_->problem().matrix.rows; }
 
   /// Circuits of op-amps and resistors for the same problem, of which one may be built instead: the

@@ -66,6 +66,8 @@ struct Fields<lab::Datasheet> {
       field("opamp_part", &One::opamp_part, "The op-amps' part; empty: the scene names none."),
       field("ordered", &One::ordered,
             "Whether it is of the parts to order, not of the scene's own circuit."),
+      field("on_board", &One::on_board,
+            "Whether the circuit has the capacitances of its board's copper."),
       field("loads", &One::loads, "At how many places the contacts were tried."),
       field("settling_accuracy", &One::settling_accuracy,
             "Settled means: within this of the end, relative."),

@@ -115,7 +115,8 @@ std::vector<std::string> in_words(const lab::Datasheet& sheet) {
   std::string of =
       circuit_in_words(sheet.realization, sheet.ladder) + ", " + std::to_string(sheet.opamps) +
       " op-amps" + (sheet.opamp_part.empty() ? "" : " " + sheet.opamp_part) +
-      (sheet.ordered ? ", of the parts to order" : ", of " + kinds_of_errors(sheet.drawn));
+      (sheet.ordered ? ", of the parts to order" : ", of " + kinds_of_errors(sheet.drawn)) +
+      (sheet.on_board ? ", with its board's copper" : "");
   if (sheet.drawn.bandwidth)
     of += "; op-amps' bandwidths within " + percent(*sheet.drawn.bandwidth);
   lines.push_back("datasheet of " + of);

@@ -23,6 +23,8 @@ void add_gen(AllCommands& all) {
   command.add_option("--budget", options.budget, text("SHARE"),
                      "Use resistors that are sold: the cheapest with which the error of 95 of 100 "
                      "builds is at most this, such as 0.3%; a comment has the tolerance of each");
+  command.add_option("--board", options.board, file("FILE", {"kicad_pcb"}),
+                     "Load every node with the capacitance of this board's copper");
   command.add_option("--subcircuit", options.subcircuit, text("NAME"),
                      "Write a sub-circuit of that name instead of a deck: its pins are the nodes "
                      "into which the readings' currents flow, then the outputs");
@@ -47,6 +49,8 @@ void add_relax(AllCommands& all) {
   command.add_option("--tolerance", options.tolerance, number(),
                      "For a deck: largest relative difference that passes (default: its `* within` "
                      "line, or 1e-9)");
+  command.add_option("--board", options.board, file("FILE", {"kicad_pcb"}),
+                     "For a scene: load every node with the capacitance of this board's copper");
   command.add_option("--model", options.model, file("FILE", {"lib", "cir", "txt", "mod"}),
                      "For a scene: a vendor's PSpice macromodel in place of its op-amps; settling "
                      "and stability are compared with the certificate");
@@ -70,10 +74,12 @@ void add_certify(AllCommands& all) {
   add_results(command, options.results,
               "Folder for report.html, certificate.json and the plots' data (CSV)",
               "Write the certificate as JSON");
-  command.add_option("--budget", options.budget, text("SHARE"),
-                     "Find, for each realisation, the cheapest resistors with which the error of "
-                     "95 of 100 builds is at most this, such as 0.3%; with --out, write parts.csv, "
-                     "BOM.csv and board.kicad_pcb of the cheapest realisation");
+  command.add_option(
+      "--budget", options.budget, text("SHARE"),
+      "Find, for each realisation, the cheapest resistors with which the error of "
+      "95 of 100 builds is at most this, such as 0.3%; with --out, write parts.csv, "
+      "BOM.csv and board.kicad_pcb of the cheapest realisation, and SCENE.ordered.toml, "
+      "the scene with its siemens");
   command.add_option("--board", options.board, file("FILE", {"kicad_pcb"}),
                      "Certify the scene's circuit with the capacitance of this board's copper, "
                      "routed or not; --budget does so with the board that it writes");

@@ -1,26 +1,35 @@
 #include "commands/certify.hpp"
 
+#include "commands/board_file.hpp"
 #include "commands/budget.hpp"
 #include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/certification.hpp"
-#include "tactile_net/network/laid_board.hpp"
 #include "tactile_net/pages/certificate_page.hpp"
 #include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/report/words/table.hpp"
-#include "tactile_net/scene/bounded_text.hpp"
+#include "tactile_net/scene/ordered_scene.hpp"
 
 namespace tactile_net::tool {
 namespace {
 
-constexpr std::uintmax_t largest_board = std::uintmax_t{256} << 20U;
+/// The scene of what is ordered, from which gen, relax, bench and `certify --board` go on.
+std::string ordered_text(const InputText& text, const lab::Certification& c,
+                         const std::string& by) {
+  const lab::PartsList::Candidate& chosen = c.parts->chosen();
+  OrderedCircuit ordered{.realization = chosen.realization, .ladder = chosen.ladder};
+  if (c.board && c.board->changed())
+    ordered.siemens = c.board->used.siemens / c.board->siemens_unit;
+  return ordered_scene(text.text, parse_any_scene(text.text, text.name), ordered, by);
+}
 
 }  // namespace
 
 void run(const CertifyOptions& options, const Streams& streams) {
   decks::refuse_deck(options.scene);
-  const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
+  const InputText text = input_text(options.scene, streams.in);
+  const AnyScene scene = circuit_scene(text, options.network, streams);
   Results results(options.results, streams);
   Progress progress(streams);
   lab::CertificationOptions wanted{.accuracy = share_of(options.budget),
@@ -31,19 +40,20 @@ void run(const CertifyOptions& options, const Streams& streams) {
     throw WrongUsage("--phase-margin", "must be > 0 and below 90 degrees");
   if (!options.board.empty() && wanted.accuracy)
     throw WrongUsage("--board", "reads a board, and --budget makes a new one: name one of the two");
-  std::optional<LaidBoard> board;
-  if (!options.board.empty())
-    board = read_kicad_board(
-        bounded_text(options.board, largest_board, "is this the right file? boards have some MiB"),
-        options.board);
+  const std::optional<LaidBoard> board = board_if(options.board);
   if (board) wanted.board = &*board;
   const lab::Certification c = lab::certify(scene, progress, wanted);
   results.write({.print = [&](std::ostream& out) { report::print_certificate(out, c); },
                  .json = [&] { return report::certificate_json(c); },
                  .page =
                      [&] {
-                       return pages::certificate_html(
-                           c, {.by = streams.command, .files = {"certificate.json"}});
+                       pages::Made made{.by = streams.command, .files = {"certificate.json"}};
+                       if (!c.writes_board()) return pages::certificate_html(c, made);
+                       made.files.push_back(ordered_scene_file(text.name));
+                       drawing::Page page = pages::certificate_html(c, made);
+                       page.files.emplace_back(made.files.back(),
+                                               ordered_text(text, c, streams.command));
+                       return page;
                      },
                  .json_name = "certificate.json"},
                 progress);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "commands/board_file.hpp"
 #include "commands/budget.hpp"
 #include "commands/input.hpp"
 #include "commands/results.hpp"
@@ -9,6 +10,7 @@
 #include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/lab/beyond_curves.hpp"
+#include "tactile_net/lab/board_certificate.hpp"
 #include "tactile_net/lab/parts_list.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
 #include "tactile_net/report/words/deck_words.hpp"
@@ -30,7 +32,7 @@ void run(const GenOptions& options, const Streams& streams) {
   frames::OutputFile output(options.output, &streams.out);
   const auto symbol = output_if(options.symbol, streams);
 
-  const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
+  const lab::SceneCircuit circuit = lab::circuit_on_board(scene, board_if(options.board));
   if (const auto curves = lab::beyond_curves(circuit.explained()))
     throw CheckFailed(report::in_words(*curves));
   std::optional<lab::PartsList> list;

@@ -17,6 +17,7 @@ struct GenOptions {
   std::string output{};
   NetworkOptions network{};
   std::optional<Share> budget{};
+  std::string board{};  ///< a file of KiCad, whose copper the circuit has; empty: none
   Dialect dialect = Dialect::ngspice;
   std::string subcircuit{};  ///< its name; empty: a deck
   std::string symbol{};      ///< LTspice's, of the sub-circuit; empty: none

@@ -3,7 +3,6 @@
 #include <ostream>
 #include <variant>
 
-#include "commands/input.hpp"
 #include "failure.hpp"
 #include "tactile_net/lab/circuit_options.hpp"
 
@@ -21,11 +20,16 @@ void apply(const NetworkOptions& network, tactile_net::NetworkOptions& of_scene,
   lab::give_bandwidth(of_scene, *network.bandwidth);
 }
 
-AnyScene read_circuit_scene(const std::string& path, const NetworkOptions& network,
-                            const Streams& streams) {
-  AnyScene any = read_any_scene(path, streams.in);
+AnyScene circuit_scene(const InputText& text, const NetworkOptions& network,
+                       const Streams& streams) {
+  AnyScene any = parse_any_scene(text.text, text.name);
   std::visit([&](auto& scene) { apply(network, scene.network, streams.err); }, any);
   return any;
+}
+
+AnyScene read_circuit_scene(const std::string& path, const NetworkOptions& network,
+                            const Streams& streams) {
+  return circuit_scene(input_text(path, streams.in), network, streams);
 }
 
 }  // namespace tactile_net::tool

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "commands/input.hpp"
 #include "streams.hpp"
 #include "tactile_net/scene/reader.hpp"
 
@@ -24,6 +25,8 @@ void apply(const NetworkOptions& network, tactile_net::NetworkOptions& of_scene,
 
 /// A scene of a line or a skin, its circuit as the command line says.
 /// @throw InputError, WrongUsage
+[[nodiscard]] AnyScene circuit_scene(const InputText& text, const NetworkOptions& network,
+                                     const Streams& streams);
 [[nodiscard]] AnyScene read_circuit_scene(const std::string& path, const NetworkOptions& network,
                                           const Streams& streams);
 

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <memory>
 
+#include "commands/board_file.hpp"
 #include "commands/input.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/decks/macromodel.hpp"
+#include "tactile_net/lab/board_certificate.hpp"
 #include "tactile_net/lab/macromodel_comparison.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
@@ -56,7 +58,8 @@ void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams&
   const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
   Results results({.json = options.json}, streams);
   Progress progress(streams);
-  const lab::Relaxation relaxation = lab::relax(lab::simulated_circuit(scene), simulator, progress);
+  const lab::Relaxation relaxation =
+      lab::relax(lab::circuit_on_board(scene, board_if(options.board)), simulator, progress);
   results.write({.print = [&](std::ostream& out) { report::print_relaxation(out, relaxation); },
                  .json = [&] { return report::relaxation_json(scene, relaxation); }},
                 progress);
@@ -77,7 +80,7 @@ void run_macromodel(const RelaxOptions& options, const Streams& streams) {
   const AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
   Results results({.json = options.json}, streams);
   Progress progress(streams);
-  const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
+  const lab::SceneCircuit circuit = lab::circuit_on_board(scene, board_if(options.board));
   const tactile_net::NetworkOptions& network = circuit.options();
   const Circuit& built = circuit.network().circuit();
   if (built.amplifiers.empty())
@@ -103,6 +106,8 @@ void run_macromodel(const RelaxOptions& options, const Streams& streams) {
 
 void run(const RelaxOptions& options, const Streams& streams) {
   const bool deck = decks::is_deck(options.scene);
+  if (deck && !options.board.empty())
+    throw WrongUsage("--board", "is for scenes: gen --board writes a deck with a board's copper");
   if (!options.model.empty()) {
     if (deck) throw WrongUsage("--model", "is for scenes: a deck has the op-amps that it has");
     if (options.tolerance) throw WrongUsage("--tolerance", "is for decks");

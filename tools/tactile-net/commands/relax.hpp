@@ -16,6 +16,7 @@ struct RelaxOptions {
   std::string json{};
   std::optional<double> tolerance{};  ///< for a deck
   std::string model{};                ///< a vendor's macromodel for a scene's op-amps; empty: ours
+  std::string board{};                ///< a file of KiCad, whose copper a scene's circuit has
   NetworkOptions network{};
   lab::SimulatorChoice simulator{};
 };
