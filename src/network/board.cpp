@@ -3,23 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 
+#include "network/board_rows.hpp"
 #include "network/nodal_equations.hpp"
 #include "network/node_names.hpp"
 #include "network/package_lands.hpp"
-#include "tactile_net/network/arrays.hpp"
 #include "tactile_net/network/flat_circuit.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
-
-constexpr double margin = 5.0;  // [mm], between blocks and to the edge
 
 /// A resistor's courtyard and pads, and what it carries at 70 degrees.
 struct Chip {
@@ -31,11 +27,11 @@ struct Chip {
 constexpr Chip chip_0402{"Resistor_SMD:R_0402_1005Metric", 1.86, 0.94, 0.51, 0.54, 0.64, 0.0625};
 constexpr Chip chip_0603{"Resistor_SMD:R_0603_1608Metric", 2.96, 1.46, 0.825, 0.8, 0.95, 0.1};
 
-constexpr double gap = 0.3;              // between courtyards of a row
-constexpr double designator_room = 1.0;  // above a courtyard
-
-constexpr double pin_width = 2.4;
-constexpr double pin_pitch = 2.54;
+constexpr double pin_width = 2.4;  // of courtyards
+constexpr double test_point_width = 1.5;
+constexpr double screw = 3.2;
+constexpr double screw_head = 6.4;
+constexpr double screw_from_edge = 4.0;
 
 /// With a letter, always: assemblers do not take a bare number for ohms.
 std::string in_ohm(double ohm) {
@@ -63,10 +59,10 @@ std::vector<double> watts_of(const Circuit& circuit) {
   return watts;
 }
 
-/// Puts footprints on the board, block under block.
-class Layout {
+/// Makes footprints of a circuit's parts, and has them placed and joined.
+class BoardOf {
  public:
-  explicit Layout(const SolderedCircuit& soldered)
+  explicit BoardOf(const SolderedCircuit& soldered)
       : soldered_(soldered), circuit_(soldered.circuit) {
     if (!circuit_.inductors.empty() || !circuit_.devices.empty())
       throw std::invalid_argument("a board is of resistors and op-amps alone");
@@ -82,25 +78,32 @@ class Layout {
                                     "another name");
     board_.nets = {"", "GND"};
     board_.nets.insert(board_.nets.end(), circuit_.nodes.begin() + 1, circuit_.nodes.end());
-    positive_ = board_.nets.size();
+    parts_.ground = net(0);
+    parts_.positive = board_.nets.size();
+    parts_.negative = parts_.positive + 1;
     board_.nets.insert(board_.nets.end(), {"VCC", "VEE"});
     for (const SoldPart& part : soldered.parts) coarsest_ = std::max(coarsest_, part.tolerance);
-    for (const SoldPart& part : soldered.parts) pitch_ = std::max(pitch_, chip(part).width + gap);
     watts_ = watts_of(circuit_);
   }
 
   Board board() && {
-    std::vector<std::size_t> entries;
-    std::vector<std::size_t> stabiliser;
     for (std::size_t r = 0; r < circuit_.resistors.size(); ++r) {
-      const bool apart = place_of(circuit_.resistors[r].name).array == Array::stabiliser;
-      (apart ? stabiliser : entries).push_back(r);
+      const std::size_t other = r < soldered_.partner.size() ? soldered_.partner[r] : r;
+      add_resistor(r);
+      if (other < r && partner_of(other) == r)
+        parts_.resistors[unit_of_[other]].push_back(board_.footprints.size() - 1);
+      else
+        parts_.resistors.push_back({board_.footprints.size() - 1});
+      unit_of_.push_back(other < r && partner_of(other) == r ? unit_of_[other]
+                                                             : parts_.resistors.size() - 1);
     }
-    add_grid(entries, false);
-    add_grid(stabiliser, true);
-    board_.width = std::max(board_.width, 100.0);
     add_amplifiers();
+    add_test_points();
     add_pins();
+    std::vector<BoardRow> rows = place_in_rows(board_, parts_);
+    lay_tracks(board_, rows, parts_);
+    add_labels(board_, rows, title());
+    add_screws();
     return std::move(board_);
   }
 
@@ -110,44 +113,11 @@ class Layout {
     return part.tolerance < coarsest_ ? chip_0603 : chip_0402;
   }
 
-  /// With what stands above it.
-  [[nodiscard]] double room(std::size_t r) const {
-    return designator_room + chip(soldered_.parts[r]).height;
+  [[nodiscard]] std::size_t partner_of(std::size_t r) const {
+    return r < soldered_.partner.size() ? soldered_.partner[r] : r;
   }
 
-  /// Resistors in the cells of their entries, one above the other.
-  /// @param packed  cells of a column move up, since most of a band's rows are empty
-  void add_grid(const std::vector<std::size_t>& resistors, bool packed) {
-    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> cells;
-    for (const std::size_t r : resistors) {
-      const ResistorPlace place = place_of(circuit_.resistors[r].name);
-      cells[{packed ? 0 : place.row, place.column}].push_back(r);
-    }
-    std::map<std::size_t, double> heights;  // of rows
-    for (const auto& [cell, list] : cells) {
-      double height = 0.0;
-      for (const std::size_t r : list) height += room(r);
-      heights[cell.first] = std::max(heights[cell.first], height);
-    }
-    std::map<std::size_t, double> tops;
-    for (const auto& [row, height] : heights) {
-      tops[row] = below_;
-      below_ += height + 0.4;
-    }
-    for (const auto& [cell, list] : cells) {
-      double y = tops[cell.first];
-      for (const std::size_t r : list) {
-        y += room(r);
-        add_resistor(r, margin + pitch_ * (static_cast<double>(cell.second) + 0.5),
-                     y - 0.5 * chip(soldered_.parts[r]).height);
-      }
-      board_.width =
-          std::max(board_.width, 2.0 * margin + pitch_ * static_cast<double>(cell.second + 1));
-    }
-    if (!resistors.empty()) below_ += margin;
-  }
-
-  void add_resistor(std::size_t r, double x, double y) {
+  void add_resistor(std::size_t r) {
     const Resistor& one = circuit_.resistors[r];
     const SoldPart& part = soldered_.parts[r];
     const Chip& kind = chip(part);
@@ -160,8 +130,6 @@ class Layout {
          .tolerance = percent(part.tolerance),
          .watt = watts_[r],
          .rated_watt = kind.watt,
-         .x = x,
-         .y = y,
          .width = kind.width,
          .height = kind.height,
          .pads = {{"1", -kind.pad_x, 0.0, kind.pad_width, kind.pad_height, net(one.from)},
@@ -169,8 +137,8 @@ class Layout {
   }
 
   /// From a supply to ground, so that it holds its voltage where it is taken.
-  void add_capacitor(const std::string& element, const char* value, const Chip& kind,
-                     std::size_t at, double x, double y) {
+  std::size_t add_capacitor(const std::string& element, const char* value, const Chip& kind,
+                            std::size_t at) {
     board_.footprints.push_back(
         {.kind = Footprint::Kind::capacitor,
          .library = &kind == &chip_0402 ? "Capacitor_SMD:C_0402_1005Metric"
@@ -178,52 +146,24 @@ class Layout {
          .number = ++capacitors_,
          .element = element,
          .value = value,
-         .x = x,
-         .y = y,
          .width = kind.width,
          .height = kind.height,
          .pads = {{"1", -kind.pad_x, 0.0, kind.pad_width, kind.pad_height, at},
                   {"2", kind.pad_x, 0.0, kind.pad_width, kind.pad_height, net(0)}}});
-  }
-
-  /// The next place of a row of equal parts, and another row where it is full.
-  struct Row {
-    double width, height;
-    std::size_t count = 0;
-  };
-  std::pair<double, double> next(Row& row) const {
-    const double wide = std::max(1.0, std::floor((board_.width - 2.0 * margin) / row.width));
-    const auto in_row = static_cast<std::size_t>(wide);
-    const std::size_t rows_before = row.count / in_row;
-    const double x = margin + row.width * (static_cast<double>(row.count % in_row) + 0.5);
-    const double y = below_ + row.height * (static_cast<double>(rows_before) + 0.5);
-    ++row.count;
-    return {x, y};
-  }
-  void end(const Row& row) {
-    if (row.count == 0) return;
-    Row last = row;
-    --last.count;
-    below_ = next(last).second + 0.5 * row.height + margin;
+    return board_.footprints.size() - 1;
   }
 
   void add_amplifiers() {
-    // Below each its two capacitors.
-    constexpr double below_it = designator_room + chip_0402.height;
     std::size_t count = 0;
-    Row row{};
     for (const Instance& x : circuit_.instances) {
       Footprint part = amplifier_footprint(x);
       part.number = ++count;
-      if (count == 1) row = {part.width + gap, part.height + designator_room + below_it + gap};
-      std::tie(part.x, part.y) = next(row);
-      part.y += 0.5 * (designator_room - below_it - gap);
-      const double y = part.y + 0.5 * part.height + below_it - 0.5 * chip_0402.height;
-      add_capacitor("Cp" + x.name, "100n", chip_0402, positive_, part.x - 0.25 * part.width, y);
-      add_capacitor("Cn" + x.name, "100n", chip_0402, positive_ + 1, part.x + 0.25 * part.width, y);
       board_.footprints.push_back(std::move(part));
+      const std::size_t own = board_.footprints.size() - 1;
+      parts_.amplifiers.push_back(
+          {own, add_capacitor("Cp" + x.name, "100n", chip_0402, parts_.positive),
+           add_capacitor("Cn" + x.name, "100n", chip_0402, parts_.negative)});
     }
-    end(row);
   }
 
   /// With the nets of its pins.
@@ -258,10 +198,10 @@ class Layout {
       join({pins.in_plus[idle]}, net(0));
       join({pins.in_minus.at(idle), pins.out_plus.at(idle)}, own);
     }
-    join(pins.supply_plus, positive_);
-    join(pins.supply_minus, positive_ + 1);
+    join(pins.supply_plus, parts_.positive);
+    join(pins.supply_minus, parts_.negative);
     join(pins.common_mode, net(0));
-    join(pins.power_down, positive_);
+    join(pins.power_down, parts_.positive);
     join(pins.exposed, net(0));
     return {.kind = Footprint::Kind::amplifier,
             .library = std::move(lands.library),
@@ -281,47 +221,89 @@ class Layout {
     return board_.nets.size() - 1;
   }
 
+  /// Of what amplifiers drive, and of nodes that resistors alone join: residuals.
+  void add_test_points() {
+    std::vector<std::size_t> resistors(circuit_.nodes.size());
+    for (const Resistor& one : circuit_.resistors)
+      for (const Node node : {one.from, one.to}) ++resistors[node];
+    std::vector<bool> wanted(circuit_.nodes.size());
+    for (Node node = 1; node < wanted.size(); ++node) wanted[node] = resistors[node] > 2;
+    for (const Instance& x : circuit_.instances)
+      for (std::size_t k = 0; k < x.pins.size(); ++k) wanted[x.pins[k]] = k > 1;
+    std::size_t count = 0;
+    for (Node node = 1; node < wanted.size(); ++node) {
+      if (!wanted[node]) continue;
+      board_.footprints.push_back({.kind = Footprint::Kind::test_point,
+                                   .library = "TestPoint:TestPoint_Pad_1.0x1.0mm",
+                                   .number = ++count,
+                                   .element = "TP" + circuit_.nodes[node],
+                                   .value = circuit_.nodes[node],
+                                   .width = test_point_width,
+                                   .height = test_point_width,
+                                   .pads = {{"1", 0.0, 0.0, 1.0, 1.0, net(node)}}});
+      parts_.test_points.push_back(board_.footprints.size() - 1);
+    }
+  }
+
+  [[nodiscard]] std::string title() const {
+    return std::to_string(circuit_.sources.size()) + " inputs, " +
+           std::to_string(circuit_.outputs.size()) + " outputs, " +
+           std::to_string(circuit_.resistors.size()) + " resistors, " +
+           std::to_string(circuit_.instances.size()) + " amplifiers";
+  }
+
   void add_pins() {
-    Row row{pin_pitch, pin_pitch + designator_room};
     std::size_t count = 0;
     const auto add = [&](const std::string& element, const std::string& use, std::size_t at) {
-      Footprint pin{.kind = Footprint::Kind::pin,
-                    .library = "Connector_PinHeader_2.54mm:PinHeader_1x01_P2.54mm_Vertical",
-                    .number = ++count,
-                    .element = element,
-                    .value = use + ' ' + element,
-                    .width = pin_width,
-                    .height = pin_width,
-                    .pads = {{"1", 0.0, 0.0, 1.7, 1.7, at, true}}};
-      std::tie(pin.x, pin.y) = next(row);
-      pin.y += 0.5 * designator_room;
-      board_.footprints.push_back(std::move(pin));
+      board_.footprints.push_back(
+          {.kind = Footprint::Kind::pin,
+           .library = "Connector_PinHeader_2.54mm:PinHeader_1x01_P2.54mm_Vertical",
+           .number = ++count,
+           .element = element,
+           .value = use + ' ' + element,
+           .width = pin_width,
+           .height = pin_width,
+           .pads = {{"1", 0.0, 0.0, 1.7, 1.7, at, true}}});
+      return board_.footprints.size() - 1;
     };
-    for (const CurrentSource& one : circuit_.sources) add(one.name, "reading", net(one.into));
-    for (const Node node : circuit_.outputs) add(circuit_.nodes[node], "output", net(node));
-    add("GND", "supply", net(0));
-    add("VCC", "supply", positive_);
-    add("VEE", "supply", positive_ + 1);
-    end(row);
-    Row large{chip_0603.width + gap, chip_0603.height + designator_room};
-    for (const std::size_t supply : {positive_, positive_ + 1}) {
-      const auto [x, y] = next(large);
-      add_capacitor("C" + board_.nets[supply], "10u", chip_0603, supply, x,
-                    y + 0.5 * designator_room);
-    }
-    end(large);
-    board_.height = below_;
+    for (const CurrentSource& one : circuit_.sources)
+      parts_.inputs.push_back(add(one.name, "reading", net(one.into)));
+    for (const Node node : circuit_.outputs)
+      parts_.outputs.push_back(add(circuit_.nodes[node], "output", net(node)));
+    parts_.outputs.push_back(add("GND", "supply", parts_.ground));
+    parts_.outputs.push_back(add("VCC", "supply", parts_.positive));
+    parts_.outputs.push_back(add("VEE", "supply", parts_.negative));
+    for (const std::size_t supply : {parts_.positive, parts_.negative})
+      parts_.outputs.push_back(add_capacitor("C" + board_.nets[supply], "10u", chip_0603, supply));
+  }
+
+  /// In the corners.
+  void add_screws() {
+    std::size_t count = 0;
+    for (const double x : {screw_from_edge, board_.width - screw_from_edge})
+      for (const double y : {screw_from_edge, board_.height - screw_from_edge}) {
+        ++count;
+        board_.footprints.push_back({.kind = Footprint::Kind::screw,
+                                     .library = "MountingHole:MountingHole_3.2mm_M3",
+                                     .number = count,
+                                     .element = "H" + std::to_string(count),
+                                     .value = "M3",
+                                     .x = x,
+                                     .y = y,
+                                     .width = screw_head,
+                                     .height = screw_head,
+                                     .pads = {{"", 0.0, 0.0, screw, screw, 0, true}}});
+      }
   }
 
   const SolderedCircuit& soldered_;
   const Circuit& circuit_;
   Board board_;
-  std::vector<double> watts_;  // of resistors
-  std::size_t positive_ = 0;   // net of VCC; VEE follows
+  BoardFootprints parts_;
+  std::vector<std::size_t> unit_of_;  // of resistors
+  std::vector<double> watts_;         // of resistors
   std::size_t capacitors_ = 0;
   double coarsest_ = 0.0;
-  double pitch_ = 0.0;     // of columns
-  double below_ = margin;  // where the next block begins
 };
 
 }  // namespace
@@ -334,12 +316,16 @@ std::string Footprint::reference() const {
       return 'U' + std::to_string(number);
     case Kind::capacitor:
       return 'C' + std::to_string(number);
+    case Kind::test_point:
+      return "TP" + std::to_string(number);
+    case Kind::screw:
+      return 'H' + std::to_string(number);
     case Kind::pin:
       break;
   }
   return 'J' + std::to_string(number);
 }
 
-Board board_of(const SolderedCircuit& soldered) { return Layout(soldered).board(); }
+Board board_of(const SolderedCircuit& soldered) { return BoardOf(soldered).board(); }
 
 }  // namespace tactile_net

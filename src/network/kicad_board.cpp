@@ -2,6 +2,7 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -21,7 +22,16 @@ std::string quoted(const std::string& text) {
 /// KiCad counts nanometres.
 std::string millimetres(double value) { return shortest(std::round(value * 1e6) / 1e6 + 0.0); }
 
-std::string at(double x, double y) { return "(at " + millimetres(x) + ' ' + millimetres(y) + ')'; }
+std::string at(double x, double y, double angle = 0.0) {
+  return "(at " + millimetres(x) + ' ' + millimetres(y) +
+         (angle == 0.0 ? "" : ' ' + millimetres(angle)) + ')';
+}
+
+constexpr double sheet_corner = 20.0;  // the board's corner on its sheet
+std::string point(const char* name, double x, double y) {
+  return std::string(" (") + name + ' ' + millimetres(x + sheet_corner) + ' ' +
+         millimetres(y + sheet_corner) + ')';
+}
 
 constexpr const char* layers = R"(  (layers
     (0 "F.Cu" signal)
@@ -62,38 +72,61 @@ constexpr const char* stackup = R"(    (stackup
 /// Copper all over a layer.
 std::string plane_of(const Board& board, const std::string& net, const char* layer) {
   const auto at = std::find(board.nets.begin(), board.nets.end(), net);
-  const std::string right = millimetres(board.width + 20.0 - 0.5);
-  const std::string bottom = millimetres(board.height + 20.0 - 0.5);
+  const std::string right = millimetres(board.width + sheet_corner - 0.5);
+  const std::string bottom = millimetres(board.height + sheet_corner - 0.5);
   return "  (zone (net " + std::to_string(at - board.nets.begin()) + ") (net_name " + quoted(net) +
          ") (layer \"" + layer +
-         "\") (hatch edge 0.508)\n    (connect_pads (clearance 0.2))\n    (min_thickness 0.2)\n"
+         "\") (hatch edge 0.508)\n    (connect_pads (clearance 0.3))\n    (min_thickness 0.2)\n"
          "    (fill yes (thermal_gap 0.3) (thermal_bridge_width 0.3))\n    (polygon (pts (xy 20.5 "
          "20.5) (xy " +
          right + " 20.5) (xy " + right + ' ' + bottom + ") (xy 20.5 " + bottom + ")))\n  )\n";
 }
 
-std::string text_of(const char* kind, const std::string& text, double y, const char* style) {
-  return std::string("    (fp_text ") + kind + ' ' + quoted(text) + ' ' + at(0.0, y) + style + '\n';
+/// @param x, y  from the part's middle, as it lies on the board
+std::string text_of(const Footprint& one, const char* kind, const std::string& text, double x,
+                    double y, const char* style) {
+  // KiCad turns the place with the part, and keeps the angle.
+  for (long k = std::lround(one.angle / 90.0); k < 4; ++k) x = std::exchange(y, -x);
+  return std::string("    (fp_text ") + kind + ' ' + quoted(text) + ' ' + at(x, y, 90.0) + style +
+         '\n';
 }
 
-/// The designator on the board, so narrow that it fits above an 0402; the value and
-/// the courtyard on KiCad's layers for them.
-std::string drawing_of(const Footprint& one) {
-  const double x = 0.5 * one.width;
-  const double y = 0.5 * one.height;
-  return text_of("reference", one.reference(), -y - 0.5,
-                 " (layer \"F.SilkS\") (effects (font (size 0.8 0.4) (thickness 0.1))))") +
-         text_of("value", one.value, 0.0,
-                 " (layer \"F.Fab\") (effects (font (size 0.3 0.3) (thickness 0.05))))") +
-         "    (fp_rect (start " + millimetres(-x) + ' ' + millimetres(-y) + ") (end " +
-         millimetres(x) + ' ' + millimetres(y) +
-         ") (layer \"F.CrtYd\") (width 0.05) (fill none))\n";
+constexpr const char* on_silk =
+    " (layer \"F.SilkS\") (effects (font (size 0.8 0.4) (thickness 0.1))))";
+
+constexpr const char* on_paper =
+    " (layer \"F.Fab\") (effects (font (size 0.3 0.3) (thickness 0.05))))";
+
+/// The designator along y on the board's silk, right of the part; of pins and test points the
+/// net's name too. The value and the courtyard are on KiCad's layers for them.
+std::string drawing_of(const Footprint& one, const Board& board) {
+  const bool upright = std::lround(one.angle / 90.0) % 2 != 0;
+  const double right = 0.5 * (upright ? one.height : one.width) + 0.45;
+  std::string text;
+  if (one.kind == Footprint::Kind::pin) {
+    const double away = 2.0 * one.y < board.height ? -1.0 : 1.0;  // to the board's edge
+    text = text_of(one, "reference", one.reference(), 0.0, away * 2.1, on_silk) +
+           text_of(one, "user", board.nets[one.pads[0].net], 0.0, away * 4.0, on_silk);
+  } else {
+    text = text_of(one, "reference", one.reference(), right, 0.0,
+                   one.kind == Footprint::Kind::screw ? on_paper : on_silk);
+    if (one.kind == Footprint::Kind::test_point)
+      text += text_of(one, "user", one.value, -right, 0.0, on_silk);
+  }
+  text += text_of(one, "value", one.value, 0.0, 0.0, on_paper);
+  return text + "    (fp_rect (start " + millimetres(-0.5 * one.width) + ' ' +
+         millimetres(-0.5 * one.height) + ") (end " + millimetres(0.5 * one.width) + ' ' +
+         millimetres(0.5 * one.height) + ") (layer \"F.CrtYd\") (width 0.05) (fill none))\n";
 }
 
-std::string text_of(const BoardPad& pad, const Board& board) {
+std::string text_of(const BoardPad& pad, const Footprint& one, const Board& board) {
+  if (one.kind == Footprint::Kind::screw)
+    return "    (pad \"\" np_thru_hole circle (at 0 0) (size 3.2 3.2) (drill 3.2) (layers \"*.Cu\" "
+           "\"*.Mask\"))\n";
   std::string text = "    (pad " + quoted(pad.name);
   text += pad.drilled ? " thru_hole rect " : " smd roundrect ";
-  text += at(pad.x, pad.y) + " (size " + millimetres(pad.width) + ' ' + millimetres(pad.height);
+  text += at(pad.x, pad.y, one.angle) + " (size " + millimetres(pad.width) + ' ' +
+          millimetres(pad.height);
   text += pad.drilled ? ") (drill 1) (layers \"*.Cu\" \"*.Mask\")"
                       : ") (layers \"F.Cu\" \"F.Paste\" \"F.Mask\") (roundrect_rratio 0.25)";
   if (pad.net != 0)
@@ -105,7 +138,7 @@ std::string text_of(const BoardPad& pad, const Board& board) {
 
 void write_kicad_board(std::ostream& out, const Board& board) {
   std::string text = "(kicad_pcb (version 20211014) (generator tactile-net)\n";
-  // A user's sheet: larger than any that has a name.
+  // A user's sheet_corner: larger than any that has a name.
   text += "  (general (thickness 1.6))\n  (paper \"User\" " + millimetres(board.width + 40.0) +
           ' ' + millimetres(board.height + 40.0) + ")\n";
   text += layers;
@@ -114,18 +147,32 @@ void write_kicad_board(std::ostream& out, const Board& board) {
     text += "  (net " + std::to_string(net) + ' ' + quoted(board.nets[net]) + ")\n";
   for (const Footprint& one : board.footprints) {
     text += "  (footprint " + quoted(one.library) + " (layer \"F.Cu\") " +
-            at(one.x + 20.0, one.y + 20.0) + '\n';
+            at(one.x + sheet_corner, one.y + sheet_corner, one.angle) + '\n';
     text += "    (property \"Element\" " + quoted(one.element) + ")\n";
     if (!one.tolerance.empty())
       text += "    (property \"Tolerance\" " + quoted(one.tolerance) + ")\n";
-    text += one.pads.front().drilled ? "    (attr through_hole)\n" : "    (attr smd)\n";
-    text += drawing_of(one);
-    for (const BoardPad& pad : one.pads) text += text_of(pad, board);
+    text += one.pads.front().drilled ? "    (attr through_hole" : "    (attr smd";
+    text += one.is_bought() ? ")\n" : " exclude_from_pos_files exclude_from_bom)\n";
+    text += drawing_of(one, board);
+    for (const BoardPad& pad : one.pads) text += text_of(pad, one, board);
     text += "  )\n";
   }
-  text += "  (gr_rect (start 20 20) (end " + millimetres(board.width + 20.0) + ' ' +
-          millimetres(board.height + 20.0) + ") (layer \"Edge.Cuts\") (width 0.1) (fill none))\n" +
-          plane_of(board, "GND", "In1.Cu") + plane_of(board, "VCC", "In2.Cu") + ")\n";
+  for (const BoardTrack& one : board.tracks)
+    text += "  (segment" + point("start", one.from_x, one.from_y) +
+            point("end", one.to_x, one.to_y) + " (width " + millimetres(one.width) +
+            (one.back ? ") (layer \"B.Cu\") (net " : ") (layer \"F.Cu\") (net ") +
+            std::to_string(one.net) + "))\n";
+  for (const BoardVia& one : board.vias)
+    text += "  (via" + point("at", one.x, one.y) +
+            " (size 0.45) (drill 0.2) (layers \"F.Cu\" \"B.Cu\") (net " + std::to_string(one.net) +
+            "))\n";
+  for (const BoardText& one : board.texts)
+    text += "  (gr_text " + quoted(one.text) + ' ' +
+            at(one.x + sheet_corner, one.y + sheet_corner, one.angle) + on_silk + '\n';
+  text += "  (gr_rect (start 20 20) (end " + millimetres(board.width + sheet_corner) + ' ' +
+          millimetres(board.height + sheet_corner) +
+          ") (layer \"Edge.Cuts\") (width 0.1) (fill none))\n" + plane_of(board, "GND", "In1.Cu") +
+          plane_of(board, "VCC", "In2.Cu") + ")\n";
   out << text;
 }
 

@@ -45,7 +45,9 @@ PartValue nearest_pair(Series series, double ohm) {
     const double longer = nearest_in(series, ohm * share);
     if (longer < ohm) beside(PartValue::Joint::series, longer, ohm - longer);
     const double wider = nearest_in(series, ohm / share);
-    if (wider > ohm) beside(PartValue::Joint::parallel, wider, 1.0 / (1.0 / ohm - 1.0 / wider));
+    // A value that is the series' own but for rounding leaves nothing.
+    const double rest = 1.0 / (1.0 / ohm - 1.0 / wider);
+    if (wider > ohm && std::isfinite(rest)) beside(PartValue::Joint::parallel, wider, rest);
   }
   return best;
 }

@@ -9,6 +9,7 @@
 #include "tactile_net/network/laid_board.hpp"
 #include "tactile_net/scene/opamp_part.hpp"
 #include "tests/catch.hpp"
+#include "tests/network/board_laws.hpp"
 #include "tests/network/problems.hpp"
 
 using namespace tactile_net;
@@ -41,6 +42,8 @@ TEST_CASE("every pin of every part has the net that its data sheet asks for", "[
     const SolderedCircuit built = soldered_for(sold.packaged(), sold.outputs);
     const LaidBoard board = laid_board(built);
     CHECK_NOTHROW(check_same_circuit(board, built.circuit, built.amplifiers));
+    CHECK(board_laws::nets_apart(board) == std::set<std::string>{});
+    CHECK(board_laws::too_near(board) == std::vector<std::string>{});
     std::map<std::string, const LaidBoard::Part*> parts;
     for (const LaidBoard::Part& part : board.parts) parts[part.element] = &part;
     REQUIRE_FALSE(built.circuit.instances.empty());

@@ -1,10 +1,12 @@
-"""KiCad's own Python loads the board that `certify --budget` writes, finds the deck's nets on its pads,
-and its design rules kept; the schematic has the same nets.
+"""KiCad's own Python loads the boards that `certify --budget` writes: the deck's nets are on their pads, KiCad's design rules are kept,
+nothing is left to join, and the schematic has the same nets.
 
-usage: kicad_test.py COMMAND PYTHON SCENE
+usage: kicad_test.py COMMAND PYTHON CROSSBAR BOARD
+CROSSBAR and BOARD: scenes of `crossbar` without siemens, and of a circuit to order, which is tried with eleven taxels.
 """
 
 import csv
+import json
 import pathlib
 import re
 import subprocess
@@ -15,14 +17,21 @@ PADS = """
 import json, sys
 import pcbnew
 board = pcbnew.LoadBoard(sys.argv[1])
+# Planes are areas of a net: KiCad fills them.
+pcbnew.ZONE_FILLER(board).Fill(board.Zones())
 pads = [[f.GetReference(), p.GetNumber(), p.GetNetname()] for f in board.GetFootprints() for p in f.Pads()]
 silent = [f.GetReference() for f in board.GetFootprints() if not f.Reference().IsVisible() or len(list(f.GraphicalItems())) == 0]
-violations = None
-if hasattr(pcbnew, "WriteDRCReport"):
-    pcbnew.WriteDRCReport(board, sys.argv[2], pcbnew.EDA_UNITS_MILLIMETRES, True)
-    # What is not joined yet is no violation: nothing is routed.
-    violations = [line for line in open(sys.argv[2]) if line.startswith("[") and not line.startswith("[unconnected_items]")]
-print(json.dumps({"nets": board.GetNetCount(), "pads": pads, "silent": silent, "violations": violations}))
+def said(path):
+    violations = None
+    if hasattr(pcbnew, "WriteDRCReport"):
+        pcbnew.WriteDRCReport(board, path, pcbnew.EDA_UNITS_MILLIMETRES, True)
+        violations = [line for line in open(path) if line.startswith("[")]
+    return violations
+violations = said(sys.argv[2])
+tracks = [t for t in board.GetTracks() if t.Type() == pcbnew.PCB_TRACE_T]
+longest = max(tracks, key=lambda t: t.GetLength())
+board.RemoveNative(longest)
+print(json.dumps({"nets": board.GetNetCount(), "pads": pads, "silent": silent, "tracks": len(tracks), "violations": violations, "without": said(sys.argv[2])}))
 """
 
 
@@ -94,29 +103,27 @@ def schematic_nets(folder):
     return drawn
 
 
-def main(command, python, scene):
-    if subprocess.run([python, "-c", "import pcbnew"], capture_output=True).returncode != 0:
-        print("skipped: apt-get install kicad, whose Python module is pcbnew")
-        return 0
-    import json
-
-    with tempfile.TemporaryDirectory() as folder:
-        out = pathlib.Path(folder) / "out"
+def check(command, python, text, budget):
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        scene = folder / "scene.toml"
+        scene.write_text(text)
+        out = folder / "out"
         run = lambda *words: subprocess.run([command, *words], check=True, capture_output=True, text=True).stdout
-        run("certify", scene, "--budget", "1%", "--out", str(out))
+        run("certify", str(scene), "--budget", budget, "--out", str(out))
         chosen = json.loads((out / "certificate.json").read_text())["parts"]["choice"]
         # gen writes the same parts of the scene that states the siemens that the board asked for.
-        ordered = out / (pathlib.Path(scene).stem + ".ordered.toml")
-        expected = nets_of(run("gen", str(ordered), "--budget", "1%"))
-        text = subprocess.run(
+        expected = nets_of(run("gen", str(out / "scene.ordered.toml"), "--budget", budget))
+        said = subprocess.run(
             [python, "-c", PADS, str(out / "board.kicad_pcb"), str(out / "rules.txt")], check=True, capture_output=True, text=True
         ).stdout
-        found = json.loads(text.splitlines()[-1])
+        found = json.loads(said.splitlines()[-1])
         assert not found["silent"], found["silent"]
         assert not found["violations"], found["violations"][:5]
+        assert found["without"] is None or found["without"], "a missing track is not seen"
         with open(out / "BOM.csv", newline="") as file:
             element = {row["Designator"]: row["Element"] for row in csv.DictReader(file)}
-        on_board = {reference for reference, _, _ in found["pads"] if not reference.startswith("J")}
+        on_board = {reference for reference, _, _ in found["pads"] if not re.match("J|TP|H", reference)}
         assert on_board == set(element), on_board ^ set(element)
         pads = {}
         for reference, number, net in found["pads"]:
@@ -133,7 +140,21 @@ def main(command, python, scene):
         for reference, number, net in found["pads"]:
             of_board.setdefault(reference, {})[number] = net
         assert drawn == of_board, {name for name in drawn.keys() | of_board.keys() if drawn.get(name) != of_board.get(name)}
-        print(f"{len(expected)} resistors, {found['nets']} nets of {chosen}: as in the deck")
+        print(f"{chosen}: {len(expected)} resistors, {found['nets']} nets as in the deck, {found['tracks']} tracks, nothing missing")
+
+
+def main(command, python, crossbar, board):
+    if subprocess.run([python, "-c", "import pcbnew"], capture_output=True).returncode != 0:
+        print("skipped: apt-get install kicad, whose Python module is pcbnew")
+        return 0
+    check(command, python, pathlib.Path(crossbar).read_text(), "1%")
+    eleven = pathlib.Path(board).read_text().replace("\ncount = 41\npitch = 0.25\n", "\ncount = 11\npitch = 0.5\n")
+    assert "\ncount = 11\n" in eleven
+    check(command, python, eleven, "0.5%")
+    # A package with finer pins.
+    part = 'opamp = { part = "THS4551", gain = 1e5, second_pole = 270e6, noise_current = 5e-13 }'
+    finer = eleven.replace('opamp = "precision"', part).replace('realization = "lattice"', 'realization = "crossbar"')
+    check(command, python, finer, "1%")
     return 0
 
 

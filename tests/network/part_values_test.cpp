@@ -64,6 +64,8 @@ TEST_CASE("one part of E96 is within 1.5 %, a pair within 2e-4, of common values
   CHECK(nearest_part(Series::e96, 22600.4).ohm() == 22600.0);
   CHECK(nearest_part(Series::e96, 2.26e-3).ohm() == 2.26e-3);
   CHECK(nearest_pair(Series::e96, 1e4).joint == PartValue::Joint::single);
+  // And one that is the series' own but for rounding.
+  CHECK(nearest_pair(Series::e96, std::nextafter(1e3, 0.0)).ohm() == 1e3);
   CHECK_THROWS_AS(nearest_pair(Series::e96, 0.0), std::invalid_argument);
 }
 

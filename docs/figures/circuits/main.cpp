@@ -115,17 +115,23 @@ many of the others, those that count most first, until values take a sixteenth o
 
 The folder has these files of the cheapest circuit that may be ordered. `parts.csv` is the list to order: value, tolerance, quantity, designators of resistors, and the op-amps. `BOM.csv`
 is for assemblers, a part a row: `Comment` (its value such as `4.99k` or `499R`), `Designator`, `Footprint`, `MPN` (of the op-amps, where the scene names a part; the resistors' is for you to fill in), tolerance, its name in the deck, the other
-one of a resistor's pair, and a note if the scene's contacts put more power into it than its size carries (0402 62.5 mW, 0603 0.1 W). `board.kicad_pcb` opens in KiCad 6 and newer: footprints
-with designators, values, tolerances, courtyards and nets, resistors in the rows and columns of their entries, 0402 and, for better classes, 0603; op-amps as SO-8 with the usual
-pins (of a fully differential amplifier VOCM at ground, which is the middle of VCC and VEE, and pin 7, power-down where there is one and active low, at VCC: compare them with the data sheet of yours); a pin for each reading, each output and the supply. It has four layers, GND on `In1.Cu` and VCC on `In2.Cu`, and no tracks: route it. Beside each op-amp stand 100 nF from VCC and from VEE to ground, beside the supply 10 uF each; `board.kicad_pro` has design rules that most makers of such boards keep (tracks 0.15 mm, clearance 0.127 mm, vias 0.45 on 0.2 mm), which KiCad 6 finds kept. `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
+one of a resistor's pair, and a note if the scene's contacts put more power into it than its size carries (0402 62.5 mW, 0603 0.1 W). `board.kicad_pcb` opens in KiCad 6 and newer, with designators, values, tolerances, courtyards and nets; resistors
+are 0402 and, of better classes, 0603. An op-amp is in its part's own package, SO-8, VSSOP-8 or VQFN-16 with the pad below it, with the part's own pins (the table below); where the scene names no part, an SO-8 with the usual ones. Of a
+fully differential amplifier VOCM is at ground, which is the middle of VCC and VEE, and power-down, active low, at VCC; of two op-amps in a package one is used, and the other is a follower at ground. Beside each op-amp stand 100 nF from VCC and from
+VEE to ground, beside the supply 10 uF each. A pin for each reading is along the upper edge, those of outputs and supply along the lower one, all in steps of 2.54 mm with their net's name; each residual and each op-amp's output has a test point.
+
+The board is routed, on four layers: a net that many resistors have is a track along their row on `F.Cu`, whose name stands left of it; those that share another net stand in one column, which a track on `B.Cu` joins, its name above; GND is a plane
+on `In1.Cu`, VCC on `In2.Cu`, VEE a wide track. Rows and columns are by construction as far apart as their tracks need, so every net of every realisation is joined at any size: what grows is the board (`lattice` of 11 taxels 101 by 174 mm, of 41
+taxels 321 by 394 mm, more than most makers take). `board.kicad_pro` has the design rules that are kept, those of most makers of such boards: tracks 0.15 mm, clearance 0.127 mm, vias 0.45 on 0.2 mm. KiCad 6's own check finds no violation
+and nothing unconnected once its planes are filled (Edit, Fill All Zones; before it writes fabrication files it asks for that). `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
 writes the deck of the same parts, with each tolerance as a comment; if siemens were raised (below), state those in the scene first.
 
 ## On its board
 
-Copper loads every node, and enough of it makes any of these circuits oscillate. `certify --budget` therefore certifies the board that it writes, and `certify SCENE.toml --board board.kicad_pcb` one that you have routed in KiCad (6 or newer):
+Copper loads every node, and enough of it makes any of these circuits oscillate. `certify --budget` therefore certifies the board that it writes, and `certify SCENE.toml --board board.kicad_pcb` one that you have changed in KiCad (6 or newer):
 
 - A *pad* has eps A / h to the nearest plane (a layer of which a zone of GND, VCC or VEE covers half of the board) and at each edge what a track as wide as the pad has there. A *track* is a microstrip by the formulas of Hammerstad and Jensen (1980), with
-  its width, the copper's thickness and height and permittivity of the file's stackup; a *hole* has 55.5 pF/m eps T D1 / (D2 - D1) (Johnson and Graham 1993). All of it counts to ground, neighbouring tracks too. Where pads of a net are not joined yet, the missing tracks are the shortest tree
+  its width, the copper's thickness and height and permittivity of the file's stackup; a *hole* has 55.5 pF/m eps T D1 / (D2 - D1) (Johnson and Graham 1993). All of it counts to ground, neighbouring tracks too. Where pads of a net are not joined, as on a board from which tracks were taken, the missing tracks are the shortest tree
   along x and y, 0.15 mm wide: routers need some more. Without a plane the board's other side is taken for one, and said.
 - The node between two resistors in series is none of the circuit's own: each end takes its share of the capacitance, exact to first order in frequency but for what couples the ends.
 - Poles, noise and settling are then computed with each node's own capacitance, which takes the place of `parasitic.node` and `parasitic.input`. The *phase margin* is the least angle by which all amplifiers' inputs, turned alike at one frequency, make the circuit oscillate: of the loops'

@@ -26,8 +26,8 @@ struct BoardPad {
 };
 
 struct Footprint {
-  /// What it stands for; a pin is no part that is bought.
-  enum class Kind { resistor, amplifier, capacitor, pin };
+  /// What it stands for; from pin on it is no part that is bought.
+  enum class Kind { resistor, amplifier, capacitor, pin, test_point, screw };
   Kind kind = Kind::resistor;
   std::string library{};   ///< KiCad's name of it
   std::size_t number = 0;  ///< from 1, of its kind
@@ -40,34 +40,65 @@ struct Footprint {
   double rated_watt = 0.0;  ///< what a resistor of its size carries
   double x = 0.0;
   double y = 0.0;
-  double width = 0.0;  ///< of its courtyard, around the middle
+  double angle = 0.0;  ///< against the clock [degrees], a multiple of 90
+  /// Of its courtyard around the middle, and the pads' places: before it is turned.
+  double width = 0.0;
   double height = 0.0;
   std::vector<BoardPad> pads{};
 
-  /// The designator: R1, U1, C1, J1.
+  /// The designator: R1, U1, C1, J1, TP1, H1.
   [[nodiscard]] std::string reference() const;
   [[nodiscard]] bool overloaded() const noexcept { return watt > rated_watt; }
+  [[nodiscard]] bool is_bought() const noexcept { return kind < Kind::pin; }
+};
+
+struct BoardTrack {
+  std::size_t net = 0;
+  bool back = false;  ///< on the bottom layer
+  double from_x = 0.0, from_y = 0.0, to_x = 0.0, to_y = 0.0;
+  double width = 0.0;
+};
+
+struct BoardVia {
+  std::size_t net = 0;
+  double x = 0.0, y = 0.0;
+};
+
+/// On silk.
+struct BoardText {
+  std::string text{};
+  double x = 0.0, y = 0.0;  ///< of its middle
+  double angle = 0.0;       ///< [degrees]
 };
 
 struct Board {
   std::vector<std::string> nets{};  ///< nets[0] is "", no net; the others once each
   std::vector<Footprint> footprints{};
+  std::vector<BoardTrack> tracks{};
+  std::vector<BoardVia> vias{};  ///< of 0.45 mm on 0.2 mm
+  std::vector<BoardText> texts{};
   double width = 0.0;
   double height = 0.0;
 };
 
-/// Resistors stand in the rows and columns of their entries, the stabiliser's below them,
-/// amplifiers below those; each current source is a pin that takes a reading, each output a pin,
-/// and the supply has three. Nets are the deck's nodes, ground is GND, and op-amps are fed by VCC
-/// and VEE. Parts of the coarsest class are 0402, better ones 0603. Amplifiers are in the package
-/// that `SolderedCircuit::amplifiers` names, the usual SO-8 where it names none: VOCM and an
-/// exposed pad are at ground, and power-down, active low, at V+. Of a package of two op-amps one is
-/// used, and the other a follower at ground. Beside the deck's parts each amplifier has a capacitor
-/// of 100 nF from VCC and one from VEE to ground, and each supply one of 10 uF. The board is not
-/// routed.
+/// Each current source is a pin that takes a reading, each output a pin, and the supply has three;
+/// what amplifiers drive, and nodes that resistors alone join, have a test point. Nets are the
+/// deck's nodes, ground is GND, and op-amps are fed by VCC and VEE. Parts of the coarsest class are
+/// 0402, better ones 0603. Amplifiers are in the package that `SolderedCircuit::amplifiers` names,
+/// the usual SO-8 where it names none: VOCM and an exposed pad are at ground, and power-down,
+/// active low, at V+. Of a package of two op-amps one is used, and the other a follower at ground.
+/// Beside the deck's parts each amplifier has a capacitor of 100 nF from VCC and one from VEE to
+/// ground, and each supply one of 10 uF.
 ///
-/// Designators are numbered in the order of the circuit's resistors, of its amplifiers, and of the
-/// pins. Courtyards do not overlap, and leave room for the designator above each.
+/// Resistors stand in rows and columns: those of a row have one net above them, those of a column
+/// one below them, and both of a pair stand side by side. Pins that take readings are along the
+/// upper edge, amplifiers below the resistors, the other pins along the lower edge. Every net is
+/// joined: along x by tracks on the top layer, along y on the bottom layer, GND by a plane on
+/// In1.Cu, VCC on In2.Cu.
+///
+/// Designators are numbered in the order of the circuit's resistors, of its amplifiers, of the pins
+/// and of the test points. Courtyards do not overlap, and leave room for the designator right of
+/// each.
 ///
 /// @throw std::invalid_argument  the circuit has other parts, or sub-circuits; two nodes have one
 ///                               name, or one has the supply's; the amplifiers' package has other

@@ -18,7 +18,7 @@ namespace {
 /// Parts that are bought: what is on the board but pins.
 std::vector<Footprint> bought_parts(const lab::PartsList& list) {
   std::vector<Footprint> parts = board_of(list.choice->soldered).footprints;
-  std::erase_if(parts, [](const Footprint& one) { return one.kind == Footprint::Kind::pin; });
+  std::erase_if(parts, [](const Footprint& one) { return !one.is_bought(); });
   std::sort(parts.begin(), parts.end(), [](const Footprint& a, const Footprint& b) {
     return std::pair(a.kind, a.number) < std::pair(b.kind, b.number);
   });
