@@ -16,19 +16,19 @@ const std::string stress_header = "t,stress_x_0,stress_x_1,stress_x_2\n";
 // Finite-element readings, not made by our formulas, and what truly pressed.
 namespace {
 
-struct Pad {
+struct RecordedPad {
   std::string name;
   std::size_t count;
   double pitch;
 };
-const Pad thin{"thin-pad", 41, 0.5e-3};
-const Pad thick{"thick-pad", 61, 0.4e-3};
+const RecordedPad thin{"thin-pad", 41, 0.5e-3};
+const RecordedPad thick{"thick-pad", 61, 0.4e-3};
 
 struct Recorded {
   std::vector<std::vector<double>> found, truth;
 };
 
-Recorded recorded(const Pad& pad, const std::string& scene_name) {
+Recorded recorded(const RecordedPad& pad, const std::string& scene_name) {
   const ProcessResult result = run_tool({"solve", scene("recorded/" + scene_name + ".toml"),
                                          "--readings", scene("recorded/" + pad.name + ".csv")});
   REQUIRE(result.code == 0);
@@ -52,7 +52,7 @@ double relative_error(const std::vector<double>& found, const std::vector<double
 }  // namespace
 
 TEST_CASE("recorded frames of a pad give its forces and their place", "[cli]") {
-  const Pad& pad = GENERATE(from_range(std::vector{thin, thick}));
+  const RecordedPad& pad = GENERATE(from_range(std::vector{thin, thick}));
   const auto [found, truth] = recorded(pad, pad.name);
   REQUIRE(found.size() == truth.size());
   for (std::size_t frame = 1; frame < found.size(); ++frame) {  // all but the lightest
@@ -96,7 +96,7 @@ TEST_CASE("a weight for the tangential traction makes recorded ones better", "[c
     double tangential;  // of presses over the normal traction's norm
   };
   struct Case {
-    Pad pad;
+    RecordedPad pad;
     std::vector<Floor> floors;
   };
   const std::vector<Case> cases{
@@ -129,7 +129,7 @@ TEST_CASE("a weight for the tangential traction makes recorded ones better", "[c
 }
 
 TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
-  const Pad& pad = GENERATE(from_range(std::vector{thin, thick}));
+  const RecordedPad& pad = GENERATE(from_range(std::vector{thin, thick}));
   const Folder folder;
   REQUIRE(run_tool({"solve", scene("recorded/" + pad.name + ".toml"), "--readings",
                     scene("recorded/" + pad.name + ".csv"), "-o", folder / "tractions.csv",

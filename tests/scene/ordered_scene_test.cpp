@@ -66,7 +66,8 @@ TEST_CASE("an ordered scene states the circuit, and is otherwise the scene", "[o
 
 TEST_CASE("the siemens of an ordered scene are in its own unit", "[ordered]") {
   const std::string units =
-      "[units]\nlength = \"mm\"\nmodulus = \"kPa\"\n" + pad + "[network]\nsiemens = 3\n";
+      "[units]\nlength = \"mm\"\nmodulus = \"kPa\"\nstress = \"kPa\"\nforce = \"N/m\"\n" + pad +
+      "[network]\nsiemens = 3\n";
   const double unit = network_of(units).parts.scale.siemens / 3.0;
   CHECK(unit != 1.0);
   CHECK_THAT(network_of(ordered(units, {.realization = Realization::ideal, .siemens = 7.5}))

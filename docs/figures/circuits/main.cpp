@@ -86,6 +86,23 @@ Theorems and margins take complementary outputs for exact opposites; `tolerance 
 covariance X of A X + X A' + Q = 0 at rest (Lyapunov). Of a crossbar whose rows have the same total D it is W (k T + D e^2/4) P^-1, in siemens:
 the resistors' part is equipartition and holds for any D. More siemens lower it until the op-amps' own part is left; then only more volts help.
 
+## From a scene to a board
+
+Four commands lead from `scenes/circuits/board.toml` to parts, board, schematic and datasheet, then to ngspice with the board's copper, to a deck of the parts that are soldered, and, once it is built, to what is wrong with it:
+
+<!-- not run: minutes of ngspice, and a board that is measured -->
+```sh no-run
+tactile-net certify scenes/circuits/board.toml --budget 0.3% --datasheet --out out
+tactile-net relax out/board.ordered.toml --board out/board.kicad_pcb
+tactile-net gen out/board.ordered.toml --budget 0.3% --board out/board.kicad_pcb -o out/board.cir
+tactile-net bench out/board.ordered.toml measured.csv --out bench
+```
+
+`out/board.ordered.toml` is the scene with the realisation and the siemens that its board asked for, comments kept: all that follows goes on from it, `certify out/board.ordered.toml --board routed.kicad_pcb` of the board that you have routed too. It says so in its first line
+if it names other files: move it beside the scene then. `--board` takes the place of `parasitic.node` and `parasitic.input`: every node of `relax`'s circuit and of `gen`'s deck (`Cbn0` and so on) has the capacitance of that file's copper. Without a built board
+`bench out/board.ordered.toml --simulate measured.csv` writes an example of measured.csv. Of 41 taxels `certify` takes a minute and a half of an idle core, its datasheet included, and `relax` some minutes, nearly all of them ngspice's transient. As shipped, the circuit oscillates on its board at 10 mS
+(slowest pole at +2.6e5 1/s); at the 112 mS that `certify` raises it to it has a phase margin of 45 degrees, and settles in 1.45 us, in ngspice within 0.01 % of that.
+
 ## What to order
 
 `tactile-net certify SCENE.toml --budget 0.3% --out out` finds how exact each resistor must be so that 95 of 100 builds err by less. To first
@@ -123,8 +140,11 @@ VEE to ground, beside the supply 10 uF each. A pin for each reading is along the
 The board is routed, on four layers: a net that many resistors have is a track along their row on `F.Cu`, whose name stands left of it; those that share another net stand in one column, which a track on `B.Cu` joins, its name above; GND is a plane
 on `In1.Cu`, VCC on `In2.Cu`, VEE a wide track. Rows and columns are by construction as far apart as their tracks need, so every net of every realisation is joined at any size: what grows is the board (`lattice` of 11 taxels 101 by 174 mm, of 41
 taxels 321 by 394 mm, more than most makers take). `board.kicad_pro` has the design rules that are kept, those of most makers of such boards: tracks 0.15 mm, clearance 0.127 mm, vias 0.45 on 0.2 mm. KiCad 6's own check finds no violation
-and nothing unconnected once its planes are filled (Edit, Fill All Zones; before it writes fabrication files it asks for that). `gen SCENE.toml --realization THE_CHOSEN --budget 0.3%`
-writes the deck of the same parts, with each tolerance as a comment; if siemens were raised (below), state those in the scene first.
+and nothing unconnected once its planes are filled (Edit, Fill All Zones; before it writes fabrication files it asks for that). `gen SCENE.ordered.toml --budget 0.3%`
+writes the deck of the same parts, with each tolerance as a comment.
+
+`board.kicad_sch` is the schematic of that board, for KiCad 6 and newer: the supply, and a sheet for each row of the arrays, `board-row0.kicad_sch` and so on, with the row's resistors array by array, its amplifier with its capacitors, and its pins. Nets are global labels. Symbols are in the files, and
+carry designator, value, tolerance, footprint, the amplifier's order number (MPN) and, hidden, the name in the deck. Its netlist is the board's: tests compare both, pin by pin, with a reader of their own. In KiCad open `board.kicad_pro`; *Update PCB from Schematic* relinks footprints by their designators.
 
 ## On its board
 
@@ -147,7 +167,7 @@ A board of another circuit is refused with the part, the net or the value that d
 `tactile-net certify SCENE.toml --datasheet`, with `--budget` of the parts to order, says of builds what a data sheet does: error at rest, offset, settling time, noise and supply current, each with its least (min), its median (typ) and
 what 95 of 100 of all builds are within (max), over tolerances, op-amps and temperature, from draws with which nothing was chosen. The two ends between which 95 of 100 lie are ranks of the draws (Clopper and Pearson), so they hold for any distribution.
 `limits = { error = 0.003, settling = 3e-6 }` under [`network`](scene.md#network) says what is wanted: *pass* if 95 of 100 are within it as surely as that, *FAIL* if they are not (the command then exits with 1), else these draws do not decide.
-With `--out` the folder has `SCENE.datasheet.json`.
+With `--out` the folder has `SCENE.datasheet.json`. With `--budget`, or `--board`, the builds have the siemens and the capacitances of that board.
 
 Error and offset are of 200 to 1000 builds of the reduced equations; settling and noise of 75 to 200 builds with all their poles, each op-amp with an offset, bias currents and, with `bandwidth = 0.2` in `tolerance`, a bandwidth of its own.
 The supply current is each op-amp's own, typical of its data sheet, and what its outputs give off at rest. ngspice has the same error, settling time and noise of each build, and over 24 builds of its own each figure within what so few of them tell.
