@@ -168,6 +168,8 @@ TEST_CASE("the board's copper is that of its nets", "[copper]") {
     for (const Node end : {r.from, r.to}) expected -= end == 0 ? 1U : 0U;
   for (const Instance& x : built.circuit.instances) expected += x.pins.size();
   for (const CurrentSource& i : built.circuit.sources) expected += i.into == 0 ? 0U : 1U;
+  for (const LaidBoard::Part& part : board.parts)
+    if (part.reference.starts_with("TP")) ++expected;
   CHECK(pads == expected);
   // What the resistors' pairs have between them is at their ends: nothing is lost.
   double of_nets = 0.0;
