@@ -91,8 +91,8 @@ std::vector<std::string> in_words(const lab::BoardCertificate& board) {
         siemens_in_words(board, board.used.siemens) + ": " + judged_in_words(board.used) +
         "; resistors from " + brief(board.used.least_ohm) + " ohm" +
         (board.file.empty()
-             ? ". The parts and the board are for these siemens, and so is the scene that --out "
-               "writes"
+             ? ". The parts and the board are for these siemens, and so is the scene that is "
+               "written beside them"
              : ""));
     if (!enough)
       lines.push_back("warning: no siemens bring a phase margin of " + wanted +
