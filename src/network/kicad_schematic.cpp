@@ -376,12 +376,13 @@ class Schematic {
           static_cast<std::size_t>(std::max(1.0, std::floor(sheet_width / cell.width)));
       for (std::size_t k = first; k < last; ++k) {
         const auto column = static_cast<double>((k - first) % columns);
-        const auto row = static_cast<double>((k - first) / columns);
+        const std::size_t row = (k - first) / columns;
         text += text_of_part(sheet.parts[k], sheet.title,
                              sheet_edge + on_grid((column + 0.5) * cell.width),
-                             y + on_grid((row + 0.5) * cell.height));
+                             y + on_grid((static_cast<double>(row) + 0.5) * cell.height));
       }
-      y += cell.height * static_cast<double>((last - first + columns - 1) / columns) + pitch;
+      const std::size_t rows = (last - first + columns - 1) / columns;
+      y += cell.height * static_cast<double>(rows) + pitch;
       first = last;
     }
     return {text, y};
@@ -412,7 +413,8 @@ class Schematic {
     for (std::size_t k = 0; k < sheets_.size(); ++k) {
       const Sheet& sheet = sheets_[k];
       const double left = sheet_edge + static_cast<double>(k % columns) * (width + 3.0 * pitch);
-      const double top = y + static_cast<double>(k / columns) * (height + 4.0 * pitch);
+      const std::size_t row = k / columns;
+      const double top = y + static_cast<double>(row) * (height + 4.0 * pitch);
       const std::string id = identifier("sheet " + sheet.title);
       text += "  (sheet (at " + place(left) + ' ' + place(top) + ") (size " + place(width) + ' ' +
               place(height) +
@@ -427,7 +429,8 @@ class Schematic {
       pages += "    (path \"/" + id + "\" (page \"" + std::to_string(k + 2) + "\"))\n";
       parts += instances_text(sheet, "/" + id + '/');
     }
-    y += (height + 4.0 * pitch) * static_cast<double>((sheets_.size() + columns - 1) / columns);
+    const std::size_t rows = (sheets_.size() + columns - 1) / columns;
+    y += (height + 4.0 * pitch) * static_cast<double>(rows);
     return head(root_, y) + text + pages + "  )\n" + parts + "  )\n)\n";
   }
 

@@ -93,15 +93,18 @@ std::string ordered_scene(std::string_view toml, const AnyScene& scene,
   const toml::key* const first = network == nullptr ? nullptr : first_line_of(*network);
   const std::size_t begin = network == nullptr ? text.size() : edited.at(network->source().begin);
   const std::size_t header_end = text.find('\n', begin);
-  if (!lines.empty() && network != nullptr && network->is_inline())
-    edited.replace(begin + 1, begin + 1, inside);
-  else if (!lines.empty() && first != nullptr)
-    edited.insert_line_before(first->source().begin, lines);
-  else if (!lines.empty() && text.substr(begin).starts_with("[network]") &&
-           header_end != std::string_view::npos)
-    edited.replace(header_end + 1, header_end + 1, lines);
-  else if (!lines.empty())
-    tail = line_end + "[network]" + line_end + lines;
+  const bool in_one_line = network != nullptr && network->is_inline();
+  const bool below_header =
+      text.substr(begin).starts_with("[network]") && header_end != std::string_view::npos;
+  if (!lines.empty()) {
+    const std::size_t behind = 1 + (in_one_line ? begin : header_end);
+    if (first != nullptr && !in_one_line)
+      edited.insert_line_before(first->source().begin, lines);
+    else if (in_one_line || below_header)
+      edited.replace(behind, behind, in_one_line ? inside : lines);
+    else
+      tail = line_end + "[network]" + line_end + lines;
+  }
   std::string result = std::move(edited).text();
   if (!tail.empty() && !result.empty() && result.back() != '\n') result += line_end;
   result += tail;
