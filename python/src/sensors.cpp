@@ -1,6 +1,5 @@
 // Sensors by name: what is known of them without a recording, in one place for the command and for
 // Python.
-#include <nanobind/stl/array.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -25,10 +24,6 @@ void bind_sensors(nb::module_& module) {
   module.def(
       "sensor_models", [](const std::string& sensor) { return known_sensor(sensor).models; },
       nb::arg("sensor"));
-  module.def(
-      "reference_directions",
-      [](const std::vector<SpaceVector>& normals) { return reference_directions(normals); },
-      nb::arg("normals"));
   module.attr("modulus_not_needed") = modulus_not_needed;
 }
 

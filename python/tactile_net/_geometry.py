@@ -188,12 +188,29 @@ class Geometry:
         """(N,): of the surface through the taxels that is nearest to each [m^2]; at the rim as if it went on."""
         return areas_of(self.positions, self.normals)
 
-    def local_frames(self, reference: Sequence[float] = (0.0, 1.0, 0.0)) -> Floats:
-        """(N, 3, 3): rows x = -n into the pad, e_y = `reference` made tangent, e_z = x cross e_y.
+    def local_frames(self, reference: Sequence[float] = (0.0, 1.0, 0.0), frames: str = "tangent") -> Floats:
+        """(N, 3, 3): rows x = -n into the pad, e_y = `reference` made tangent, e_z = x cross e_y. frames="carried":
+        e_y is made tangent at the mean of the normals, and turned from there by the least rotation to each.
 
-        Raises InputError where a normal is within 10 degrees of the reference: the frames would jump.
+        Raises InputError where a normal is within 10 degrees of the reference, or of the mean's opposite: the frames would jump.
         """
+        if frames == "tangent":
+            return self._tangent(self.normals, reference)
+        if frames != "carried":
+            raise ValueError(f"frames must be tangent or carried (got {frames!r})")
+        middle = self.normals.mean(axis=0)
+        middle /= np.linalg.norm(middle)
+        e_y = self._tangent(middle[np.newaxis], reference)[0, 1]
         x = -self.normals
+        nearness = 1.0 - x @ middle
+        far = np.flatnonzero(~(nearness > 1.0 - np.cos(np.radians(10.0))))
+        if far.size > 0:
+            raise refused(self.file, f"has a normal against the mean of all at {self.names[far[0]]}", "give the skin in parts")
+        y = e_y - ((x @ e_y) / nearness)[:, np.newaxis] * (x - middle)
+        return np.stack([x, y, np.cross(x, y)], axis=1)
+
+    def _tangent(self, normals: Floats, reference: Sequence[float]) -> Floats:
+        x = -normals
         along = np.asarray(reference, dtype=float)
         along = along / np.linalg.norm(along)
         y = along - (x @ along)[:, np.newaxis] * x

@@ -1,8 +1,5 @@
 #include "tactile_net/scene/known_sensor.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -42,14 +39,6 @@ KnownSensor sensor_of(const std::string& name, Table table, std::string& like) {
   for (const KnownSensorModel& model : known_sensor_models())
     if (model.sensor == name) sensor.models.emplace(model.model, model.taxels);
   return sensor;
-}
-
-/// The cosine of the angle to the nearest normal or its opposite.
-double nearness(const SpaceVector& direction, std::span<const SpaceVector> normals) {
-  double nearest = 0.0;
-  for (const SpaceVector& normal : normals)
-    nearest = std::max(nearest, std::abs(dot(direction, normal)));
-  return nearest;
 }
 
 }  // namespace
@@ -94,27 +83,6 @@ std::optional<std::pair<std::size_t, std::size_t>> lattice_of(std::string_view t
   if (!rows || !columns || *rows < 1 || *columns < 1 || *rows > most || *columns > most)
     return std::nullopt;
   return std::pair{*rows, *columns};
-}
-
-std::vector<SpaceVector> reference_directions(std::span<const SpaceVector> normals) {
-  constexpr double too_near = 0.984807753012208;  // cos 10 degrees
-  constexpr std::size_t sought = 100;
-  constexpr std::size_t most = 12;
-  std::vector<SpaceVector> all = {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
-  for (std::size_t k = 0; k < sought; ++k) {  // Fibonacci's points of half a sphere
-    const double place = static_cast<double>(k) + 0.5;
-    const double height = place / static_cast<double>(sought);
-    const double around = std::numbers::pi * (1.0 + std::sqrt(5.0)) * place;
-    const double wide = std::sqrt(1.0 - height * height);
-    all.push_back({std::cos(around) * wide, std::sin(around) * wide, height});
-  }
-  std::stable_sort(all.begin(), all.end(), [&](const SpaceVector& a, const SpaceVector& b) {
-    return nearness(a, normals) < nearness(b, normals);
-  });
-  all.resize(most);
-  all.insert(all.begin(), {0.0, 1.0, 0.0});
-  std::erase_if(all, [&](const SpaceVector& one) { return nearness(one, normals) >= too_near; });
-  return all;
 }
 
 }  // namespace tactile_net

@@ -83,8 +83,10 @@ std::string sensor_section(const SceneSketch& sketch) {
   }
   if (sketch.taxels.empty()) return text;
   return text + "\n[surface]\n" +
-         line("reference = " + list(sketch.reference, number),
-              "which y follows over the surface: away from all normals");
+         line("frames = " + toml_string(enumerator_name(sketch.frames)),
+              sketch.frames == SurfaceFrames::tangent
+                  ? "y of a place is the sensor's, made tangent"
+                  : "y is the sensor's in the middle, turned with the normal elsewhere");
 }
 
 std::string material_section(const SceneSketch& sketch) {

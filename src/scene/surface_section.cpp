@@ -57,6 +57,9 @@ std::optional<CurvedSkinOptions> read_surface(Table table, const std::filesystem
   CurvedSkinOptions options;
   if (const auto shape = table.value("shape"))
     options.shape = one_named<SurfaceShape>(*shape, "shape of a surface");
+  if (const auto frames = table.value("frames"))
+    options.frames = one_named<SurfaceFrames>(*frames, "kind of a surface's frames")
+                         .value_or(SurfaceFrames::tangent);
   if (const auto centre = table.value("centre"))
     options.centre = read_three(*centre, any_number, units.length, "centre = [0.0, 0.0, -12.0]");
   if (const auto radius = table.value("radius"))

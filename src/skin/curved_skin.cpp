@@ -151,8 +151,8 @@ Sphere stated_sphere(const CurvedSkinOptions& options, const Above& above) {
 }
 
 /// The surface of a sphere, its chart around the middle of the taxels.
-CurvedSurface surface_of(const Sphere& sphere, const Above& above, const SpaceVector& reference,
-                         HeightField height = {}) {
+CurvedSurface surface_of(const Sphere& sphere, const Above& above,
+                         const CurvedSkinOptions& options) {
   const SpaceVector point = mean(above.points);
   const double k = sphere.curvature;
   const SpaceVector normal = combined(k, point, 1.0, sphere.offset);
@@ -166,19 +166,38 @@ CurvedSurface surface_of(const Sphere& sphere, const Above& above, const SpaceVe
   }
   inside *= k / (1.0 + length(normal)) / static_cast<double>(above.points.size());
   const SpaceVector outward = unit(normal);
-  return CurvedSurface(combined(1.0, point, inside, outward), outward, k, reference,
-                       std::move(height));
+  return CurvedSurface(combined(1.0, point, inside, outward), outward, k, options.reference,
+                       options.frames);
 }
 
 /// The same with a sphere whose centre and radius are stated.
 CurvedSurface surface_about(const SpaceVector& centre, double radius, const Above& above,
-                            const SpaceVector& reference) {
+                            const CurvedSkinOptions& options) {
   const SpaceVector outward = unit(mean(above.normals));
-  return CurvedSurface(combined(1.0, centre, radius, outward), outward, 1.0 / radius, reference);
+  return CurvedSurface(combined(1.0, centre, radius, outward), outward, 1.0 / radius,
+                       options.reference, options.frames);
+}
+
+/// A flatter sphere where that one's chart ends inside of the rectangle that the cells take, whose
+/// corners lie far beyond the taxels: what a fingertip's sides are below it, its height says.
+CurvedSurface sphere_below(CurvedSurface sphere, const Above& above, double reach) {
+  const double end = 0.9 * 2.0 * std::sin(0.5 * CurvedSurface::most_angle);
+  for (;;) {
+    double most_y = 0.0;
+    double most_z = 0.0;
+    for (const SpaceVector& point : above.points) {
+      const CurvedSurface::Charted at = sphere.chart(point);
+      most_y = std::max(most_y, std::abs(at.y));
+      most_z = std::max(most_z, std::abs(at.z));
+    }
+    const double corner = std::hypot(most_y + reach, most_z + reach);
+    if (!(std::abs(sphere.curvature()) * corner > end)) return sphere;
+    sphere = sphere.bent(0.95 * sphere.curvature());
+  }
 }
 
 /// The height of the surface above a sphere: least squares of places and slopes, of as many terms
-/// as the taxels tell with room to spare.
+/// as the taxels tell with room to spare, and straight beyond an ellipse that holds them.
 HeightField height_above(const CurvedSurface& sphere, const Above& above) {
   constexpr std::size_t most_degree = 6;
   const std::size_t count = above.points.size();
@@ -193,13 +212,28 @@ HeightField height_above(const CurvedSurface& sphere, const Above& above) {
   }
   if (!(size > 0.0)) return field;
   field.length = size;
+  // As long as the rectangle of the places, and as wide as to hold them all.
+  double widest_y = 0.0;
+  double widest_z = 0.0;
+  for (const CurvedSurface::Charted& at : places) {
+    widest_y = std::max(widest_y, std::abs(at.y));
+    widest_z = std::max(widest_z, std::abs(at.z));
+  }
+  if (widest_y > 0.0 && widest_z > 0.0) {
+    double furthest = 0.0;
+    for (const CurvedSurface::Charted& at : places)
+      furthest = std::max(furthest, std::hypot(at.y / widest_y, at.z / widest_z));
+    constexpr double beyond = 1.001;  // curvatures are differences of slopes
+    field.end_y = beyond * furthest * widest_y;
+    field.end_z = beyond * furthest * widest_z;
+  }
   const auto terms = static_cast<Eigen::Index>((degree + 1) * (degree + 2) / 2);
   Eigen::MatrixXd system(3 * static_cast<Eigen::Index>(count), terms);
   Eigen::VectorXd right(system.rows());
   const double k = sphere.curvature();
   for (std::size_t i = 0; i < count; ++i) {
     const auto row = 3 * static_cast<Eigen::Index>(i);
-    const auto values = HeightField::terms(degree, size, places[i].y, places[i].z);
+    const auto values = field.terms(places[i].y, places[i].z);
     const CurvedSurface::Tangents here = sphere.tangents(places[i].y, places[i].z);
     const SpaceVector outward = unit(cross(here.along_z, here.along_y));
     const double along = dot(above.normals[i], outward);
@@ -313,9 +347,9 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
           "the normals point away from the middle of a sphere, and the radius, which is < 0, is "
           "that of a hole: turn them, or state a radius > 0");
 
-  CurvedSurface surface = options.centre ? surface_about(*options.centre, 1.0 / fitted->curvature,
-                                                         above, options.reference)
-                                         : surface_of(*fitted, above, options.reference);
+  CurvedSurface surface =
+      options.centre ? surface_about(*options.centre, 1.0 / fitted->curvature, above, options)
+                     : surface_of(*fitted, above, options);
   const double depth =
       std::min_element(taxels.begin(), taxels.end(), [](const auto& a, const auto& b) {
         return a.depth < b.depth;
@@ -324,15 +358,17 @@ SkinArray curved_skin(std::vector<CurvedTaxel> taxels, const CurvedSkinOptions& 
   SurfaceShape shape = options.shape.value_or(SurfaceShape::sphere);
   if (!options.shape && !is_stated && residual > 0.05 * depth) shape = SurfaceShape::points;
   if (shape == SurfaceShape::points) {
-    surface = surface_of(*fitted, above, options.reference, height_above(surface, above));
+    surface = sphere_below(std::move(surface), above, 2.0 * depth);
+    surface = surface.raised(height_above(surface, above));
     residual = rms_outside(surface, above);
   } else if (shape == SurfaceShape::mesh) {
     std::vector<BelowMesh> below;
     for (std::size_t i = 0; i < taxels.size(); ++i)
       below.push_back({taxels[i].name.empty() ? std::to_string(i) : taxels[i].name, above.points[i],
                        above.normals[i], taxels[i].depth});
+    surface = sphere_below(std::move(surface), above, 2.0 * depth);
     MeshHeight mesh = mesh_height(*options.mesh, *mesh_normals, surface, below);
-    surface = surface_of(*fitted, above, options.reference, std::move(mesh.height));
+    surface = surface.raised(std::move(mesh.height));
     residual = mesh.residual;
     for (std::size_t i = 0; i < taxels.size() && !has_normals; ++i) {
       above.points[i] = foot_of(taxels[i].place, surface, above.points[i]);

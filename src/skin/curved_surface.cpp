@@ -19,32 +19,61 @@ constexpr double too_near = 0.984807753012208;
 constexpr std::array<double, 3> gauss_points = {-0.3872983346207417, 0.0, 0.3872983346207417};
 constexpr std::array<double, 3> gauss_weights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
 
+SurfaceFrame tangent_frame(const SpaceVector& reference, const SpaceVector& outward) {
+  const double along = dot(reference, outward);
+  if (!(std::abs(along) < too_near))
+    throw std::invalid_argument(
+        "the reference direction is within 10 degrees of the surface's normal, where it gives the "
+        "surface no y: choose one that lies along all of the surface, of a finger along it, or "
+        "frames = \"carried\"");
+  const SpaceVector tangent = combined(1.0, reference, -along, outward);
+  const SpaceVector y = multiple(1.0 / length(tangent), tangent);
+  const SpaceVector x = multiple(-1.0, outward);
+  return {x, y, cross(x, y)};
+}
+
 }  // namespace
 
-std::vector<HeightField::Value> HeightField::terms(std::size_t degree, double length, double y,
-                                                   double z) {
+std::vector<HeightField::Value> HeightField::terms(double y, double z) const {
   std::vector<double> of_y(degree + 1, 1.0);
   std::vector<double> of_z(degree + 1, 1.0);
   for (std::size_t k = 1; k <= degree; ++k) {
     of_y[k] = of_y[k - 1] * (y / length);
     of_z[k] = of_z[k - 1] * (z / length);
   }
+  const double outward = std::hypot(y / end_y, z / end_z);
   std::vector<Value> all;
   all.reserve((degree + 1) * (degree + 2) / 2);
-  for (std::size_t all_powers = 0; all_powers <= degree; ++all_powers)
-    for (std::size_t k = 0; k <= all_powers; ++k) {
-      const std::size_t j = all_powers - k;
+  for (std::size_t powers = 0; powers <= degree; ++powers) {
+    const std::size_t first = all.size();
+    for (std::size_t k = 0; k <= powers; ++k) {
+      const std::size_t j = powers - k;
       all.push_back({of_y[j] * of_z[k],
                      j == 0 ? 0.0 : static_cast<double>(j) * of_y[j - 1] * of_z[k] / length,
                      k == 0 ? 0.0 : static_cast<double>(k) * of_y[j] * of_z[k - 1] / length});
     }
+    if (!(outward > 1.0)) continue;
+    // Terms of one degree m grow as r^m along a ray, and beyond r = 1 as 1 + m (r - 1).
+    const auto m = static_cast<double>(powers);
+    const double straight = 1.0 + m * (outward - 1.0);
+    const double shrunk = std::pow(outward, -m);
+    const double by_outward = m * shrunk * (1.0 - straight / outward);
+    for (std::size_t i = first; i < all.size(); ++i) {
+      Value& one = all[i];
+      one.slope_y = one.slope_y * straight * shrunk +
+                    one.height * by_outward * (y / end_y) / (end_y * outward);
+      one.slope_z = one.slope_z * straight * shrunk +
+                    one.height * by_outward * (z / end_z) / (end_z * outward);
+      one.height *= straight * shrunk;
+    }
+  }
   return all;
 }
 
 HeightField::Value HeightField::at(double y, double z) const {
   Value value;
   if (coefficients.empty()) return value;
-  const std::vector<Value> all = terms(degree, length, y, z);
+  const std::vector<Value> all = terms(y, z);
   for (std::size_t i = 0; i < all.size(); ++i) {
     value.height += coefficients[i] * all[i].height;
     value.slope_y += coefficients[i] * all[i].slope_y;
@@ -54,8 +83,8 @@ HeightField::Value HeightField::at(double y, double z) const {
 }
 
 CurvedSurface::CurvedSurface(const SpaceVector& apex, const SpaceVector& outward, double curvature,
-                             const SpaceVector& reference, HeightField height)
-    : apex_(apex), curvature_(curvature), reference_(reference), height_(std::move(height)) {
+                             const SpaceVector& reference, SurfaceFrames frames)
+    : apex_(apex), curvature_(curvature), reference_(reference), frames_(frames) {
   if (!is_finite(apex) || !is_finite(outward) || !std::isfinite(curvature) || !is_finite(reference))
     throw std::invalid_argument("a surface's apex, normal, curvature and reference must be finite");
   if (!(std::abs(length(outward) - 1.0) <= 1e-9))
@@ -63,18 +92,31 @@ CurvedSurface::CurvedSurface(const SpaceVector& apex, const SpaceVector& outward
   if (!(length(reference) > 0.0))
     throw std::invalid_argument("a surface's reference must not be 0");
   reference_ = multiple(1.0 / length(reference), reference);
-  axes_ = frame(outward);
+  axes_ = tangent_frame(reference_, outward);
+}
+
+CurvedSurface CurvedSurface::raised(HeightField height) const {
+  CurvedSurface other = *this;
+  other.height_ = std::move(height);
+  return other;
+}
+
+CurvedSurface CurvedSurface::bent(double curvature) const {
+  CurvedSurface other = *this;
+  other.curvature_ = curvature;
+  return other;
 }
 
 SurfaceFrame CurvedSurface::frame(const SpaceVector& outward) const {
-  const double along = dot(reference_, outward);
-  if (!(std::abs(along) < too_near))
-    throw std::invalid_argument(
-        "the reference direction is within 10 degrees of the surface's normal, where it gives the "
-        "surface no y: choose one that lies along all of the surface, of a finger along it");
-  const SpaceVector tangent = combined(1.0, reference_, -along, outward);
-  const SpaceVector y = multiple(1.0 / length(tangent), tangent);
+  if (frames_ == SurfaceFrames::tangent) return tangent_frame(reference_, outward);
   const SpaceVector x = multiple(-1.0, outward);
+  const double nearness = dot(axes_[0], x);
+  if (!(nearness > -too_near))
+    throw std::invalid_argument(
+        "the surface faces the opposite of the middle of the taxels, where no frame is carried "
+        "to: give the skin in parts, or choose a smaller margin");
+  const SpaceVector both = combined(1.0, axes_[0], 1.0, x);
+  const SpaceVector y = combined(1.0, axes_[1], -dot(axes_[1], x) / (1.0 + nearness), both);
   return {x, y, cross(x, y)};
 }
 

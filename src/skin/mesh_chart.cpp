@@ -248,15 +248,15 @@ HeightField fitted(std::span<const Sample> samples, std::size_t degree, double s
   const auto terms = static_cast<Eigen::Index>((degree + 1) * (degree + 2) / 2);
   Eigen::MatrixXd system(static_cast<Eigen::Index>(samples.size()), terms);
   Eigen::VectorXd right(system.rows());
+  HeightField field{.degree = degree, .length = size};
   for (Eigen::Index row = 0; row < system.rows(); ++row) {
     const Sample& one = samples[static_cast<std::size_t>(row)];
-    const auto values = HeightField::terms(degree, size, one.y, one.z);
+    const auto values = field.terms(one.y, one.z);
     for (Eigen::Index t = 0; t < terms; ++t)
       system(row, t) = one.weight * values[static_cast<std::size_t>(t)].height;
     right(row) = one.weight * one.height;
   }
   const Eigen::VectorXd found = pivoted_least_squares(system, right);
-  HeightField field{.degree = degree, .length = size};
   field.coefficients.assign(found.data(), found.data() + found.size());
   return field;
 }
@@ -275,12 +275,76 @@ struct Samples {
   std::vector<Sample> unknown{};
 };
 
+/// Along each side of the box.
+constexpr std::size_t lattice_points = 33;
+
+/// Where a lattice is open: holes are what is open, and reaches into the box that is needed, but
+/// not to the lattice's edge, as what lies beyond the mesh does.
+class Openings {
+ public:
+  struct Place {
+    bool open = false;
+    bool needed = false;
+    SpaceVector point{};
+  };
+  [[nodiscard]] Place& at(std::size_t i, std::size_t j) { return places_[i * lattice_points + j]; }
+
+  /// @throw std::invalid_argument  there is a hole
+  void refuse_holes() {
+    for (std::size_t first = 0; first < places_.size(); ++first) {
+      if (!places_[first].open) continue;
+      std::vector<std::size_t> hole = {first};
+      bool reaches_edge = false;
+      bool is_needed = false;
+      places_[first].open = false;
+      for (std::size_t k = 0; k < hole.size(); ++k) {
+        const std::size_t i = hole[k] / lattice_points;
+        const std::size_t j = hole[k] % lattice_points;
+        is_needed = is_needed || places_[hole[k]].needed;
+        if (i == 0 || j == 0 || i + 1 == lattice_points || j + 1 == lattice_points) {
+          reaches_edge = true;
+          continue;
+        }
+        for (const std::size_t next :
+             {hole[k] - lattice_points, hole[k] - 1, hole[k] + 1, hole[k] + lattice_points})
+          if (std::exchange(places_[next].open, false)) hole.push_back(next);
+      }
+      if (is_needed && !reaches_edge) refuse(hole);
+    }
+  }
+
+ private:
+  void refuse(const std::vector<std::size_t>& hole) const {
+    SpaceVector middle{};
+    for (const std::size_t k : hole)
+      middle = combined(1.0, middle, 1.0 / static_cast<double>(hole.size()), places_[k].point);
+    throw std::invalid_argument(
+        "the mesh has a hole, or walls too steep to be followed, around " + in_words(middle) +
+        ", where tractions are solved for: close it, so that its surface is yours and no guess");
+  }
+
+  std::vector<Place> places_ = std::vector<Place>(lattice_points * lattice_points);
+};
+
 /// @param needed  cells lie there
+/// @throw std::invalid_argument  the mesh lies over itself there, or has a hole
 Samples sampled(const Chart& chart, const CurvedSurface& sphere, const ChartBox& box,
                 const ChartBox& needed) {
-  constexpr std::size_t points = 33;
+  constexpr std::size_t points = lattice_points;
   const double end = 2.0 * std::sin(0.5 * CurvedSurface::most_angle);
   Samples samples;
+  Openings openings;
+  // More than one place, so that no crack between two triangles is taken for a hole.
+  const auto is_open_around = [&](const Sample& at) {
+    const double by_y = 0.25 * (box.y_most - box.y_least) / static_cast<double>(points - 1);
+    const double by_z = 0.25 * (box.z_most - box.z_least) / static_cast<double>(points - 1);
+    for (const auto& [y, z] : {std::pair(by_y, 0.0), {-by_y, 0.0}, {0.0, by_z}, {0.0, -by_z}}) {
+      const std::vector<Crossing> all = chart.crossings(at.y + y, at.z + z);
+      if (std::any_of(all.begin(), all.end(), [](const Crossing& one) { return one.outward; }))
+        return false;
+    }
+    return true;
+  };
   for (std::size_t i = 0; i < points; ++i)
     for (std::size_t j = 0; j < points; ++j) {
       const auto along = [](std::size_t k, double least, double most) {
@@ -300,11 +364,15 @@ Samples sampled(const Chart& chart, const CurvedSurface& sphere, const ChartBox&
           std::find_if(all.begin(), all.end(), [](const Crossing& at) { return at.outward; });
       if (folded || outward == all.end()) {
         samples.unknown.push_back(one);
+        openings.at(i, j) = {.open = !folded && is_open_around(one),
+                             .needed = needed.holds(one.y, one.z),
+                             .point = sphere.tangents(one.y, one.z).point};
       } else {
         one.height = outward->height;
         samples.known.push_back(one);
       }
     }
+  openings.refuse_holes();
   return samples;
 }
 

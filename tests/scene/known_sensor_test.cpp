@@ -1,10 +1,7 @@
-// Sensors by name: the files of sensors/, and directions that a surface's frames may follow.
+// Sensors by name: the files of sensors/.
 #include "tactile_net/scene/known_sensor.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <random>
 #include <sstream>
 
@@ -12,31 +9,7 @@
 
 using namespace tactile_net;
 
-namespace {
-
-constexpr double degrees = std::numbers::pi / 180.0;
-
-/// Fibonacci's points of a cap around z.
-std::vector<SpaceVector> cap(double half_angle) {
-  constexpr int count = 400;
-  std::vector<SpaceVector> normals;
-  for (int k = 0; k < count; ++k) {
-    const double height = 1.0 - (1.0 - std::cos(half_angle)) * (k + 0.5) / count;
-    const double around = std::numbers::pi * (1.0 + std::sqrt(5.0)) * k;
-    const double wide = std::sqrt(1.0 - height * height);
-    normals.push_back({std::cos(around) * wide, std::sin(around) * wide, height});
-  }
-  return normals;
-}
-
-double nearest_angle(const SpaceVector& direction, const std::vector<SpaceVector>& normals) {
-  double least = std::numbers::pi;
-  for (const SpaceVector& normal : normals)
-    least = std::min(least, std::acos(std::min(1.0, std::abs(dot(direction, normal)))));
-  return least;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("of every sensor one thing is known: how a scene begins, what it lacks, or why none is",
           "[known_sensor]") {
@@ -87,28 +60,4 @@ TEST_CASE("a lattice is two numbers", "[known_sensor]") {
   CHECK(lattice_of("12x32") == std::pair<std::size_t, std::size_t>{12, 32});
   for (const char* wrong : {"", "12", "0x4", "4x257", "4x4x4", "ax4", "-1x4", "4 x 4"})
     CHECK_FALSE(lattice_of(wrong));
-}
-
-TEST_CASE("reference directions keep away from every normal, the furthest first",
-          "[known_sensor]") {
-  const std::vector<SpaceVector> plane = {{0.0, 0.0, 1.0}};
-  CHECK(reference_directions(plane).front() == SpaceVector{0.0, 1.0, 0.0});
-  const double half_angle = GENERATE(10.0, 40.0, 60.0, 75.0);
-  const std::vector<SpaceVector> normals = cap(half_angle * degrees);
-  const std::vector<SpaceVector> found = reference_directions(normals);
-  REQUIRE_FALSE(found.empty());
-  CHECK(found.front() == SpaceVector{0.0, 1.0, 0.0});
-  double before = std::numbers::pi;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    const double angle = nearest_angle(found[k], normals);
-    CHECK(angle > 10.0 * degrees);
-    if (k > 0) CHECK(angle <= before + 1e-12);
-    if (k > 0) before = angle;
-  }
-  // y is left out where a normal is near it, and all where the normals are everywhere.
-  std::vector<SpaceVector> with_y = normals;
-  with_y.push_back({0.0, -std::cos(0.1), std::sin(0.1)});
-  for (const SpaceVector& one : reference_directions(with_y))
-    CHECK(nearest_angle(one, with_y) > 10.0 * degrees);
-  CHECK(reference_directions(cap(180.0 * degrees)).empty());
 }

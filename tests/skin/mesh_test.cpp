@@ -268,6 +268,24 @@ TEST_CASE("what is no mesh is refused with the triangle", "[skin][curved][mesh]"
   bad = good;
   bad.triangles.erase(bad.triangles.begin() + 130, bad.triangles.begin() + 170);
   refused(bad, "is open above taxel");
+  // A hole between taxels would be bridged by a guess; none lies where no traction is asked for,
+  // and where a mesh ends it goes on.
+  const auto without = [&](double x, double y, double reach) {
+    SurfaceMesh mesh = ellipsoid_mesh({radius, radius, radius}, 12e-3, 30);
+    std::erase_if(mesh.triangles, [&](const auto& triangle) {
+      SpaceVector middle{};
+      for (const std::size_t corner : triangle)
+        middle = combined(1.0, middle, 1.0 / 3.0, mesh.vertices[corner]);
+      return std::hypot(middle[0] - x, middle[1] - y) < reach;
+    });
+    return mesh;
+  };
+  refused(without(1.25e-3, 3.75e-3, 0.8e-3),
+          "the mesh has a hole, or walls too steep to be "
+          "followed, around (0.001");
+  refused(without(-6e-3, 0.0, 0.9e-3), "around (-0.00");
+  CHECK_NOTHROW(curved_skin(taxels, on_mesh(without(8.2e-3, 8.2e-3, 0.8e-3))));
+  CHECK_NOTHROW(curved_skin(taxels, on_mesh(without(12e-3, 0.0, 5e-3))));
   // Twice, one over the other.
   bad = good;
   for (const SpaceVector& vertex : good.vertices) bad.vertices.push_back(multiple(1.02, vertex));

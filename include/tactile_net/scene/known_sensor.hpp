@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "tactile_net/elasticity/quantity.hpp"
-#include "tactile_net/elasticity/space/space_vector.hpp"
 
 namespace tactile_net {
 
@@ -37,11 +36,6 @@ struct KnownSensor {
 
 /// "12x32" as rows and columns, each from 1 to 256; nothing where it is none.
 [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> lattice_of(std::string_view text);
-
-/// Reference directions (docs/fingers.md) that are more than 10 degrees away from each of these
-/// outward unit normals and their opposites, the best first: y; then those of x, z and some
-/// hundred others that are furthest from all. Beyond the taxels a surface may come nearer to one.
-[[nodiscard]] std::vector<SpaceVector> reference_directions(std::span<const SpaceVector> normals);
 
 /// Young's modulus where none is needed and none is given [Pa]: tractions do not depend on it where
 /// stresses below a layer are read, and no reading strains a pad of it much.

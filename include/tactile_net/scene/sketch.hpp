@@ -2,7 +2,6 @@
 /// A scene for recorded readings, written with comments for a person to go on with.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "tactile_net/elasticity/material.hpp"
 #include "tactile_net/elasticity/quantity.hpp"
+#include "tactile_net/skin/curved_surface.hpp"
 
 namespace tactile_net {
 
@@ -31,7 +31,7 @@ struct SceneSketch {
   std::optional<double> poisson_ratio{};  ///< absent: 0.45, and a comment that says so
   std::optional<Layer> layer{};
   std::vector<double> noise{};  ///< rms: one, or one for each of `reads`; none: not known
-  std::array<double, 3> reference = {0.0, 1.0, 0.0};  ///< of a curved skin's [surface]
+  SurfaceFrames frames = SurfaceFrames::tangent;  ///< of a curved skin's [surface]
   /// A ball's contact with the middle of a skin, so that it can be run: its radius and force.
   double contact_radius = 0.0, contact_force = 0.0;
 };

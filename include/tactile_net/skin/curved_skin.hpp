@@ -78,6 +78,7 @@ struct CurvedSkinOptions {
   /// Of the shape mesh, which needs it: the outer surface, around the taxels at least.
   std::shared_ptr<const SurfaceMesh> mesh{};
   SpaceVector reference = {0.0, 1.0, 0.0};  ///< that every frame's y is as near as possible to
+  SurfaceFrames frames = SurfaceFrames::tangent;
   ReadingAxes axes = ReadingAxes::local;
   CurvedKernel kernel = CurvedKernel::ball;
 };

@@ -3,7 +3,7 @@
 ///
 /// Axes are the sensor's own, any right-handed ones [m]. A place has a frame of its own, as in
 /// elasticity/quantity.hpp: x into the skin, against the outward normal; y as near as possible to a
-/// reference direction of the sensor; z across both.
+/// reference direction of the sensor, there or in the chart's middle; z across both.
 ///
 /// The chart is Lambert's: areas of a sphere are those of its picture. So tractions on a curved
 /// skin are solved for on the same lattice of cells as those on a flat one.
@@ -17,6 +17,7 @@
 #include <limits>
 #include <vector>
 
+#include "tactile_net/numeric/fields.hpp"
 #include "tactile_net/sensing/surface_cells.hpp"
 #include "tactile_net/sensing/surface_grid.hpp"
 
@@ -35,12 +36,15 @@ struct ChartBox {
 };
 
 /// A polynomial of two variables: the terms of degree 0, then those of degree 1, and so on, in each
-/// degree by rising powers of z.
+/// degree by rising powers of z. Beyond an ellipse it goes on straight along every ray from its
+/// middle, where a polynomial of what lies inside would turn up or down steeply.
 struct HeightField {
   std::size_t degree = 0;
   double length = 1.0;  ///< what y and z are divided by [m], > 0
   /// (degree + 1) (degree + 2) / 2 coefficients [m]; empty: 0 everywhere.
   std::vector<double> coefficients{};
+  double end_y = std::numeric_limits<double>::infinity();  ///< half axis of the ellipse [m], > 0
+  double end_z = std::numeric_limits<double>::infinity();
   /// Where it is known; it is asked for nowhere else.
   ChartBox known{};
 
@@ -50,9 +54,19 @@ struct HeightField {
     double slope_z = 0.0;  ///< d height / d z
   };
   [[nodiscard]] Value at(double y, double z) const;
-  /// What each coefficient is multiplied by. @param degree  of the polynomial
-  [[nodiscard]] static std::vector<Value> terms(std::size_t degree, double length, double y,
-                                                double z);
+  /// What each coefficient is multiplied by.
+  [[nodiscard]] std::vector<Value> terms(double y, double z) const;
+};
+
+/// How the y of a place's frame follows from the reference direction.
+enum class SurfaceFrames { tangent, carried };
+
+template <>
+struct Enumerators<SurfaceFrames> {
+  static constexpr Enumerator<SurfaceFrames> all[] = {
+      {SurfaceFrames::tangent, "tangent", "The reference made tangent at each place."},
+      {SurfaceFrames::carried, "carried",
+       "The reference made tangent in the middle of the taxels, and turned with the normal."}};
 };
 
 /// A sphere or a plane, and a polynomial height above it.
@@ -62,12 +76,17 @@ class CurvedSurface {
   /// @param outward    the outward normal there, a unit vector
   /// @param curvature  of the sphere [1/m]: > 0 of a ball, < 0 of a hole, 0 of a plane
   /// @param reference  what the frames' y is as near as possible to; not 0
-  /// @param height     above the sphere, along its outward normal
+  /// @param frames     carried: by the least rotation from the apex's normal to that of a place
   ///
   /// @throw std::invalid_argument  a number is not finite, outward is no unit vector, or the
   ///                               reference is within 10 degrees of the normal
   CurvedSurface(const SpaceVector& apex, const SpaceVector& outward, double curvature,
-                const SpaceVector& reference, HeightField height = {});
+                const SpaceVector& reference, SurfaceFrames frames = SurfaceFrames::tangent);
+
+  /// The surface at this height above the sphere, along its outward normal.
+  [[nodiscard]] CurvedSurface raised(HeightField height) const;
+  /// A sphere through the same apex, with the same frames there.
+  [[nodiscard]] CurvedSurface bent(double curvature) const;
 
   /// The place at (y, z) of the chart [m].
   /// @throw std::invalid_argument  it lies beyond the chart's end, `most_angle` from the apex, or
@@ -94,7 +113,8 @@ class CurvedSurface {
   [[nodiscard]] Charted chart(const SpaceVector& point) const;
 
   /// The frame of a place with this outward normal.
-  /// @throw std::invalid_argument  the reference is within 10 degrees of it
+  /// @throw std::invalid_argument  the reference is within 10 degrees of it; of carried frames, it
+  ///                               is within 10 degrees of the opposite of the apex's
   [[nodiscard]] SurfaceFrame frame(const SpaceVector& outward) const;
 
   /// The cells of a grid of the chart, row after row. Integrals by nine points each.
@@ -111,6 +131,7 @@ class CurvedSurface {
   SpaceVector apex_;
   double curvature_;
   SpaceVector reference_;
+  SurfaceFrames frames_;
   HeightField height_;
   SurfaceFrame axes_{};  // of the apex
 };

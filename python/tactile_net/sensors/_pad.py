@@ -30,6 +30,8 @@ _MOST_UNKNOWNS = 8192
 _FEW_READINGS = 768
 """Of more the default rule, aicc, finds an alpha near 0 where they are nearly as many as the unknowns; maximum likelihood holds."""
 _Y = (0.0, 1.0, 0.0)
+_Z = (0.0, 0.0, 1.0)
+_CARRIED = "e_y is carried from the middle of the taxels, as the surface comes near its reference"
 _OF = {"m": "displacement", "N": "force", "Pa": "stress"}
 
 
@@ -45,7 +47,7 @@ class Pad:
     depth: float | None = None
     """Of all taxels below the surface, where their geometry does not say."""
     reference: tuple[float, ...] | None = None
-    """The direction of the sensor's frame that e_y follows over the surface; None: y, or another where y is too near a normal."""
+    """The direction of the sensor's frame that e_y follows over the surface; None: y, or z where the middle of the taxels faces y."""
     noise: float | None = None
     """One standard deviation of a reading [m, N or Pa]; None: what the file tells, or else found from the readings."""
 
@@ -113,7 +115,7 @@ class SensorRecording:
     def notes(self) -> tuple[str, ...]:
         """What was fitted, taken for granted or left out on the way."""
         notes = [*self.geometry.notes, *self.frames.notes]
-        notes += [one for one in (self._depth[1], self._reference[1]) if one]
+        notes += [one for one in (self._depth[1], self._frames[2]) if one]
         if self._spacing is not None:
             notes.append(
                 "cells are as far apart as taxels, half a depth is too many: scene({'reconstruct.spacing': ...})"
@@ -170,27 +172,25 @@ class SensorRecording:
         return readings
 
     @cached_property
-    def _reference(self) -> tuple[tuple[float, ...], str]:
-        """What e_y follows, and a note: y, or the first direction that the surface takes, also where it goes beyond the taxels."""
-        if self.pad.reference is not None:
-            return self.pad.reference, ""
-        found = [tuple(one) for one in _core.reference_directions(self.geometry.normals.tolist())]
-        for one in found:
-            if self.geometry.flat or self._holds(one):
-                where = ", ".join(f"{component:.3g}" for component in one)
-                return one, "" if one == _Y else f"e_y follows ({where}), as y is too near a normal of the surface: reference="
-        return (found or [_Y])[0], ""
+    def _frames(self) -> tuple[tuple[float, ...], str, str]:
+        """What e_y follows, how, and a note: y made tangent, or carried where that is too near a normal of the surface."""
+        middle = self.geometry.normals.mean(axis=0)
+        along = _Y if abs(middle[1]) < np.sqrt(0.5) * np.linalg.norm(middle) else _Z
+        along = along if self.pad.reference is None else self.pad.reference
+        if self.geometry.flat or self._holds(along, "tangent") or not self._holds(along, "carried"):
+            return along, "tangent", ""
+        return along, "carried", _CARRIED
 
-    def _holds(self, reference: tuple[float, ...]) -> bool:
+    def _holds(self, reference: tuple[float, ...], frames: str) -> bool:
         try:
-            return self._parsed(self._tables(reference)).surface is not None
+            return self._parsed(self._tables(reference, frames)).surface is not None
         except ValueError:
             return False
 
     @cached_property
     def local_frames(self) -> Floats:
         """(N, 3, 3): rows x into the pad, e_y and e_z of each taxel, in the sensor's frame."""
-        return self.geometry.local_frames(self._reference[0])
+        return self.geometry.local_frames(*self._frames[:2])
 
     @cached_property
     def _taxels(self) -> str:
@@ -211,9 +211,9 @@ class SensorRecording:
 
     def tables(self) -> dict[str, Any]:
         """Of the scene, as `Scene.to_dict` has them; its taxels are the file taxels.csv beside it. All is in SI."""
-        return self._tables(self._reference[0])
+        return self._tables(*self._frames[:2])
 
-    def _tables(self, reference: tuple[float, ...]) -> dict[str, Any]:
+    def _tables(self, reference: tuple[float, ...], frames: str) -> dict[str, Any]:
         _, sensors_axes, noise = self._reads
         pad = self.pad
         sensor: dict[str, Any] = {"taxels": "taxels.csv"}
@@ -230,7 +230,7 @@ class SensorRecording:
         if not self.geometry.flat:
             sensor["frame"] = "sensor" if sensors_axes else "local"
             shape = {"shape": self.geometry.shape} if self.geometry.shape else {}
-            tables["surface"] = shape | {"reference": list(reference)}
+            tables["surface"] = shape | {"reference": list(reference), "frames": frames}
         reconstruct: dict[str, Any] = {} if self._spacing is None else {"spacing": self._spacing}
         if self.frames.readings[0].size > _FEW_READINGS:
             reconstruct["alpha"] = "evidence" if noise else "gml"

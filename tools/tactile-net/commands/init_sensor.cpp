@@ -5,7 +5,6 @@
 #include <iterator>
 #include <optional>
 #include <ostream>
-#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -59,19 +58,6 @@ std::pair<std::size_t, std::size_t> rows_and_columns(const KnownSensor& sensor,
   throw WrongUsage("--model", "rows and columns of taxels, each from 1 to 256: --model 4x6");
 }
 
-/// The normals in a table of taxels: the last three columns.
-std::vector<SpaceVector> normals_in(std::string_view taxels) {
-  std::vector<SpaceVector> normals;
-  for (const std::string_view line : split(taxels, '\n')) {
-    const auto fields = split(line, ',');
-    SpaceVector normal{};
-    if (fields.size() == 7 && read_number(fields[4], normal[0]) &&
-        read_number(fields[5], normal[1]) && read_number(fields[6], normal[2]))
-      normals.push_back(normal);
-  }
-  return normals;
-}
-
 /// Everything but where the taxels are.
 SceneSketch sketch_of(const KnownSensor& sensor, const InitOptions& options, Questions& questions) {
   SceneSketch sketch{.title = sensor.name + (options.model.empty() ? "" : " " + options.model),
@@ -98,25 +84,22 @@ SceneSketch sketch_of(const KnownSensor& sensor, const InitOptions& options, Que
   return sketch;
 }
 
-/// The scene by the first reference direction that its surface takes.
-std::string text_that_holds(SceneSketch sketch, std::span<const SpaceVector> references,
-                            const std::string& place) {
+/// The scene by the frames that its surface takes: y made tangent, or else carried.
+std::string text_that_holds(SceneSketch sketch, const std::string& place) {
   std::string why;
-  for (const SpaceVector& reference : references) {
-    sketch.reference = reference;
+  for (const SurfaceFrames frames : {SurfaceFrames::tangent, SurfaceFrames::carried}) {
+    sketch.frames = frames;
     std::string text = scene_text(sketch);
     try {
       (void)lab::SkinSceneProblem(std::get<SkinScene>(parse_any_scene(text, place))).problem();
       return text;
     } catch (const InputError& error) {
-      if (why.empty()) why = error.diagnostics().front().message;
+      why = error.diagnostics().front().message;
     } catch (const std::invalid_argument& error) {
-      if (why.empty()) why = error.what();
+      why = error.what();
     }
   }
-  throw std::runtime_error(
-      sketch.title + ": " +
-      (why.empty() ? "its surface faces every direction: no reference is left" : why));
+  throw std::runtime_error(sketch.title + ": " + why);
 }
 
 /// A file that is as it was before, unless it is kept: a scene that refers to it may not hold.
@@ -165,8 +148,7 @@ void init_sensor(const InitOptions& options, const Streams& streams) {
       questions.ask("--pitch", "pitch, from one taxel to the next [" + sketch.length_unit + "]",
                     positive_into(sketch.pitch));
     questions.require_all();
-    const std::vector<SpaceVector> any = {sketch.reference};
-    text = text_that_holds(std::move(sketch), any, place);
+    text = text_that_holds(std::move(sketch), place);
     write(output_if(to_file ? options.output : "-", streams).get(), text);
   } else {
     const std::string& taxels = taxels_of(sensor, options.model);
@@ -175,14 +157,13 @@ void init_sensor(const InitOptions& options, const Streams& streams) {
     questions.require_all();
     if (sketch.length_unit != "mm")
       throw WrongUsage("--length-unit", "the places of its taxels are in mm");
-    const std::vector<SpaceVector> normals = normals_in(taxels);
     sketch.taxels = options.model + ".csv";
-    sketch.count = normals.size();
+    sketch.count = split(taxels, '\n').size() - 2;  // a header, and an end of the last line
     const auto beside = std::filesystem::path(options.output).replace_filename(sketch.taxels);
     if (!options.force && std::filesystem::exists(beside))
       throw WrongUsage("-o", beside.string() + " is there already; --force replaces it");
     TrialFile file(beside, taxels, streams);
-    text = text_that_holds(std::move(sketch), reference_directions(normals), place);
+    text = text_that_holds(std::move(sketch), place);
     write(output_if(options.output, streams).get(), text);
     file.keep();
     written = beside.string();
