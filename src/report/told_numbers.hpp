@@ -34,7 +34,8 @@ struct ToldNumber {
   return measure == Measure::load && label != "force" ? label + " force" : label;
 }
 
-/// The numbers among the fields that the sensor has; of a place on a skin two.
+/// The numbers among the fields that the sensor has, as many of every result; of a place on a skin
+/// two.
 template <class T, class... Access>
 [[nodiscard]] std::vector<ToldNumber> told_numbers(const T& result,
                                                    const std::tuple<Field<Access>...>& fields,
@@ -62,9 +63,9 @@ template <class T, class... Access>
                         value ? uncertain((*value)[axis]) : std::nullopt});
     } else if constexpr (std::is_same_v<Value, IfAny<std::array<Uncertain, 3>>>) {
       constexpr std::array axes = {", x", ", y", ", z"};
-      for (std::size_t axis = 0; value.value && axis < axes.size(); ++axis)
+      for (std::size_t axis = 0; axis < axes.size(); ++axis)
         told.push_back({label_of(one.key, one.measure) + axes[axis], one.measure,
-                        std::optional((*value.value)[axis])});
+                        value.value ? std::optional((*value.value)[axis]) : std::nullopt});
     }
   };
   std::apply([&](const auto&... one) { (add(one), ...); }, fields);
