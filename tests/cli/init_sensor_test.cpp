@@ -93,7 +93,7 @@ TEST_CASE("init says what a sensor's scene lacks, and writes nothing", "[cli][in
   CHECK(read_text(folder / "PXSR-STDDP03A.csv") == "mine\n");
   // Nor is it where the scene does not hold.
   const ProcessResult thick = run_tool({"init", "--sensor", "paxini", "--model", "PXSR-STDDP03A",
-                                        "--layer", "30", "--force", "-o", scene});
+                                        "--layer", "60", "--force", "-o", scene});
   CHECK(thick.code != 0);
   CAPTURE(thick.errors);
   CHECK_THAT(thick.errors, ContainsSubstring("paxini PXSR-STDDP03A: "));
