@@ -100,8 +100,8 @@ tactile-net bench out/board.ordered.toml measured.csv --out bench
 
 `out/board.ordered.toml` is the scene with the realisation and the siemens that its board asked for, comments kept: all that follows goes on from it, `certify out/board.ordered.toml --board routed.kicad_pcb` of the board that you have changed in KiCad too. It says so in its first line
 if it names other files: move it beside the scene then. `--board` takes the place of `parasitic.node` and `parasitic.input`: every node of `relax`'s circuit and of `gen`'s deck (`Cbn0` and so on) has the capacitance of that file's copper. Without a built board
-`bench out/board.ordered.toml --simulate measured.csv` writes an example of measured.csv. Of 41 taxels `certify` takes a minute and a half of an idle core, its datasheet included, and `relax` some minutes, nearly all of them ngspice's transient. As shipped, the circuit oscillates on its board at 10 mS
-(slowest pole at +2.6e5 1/s); at the 112 mS that `certify` raises it to it has a phase margin of 45 degrees, and settles in 1.45 us, in ngspice within 0.01 % of that.
+`bench out/board.ordered.toml --simulate measured.csv` writes an example of measured.csv. Of 41 taxels `certify` takes a minute and a half of an idle core, its datasheet included, and `relax` some minutes, nearly all of them ngspice's transient. As shipped, at 10 mS, the circuit nearly oscillates on its board
+(a phase margin of 0.9 degrees); at the 99 mS that `certify` raises it to it has 47 degrees, and settles in 1.45 us, in ngspice within 0.01 % of that.
 
 ## What to order
 

@@ -43,9 +43,9 @@
 ///     skin of 16 x 16, normal traction alone     0.13 s           22 ms    12 ms
 ///
 /// What answers need of likely windows is kept, 256 MB at most. A frame of noise alone makes nearly
-/// all windows likely, of which, with 128 readings or more, 64 with a weight stand for all: with all
-/// tractions' intervals the first one takes 0.4 s, those after it 0.15 s, of 8 x 8 x 3 readings; of
-/// 17 x 17 x 3 half a depth apart 2.4 s and 0.6 s.
+/// all windows likely, of which, with 128 readings or more, 64 with a weight stand for all: with
+/// all tractions' intervals the first one takes 0.4 s, those after it 0.15 s, of 8 x 8 x 3
+/// readings; of 17 x 17 x 3 half a depth apart 2.4 s and 0.6 s.
 #pragma once
 
 #include <cstddef>

@@ -31,6 +31,7 @@ _FEW_READINGS = 768
 """Of more the default rule, aicc, finds an alpha near 0 where they are nearly as many as the unknowns; maximum likelihood holds."""
 _Y = (0.0, 1.0, 0.0)
 _Z = (0.0, 0.0, 1.0)
+_FACES_Y = "e_y follows z, as the middle of the taxels faces y: reference= states another direction"
 _CARRIED = "e_y is carried from the middle of the taxels, as the surface comes near its reference"
 _OF = {"m": "displacement", "N": "force", "Pa": "stress"}
 
@@ -175,10 +176,10 @@ class SensorRecording:
     def _frames(self) -> tuple[tuple[float, ...], str, str]:
         """What e_y follows, how, and a note: y made tangent, or carried where that is too near a normal of the surface."""
         middle = self.geometry.normals.mean(axis=0)
-        along = _Y if abs(middle[1]) < np.sqrt(0.5) * np.linalg.norm(middle) else _Z
-        along = along if self.pad.reference is None else self.pad.reference
+        faces_y = abs(middle[1]) >= np.sqrt(0.5) * np.linalg.norm(middle)
+        along = (_Z if faces_y else _Y) if self.pad.reference is None else self.pad.reference
         if self.geometry.flat or self._holds(along, "tangent") or not self._holds(along, "carried"):
-            return along, "tangent", ""
+            return along, "tangent", _FACES_Y if faces_y and self.pad.reference is None else ""
         return along, "carried", _CARRIED
 
     def _holds(self, reference: tuple[float, ...], frames: str) -> bool:
