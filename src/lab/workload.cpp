@@ -164,7 +164,7 @@ class LineCounter : Counter {
   void readings() {
     const std::size_t count = scene_.sensor.count;
     const std::size_t kernels = channels_ * (sizes_.drags ? 2 : 1);
-    const double n = static_cast<double>(count);
+    const auto n = static_cast<double>(count);
     if (scene_.forward == ForwardModel::exact)
       add(Computation::readings, true, {Reason::exact_model},
           {.kind = CostKind::kernel_values, .count = readings_});

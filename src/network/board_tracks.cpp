@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -82,7 +83,7 @@ struct Trunk {
 class ChannelOrder {
  public:
   explicit ChannelOrder(TrackChannel& channel) : runs_(channel.runs), left_(runs_.size()) {
-    for (std::size_t k = 0; k < left_.size(); ++k) left_[k] = k;
+    std::iota(left_.begin(), left_.end(), std::size_t{0});
     std::vector<std::size_t> covers(runs_.size(), 0);
     for (std::size_t a = 0; a < runs_.size(); ++a)
       for (std::size_t b = 0; b < runs_.size(); ++b) covers[a] += stubs_covered(runs_[a], runs_[b]);
@@ -108,7 +109,7 @@ class ChannelOrder {
   static bool covers(const ChannelRun& run, double x) {
     return x > run.low - via_beside_track && x < run.high + via_beside_track;
   }
-  std::size_t stubs_covered(const ChannelRun& run, const ChannelRun& other) const {
+  [[nodiscard]] static std::size_t stubs_covered(const ChannelRun& run, const ChannelRun& other) {
     if (&run == &other) return 0;
     return static_cast<std::size_t>(
         std::count_if(other.outlets.begin(), other.outlets.end(),

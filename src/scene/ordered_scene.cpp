@@ -86,7 +86,7 @@ std::string ordered_scene(std::string_view toml, const AnyScene& scene,
       edited.replace(*own, value);
     } else {
       lines += std::string(key) + " = " + value + line_end;
-      inside += ' ' + std::string(key) + " = " + value + ',';
+      inside.append(" ").append(key).append(" = ").append(value).append(",");
     }
   }
   std::string tail;
