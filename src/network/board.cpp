@@ -88,14 +88,12 @@ class BoardOf {
 
   Board board() && {
     for (std::size_t r = 0; r < circuit_.resistors.size(); ++r) {
-      const std::size_t other = r < soldered_.partner.size() ? soldered_.partner[r] : r;
+      const std::size_t other = partner_of(r);
+      const bool is_second = other < r && partner_of(other) == r;
+      if (!is_second) parts_.resistors.emplace_back();
+      unit_of_.push_back(is_second ? unit_of_[other] : parts_.resistors.size() - 1);
       add_resistor(r);
-      if (other < r && partner_of(other) == r)
-        parts_.resistors[unit_of_[other]].push_back(board_.footprints.size() - 1);
-      else
-        parts_.resistors.push_back({board_.footprints.size() - 1});
-      unit_of_.push_back(other < r && partner_of(other) == r ? unit_of_[other]
-                                                             : parts_.resistors.size() - 1);
+      parts_.resistors[unit_of_[r]].push_back(board_.footprints.size() - 1);
     }
     add_amplifiers();
     add_test_points();

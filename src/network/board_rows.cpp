@@ -38,30 +38,29 @@ struct UnitGroup {
   std::size_t slots = 0;
 };
 
-/// What stands in a row of slots, and where it would like to.
+/// What stands in a row, in slots or in millimetres: from where on, at first as it would like to.
+template <class Length>
 struct Standing {
-  std::size_t wanted = 0;
-  std::size_t slots = 0;
+  Length left{};
+  Length width{};
   std::size_t index = 0;
 };
 
-/// From the left as near to where each would stand as the others allow.
-std::vector<std::size_t> stand(std::vector<Standing>& all, std::size_t slots) {
+/// Between these, in their order, as near to where each would stand as the others allow.
+template <class Length>
+void stand(std::vector<Standing<Length>>& all, Length first, Length last) {
   std::stable_sort(all.begin(), all.end(),
-                   [](const Standing& a, const Standing& b) { return a.wanted < b.wanted; });
-  std::vector<std::size_t> at;
-  std::size_t end = 0;
-  for (const Standing& one : all) {
-    at.push_back(std::max(one.wanted, end));
-    end = at.back() + one.slots;
+                   [](const auto& a, const auto& b) { return a.left < b.left; });
+  for (Standing<Length>& one : all) {
+    one.left = std::max(one.left, first);
+    first = one.left + one.width;
   }
-  std::size_t limit = slots;
   for (std::size_t k = all.size(); k-- > 0;) {
-    at[k] = std::min(at[k], limit - all[k].slots);
-    limit = at[k];
+    all[k].left = std::min(all[k].left, last - all[k].width);
+    last = all[k].left;
   }
-  return at;
 }
+using StandingInSlots = Standing<std::size_t>;
 
 class Placement {
  public:
@@ -212,7 +211,7 @@ class Placement {
       shelf->slots += group.slots;
     }
     for (const Shelf& shelf : shelves) {
-      std::vector<Standing> all;
+      std::vector<StandingInSlots> all;
       BoardRow row;
       for (const std::size_t g : shelf.groups) {
         for (const std::size_t u : groups_[g].units)
@@ -221,8 +220,8 @@ class Placement {
           add_at(row, *groups_[g].test_point, board_margin + test_point_name, 0.0);
       }
       if (shelf.groups.size() == 1) row.name = board_.nets[groups_[shelf.groups[0]].net];
-      const std::vector<std::size_t> at = stand(all, slots_);
-      for (std::size_t k = 0; k < all.size(); ++k) add_unit(row, units_[all[k].index], at[k]);
+      stand(all, std::size_t{0}, slots_);
+      for (const StandingInSlots& one : all) add_unit(row, units_[one.index], one.left);
       rows_.push_back(std::move(row));
     }
   }
@@ -248,15 +247,15 @@ class Placement {
   void add_loose_test_points() {
     for (std::size_t k = 0; k < loose_.size();) {
       BoardRow row;
-      std::vector<Standing> all;
+      std::vector<StandingInSlots> all;
       for (; k < loose_.size() && (all.size() + 1) * slots_of_test_point <= slots_; ++k) {
         const auto column = columns_.find(part(loose_[k]).pads[0].net);
         all.push_back(
             {column == columns_.end() ? 0 : home(column->second), slots_of_test_point, loose_[k]});
       }
-      const std::vector<std::size_t> at = stand(all, slots_);
-      for (std::size_t one = 0; one < all.size(); ++one)
-        add_at(row, all[one].index, x_of(at[one]) + test_point_name, 0.0);
+      stand(all, std::size_t{0}, slots_);
+      for (const StandingInSlots& one : all)
+        add_at(row, one.index, x_of(one.left) + test_point_name, 0.0);
       rows_.push_back(std::move(row));
     }
   }
@@ -288,11 +287,7 @@ class Placement {
     const auto in_row = static_cast<std::size_t>(std::floor(room / widest_amplifier()));
     const std::size_t count = (parts_.amplifiers.size() + in_row - 1) / in_row;
     for (std::size_t k = 0; k < count; ++k) {
-      struct Wanted {
-        double left = 0.0, width = 0.0;
-        std::size_t amplifier = 0;
-      };
-      std::vector<Wanted> all;
+      std::vector<Standing<double>> all;
       for (std::size_t a = k; a < parts_.amplifiers.size(); a += count) {
         double sum = 0.0;
         double nets = 0.0;
@@ -304,20 +299,11 @@ class Placement {
         const double width = width_of(parts_.amplifiers[a]);
         all.push_back({(nets > 0.0 ? sum / nets : board_margin) - 0.5 * width, width, a});
       }
-      std::stable_sort(all.begin(), all.end(),
-                       [](const Wanted& a, const Wanted& b) { return a.left < b.left; });
-      double end = board_margin;
-      for (Wanted& one : all) {
-        one.left = std::max(one.left, end);
-        end = one.left + one.width;
-      }
-      double limit = board_.width - board_margin;
-      for (auto one = all.rbegin(); one != all.rend(); ++one)
-        limit = one->left = std::min(one->left, limit - one->width);
+      stand(all, board_margin, board_.width - board_margin);
       BoardRow row{.begins_section = true};
       BoardRow capacitors;
-      for (const Wanted& one : all) {
-        const std::vector<std::size_t>& own = parts_.amplifiers[one.amplifier];
+      for (const Standing<double>& one : all) {
+        const std::vector<std::size_t>& own = parts_.amplifiers[one.index];
         add_at(row, own.front(), one.left, angle_of(part(own.front())));
         double x = one.left;
         for (auto index = own.begin() + 1; index != own.end(); ++index) {

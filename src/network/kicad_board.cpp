@@ -4,20 +4,12 @@
 #include <string>
 #include <utility>
 
+#include "network/s_expression.hpp"
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char one : text) {
-    if (one == '"' || one == '\\') result += '\\';
-    result += one;
-  }
-  return result + '"';
-}
 
 /// KiCad counts nanometres.
 std::string millimetres(double value) { return shortest(std::round(value * 1e6) / 1e6 + 0.0); }
@@ -74,8 +66,8 @@ std::string plane_of(const Board& board, const std::string& net, const char* lay
   const auto at = std::find(board.nets.begin(), board.nets.end(), net);
   const std::string right = millimetres(board.width + sheet_corner - 0.5);
   const std::string bottom = millimetres(board.height + sheet_corner - 0.5);
-  return "  (zone (net " + std::to_string(at - board.nets.begin()) + ") (net_name " + quoted(net) +
-         ") (layer \"" + layer +
+  return "  (zone (net " + std::to_string(at - board.nets.begin()) + ") (net_name " +
+         quoted_text(net) + ") (layer \"" + layer +
          "\") (hatch edge 0.508)\n    (connect_pads (clearance 0.3))\n    (min_thickness 0.2)\n"
          "    (fill yes (thermal_gap 0.3) (thermal_bridge_width 0.3))\n    (polygon (pts (xy 20.5 "
          "20.5) (xy " +
@@ -87,8 +79,8 @@ std::string text_of(const Footprint& one, const char* kind, const std::string& t
                     double y, const char* style) {
   // KiCad turns the place with the part, and keeps the angle.
   for (long k = std::lround(one.angle / 90.0); k < 4; ++k) x = std::exchange(y, -x);
-  return std::string("    (fp_text ") + kind + ' ' + quoted(text) + ' ' + at(x, y, 90.0) + style +
-         '\n';
+  return std::string("    (fp_text ") + kind + ' ' + quoted_text(text) + ' ' + at(x, y, 90.0) +
+         style + '\n';
 }
 
 constexpr const char* on_silk =
@@ -123,14 +115,14 @@ std::string text_of(const BoardPad& pad, const Footprint& one, const Board& boar
   if (one.kind == Footprint::Kind::screw)
     return "    (pad \"\" np_thru_hole circle (at 0 0) (size 3.2 3.2) (drill 3.2) (layers \"*.Cu\" "
            "\"*.Mask\"))\n";
-  std::string text = "    (pad " + quoted(pad.name);
+  std::string text = "    (pad " + quoted_text(pad.name);
   text += pad.drilled ? " thru_hole rect " : " smd roundrect ";
   text += at(pad.x, pad.y, one.angle) + " (size " + millimetres(pad.width) + ' ' +
           millimetres(pad.height);
   text += pad.drilled ? ") (drill 1) (layers \"*.Cu\" \"*.Mask\")"
                       : ") (layers \"F.Cu\" \"F.Paste\" \"F.Mask\") (roundrect_rratio 0.25)";
   if (pad.net != 0)
-    text += " (net " + std::to_string(pad.net) + ' ' + quoted(board.nets[pad.net]) + ')';
+    text += " (net " + std::to_string(pad.net) + ' ' + quoted_text(board.nets[pad.net]) + ')';
   return text + ")\n";
 }
 
@@ -144,13 +136,13 @@ void write_kicad_board(std::ostream& out, const Board& board) {
   text += layers;
   text += std::string("  (setup\n") + stackup + "    (pad_to_mask_clearance 0)\n  )\n";
   for (std::size_t net = 0; net < board.nets.size(); ++net)
-    text += "  (net " + std::to_string(net) + ' ' + quoted(board.nets[net]) + ")\n";
+    text += "  (net " + std::to_string(net) + ' ' + quoted_text(board.nets[net]) + ")\n";
   for (const Footprint& one : board.footprints) {
-    text += "  (footprint " + quoted(one.library) + " (layer \"F.Cu\") " +
+    text += "  (footprint " + quoted_text(one.library) + " (layer \"F.Cu\") " +
             at(one.x + sheet_corner, one.y + sheet_corner, one.angle) + '\n';
-    text += "    (property \"Element\" " + quoted(one.element) + ")\n";
+    text += "    (property \"Element\" " + quoted_text(one.element) + ")\n";
     if (!one.tolerance.empty())
-      text += "    (property \"Tolerance\" " + quoted(one.tolerance) + ")\n";
+      text += "    (property \"Tolerance\" " + quoted_text(one.tolerance) + ")\n";
     text += one.pads.front().drilled ? "    (attr through_hole" : "    (attr smd";
     text += one.is_bought() ? ")\n" : " exclude_from_pos_files exclude_from_bom)\n";
     text += drawing_of(one, board);
@@ -167,7 +159,7 @@ void write_kicad_board(std::ostream& out, const Board& board) {
             " (size 0.45) (drill 0.2) (layers \"F.Cu\" \"B.Cu\") (net " + std::to_string(one.net) +
             "))\n";
   for (const BoardText& one : board.texts)
-    text += "  (gr_text " + quoted(one.text) + ' ' +
+    text += "  (gr_text " + quoted_text(one.text) + ' ' +
             at(one.x + sheet_corner, one.y + sheet_corner, one.angle) + on_silk + '\n';
   text += "  (gr_rect (start 20 20) (end " + millimetres(board.width + sheet_corner) + ' ' +
           millimetres(board.height + sheet_corner) +

@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
+#include "network/s_expression.hpp"
 #include "tactile_net/network/arrays.hpp"
 #include "tactile_net/numeric/number_text.hpp"
+#include "tactile_net/numeric/sha256.hpp"
 
 namespace tactile_net {
 namespace schematic {
@@ -35,34 +35,15 @@ std::string at(double x, double y, int angle) {
   return "(at " + place(x) + ' ' + place(y) + ' ' + std::to_string(angle) + ')';
 }
 
-std::string in_quotes(const std::string& text) {
-  std::string result = "\"";
-  for (const char one : text) {
-    if (one == '"' || one == '\\') result += '\\';
-    result += one;
-  }
-  return result + '"';
-}
-
 std::string effects(const char* more = "", double size = letter) {
   return "(effects (font (size " + place(size) + ' ' + place(size) + "))" + more + ')';
 }
 
 /// The same for the same name, so that equal boards are equal files.
 std::string identifier(const std::string& name) {
-  std::array<std::uint64_t, 2> halves = {0xcbf29ce484222325U, 0x84222325cbf29ce4U};
-  for (std::size_t k = 0; k < 2; ++k)
-    for (const char one : name) {  // Fowler, Noll and Vo
-      halves[k] ^= static_cast<unsigned char>(one) + 0x100U * k;
-      halves[k] *= 0x100000001b3U;
-    }
-  std::array<char, 40> text{};
-  (void)std::snprintf(
-      text.data(), text.size(), "%08x-%04x-5%03x-8%03x-%012llx",
-      static_cast<unsigned>(halves[0] >> 32U), static_cast<unsigned>(halves[0] >> 16U & 0xffffU),
-      static_cast<unsigned>(halves[0] & 0xfffU), static_cast<unsigned>(halves[1] >> 52U),
-      static_cast<unsigned long long>(halves[1] & 0xffffffffffffU));
-  return text.data();
+  const std::string hash = sha256_text(name);
+  return hash.substr(0, 8) + '-' + hash.substr(8, 4) + "-5" + hash.substr(12, 3) + "-8" +
+         hash.substr(15, 3) + '-' + hash.substr(18, 12);
 }
 
 /// A footprint's pins: pads of one name are one.
@@ -115,7 +96,7 @@ struct Symbol {
 
 std::string property(const char* name, const std::string& value, int id, const std::string& where,
                      const char* more) {
-  return "    (property \"" + std::string(name) + "\" " + in_quotes(value) + " (id " +
+  return "    (property \"" + std::string(name) + "\" " + quoted_text(value) + " (id " +
          std::to_string(id) + ") " + where + ' ' + effects(more) + ")\n";
 }
 
@@ -155,8 +136,9 @@ std::string text_of(const Symbol& symbol) {
     const auto [x, y] = symbol.end(k);
     const double length = symbol.box ? pitch : symbol.letters == "R" ? 0.5 * pitch : 1.3 * pitch;
     text += "        (pin passive line " + at(x, y, Symbol::points_right(x) ? 180 : 0) +
-            " (length " + place(length) + ") (name " + in_quotes(symbol.pins[k].name) + ' ' +
-            effects() + ") (number " + in_quotes(symbol.pins[k].number) + ' ' + effects() + "))\n";
+            " (length " + place(length) + ") (name " + quoted_text(symbol.pins[k].name) + ' ' +
+            effects() + ") (number " + quoted_text(symbol.pins[k].number) + ' ' + effects() +
+            "))\n";
   }
   return text + "      )\n    )\n";
 }
@@ -330,8 +312,8 @@ class Schematic {
                        at(x, y + above + 1.5 * letter, 0),
                        one.kind == Footprint::Kind::amplifier ? "" : " hide");
     for (const Pin& pin : part.pins)
-      text += "    (pin " + in_quotes(pin.number) + " (uuid " + identifier(id + '.' + pin.number) +
-              "))\n";
+      text += "    (pin " + quoted_text(pin.number) + " (uuid " +
+              identifier(id + '.' + pin.number) + "))\n";
     text += "  )\n";
     for (std::size_t k = 0; k < part.pins.size(); ++k) {
       const auto [along, up] = symbol.end(k);
@@ -346,7 +328,7 @@ class Schematic {
     if (pin.net == 0)
       return "  (no_connect (at " + place(x) + ' ' + place(y) + ") (uuid " + identifier(id) +
              "))\n";
-    return "  (global_label " + in_quotes(board_.nets[pin.net]) + " (shape passive) " +
+    return "  (global_label " + quoted_text(board_.nets[pin.net]) + " (shape passive) " +
            at(x, y, right ? 0 : 180) + ' ' +
            effects(right ? " (justify left)" : " (justify right)") + "\n    (uuid " +
            identifier(id) +
@@ -368,8 +350,8 @@ class Schematic {
         cell = {std::max(cell.width, room.width), std::max(cell.height, room.height)};
       }
       y += 2.0 * pitch;
-      text += "  (text " + in_quotes(sheet.parts[first].group) + ' ' + at(sheet_edge, y, 0) + ' ' +
-              effects(" (justify left bottom)", 2.0 * letter) + " (uuid " +
+      text += "  (text " + quoted_text(sheet.parts[first].group) + ' ' + at(sheet_edge, y, 0) +
+              ' ' + effects(" (justify left bottom)", 2.0 * letter) + " (uuid " +
               identifier(sheet.title + '#' + sheet.parts[first].group) + "))\n";
       y += pitch;
       const auto columns =
@@ -393,7 +375,7 @@ class Schematic {
                        identifier(sheet.file) + ")\n  (paper \"User\" " +
                        place(sheet_width + 2.0 * sheet_edge) + ' ' +
                        place(std::max(height + title_block, 210.0)) + ")\n  (title_block (title " +
-                       in_quotes(sheet.title) + "))\n  (lib_symbols\n";
+                       quoted_text(sheet.title) + "))\n  (lib_symbols\n";
     std::vector<bool> used(symbols_.size());
     for (const Part& part : sheet.parts) used[part.symbol] = true;
     for (std::size_t k = 0; k < symbols_.size(); ++k)
@@ -440,8 +422,8 @@ class Schematic {
       const Footprint& one = *part.footprint;
       const std::string reference = one.reference();
       text += "    (path \"" + path + identifier(sheet.title + '/' + reference) + "\" (reference " +
-              in_quotes(reference) + ") (unit 1) (value " + in_quotes(one.value) + ") (footprint " +
-              in_quotes(one.library) + "))\n";
+              quoted_text(reference) + ") (unit 1) (value " + quoted_text(one.value) +
+              ") (footprint " + quoted_text(one.library) + "))\n";
     }
     return text;
   }

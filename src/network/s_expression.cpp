@@ -27,6 +27,15 @@ std::size_t end_of_text(std::string_view text, std::size_t at) {
 
 }  // namespace
 
+std::string quoted_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char one : text) {
+    if (one == '"' || one == '\\') result += '\\';
+    result += one;
+  }
+  return result + '"';
+}
+
 SExpression::SExpression(std::string_view text, std::string file) : file_(std::move(file)) {
   std::vector<std::size_t> open;
   std::vector<std::size_t> last;  // part of each open list

@@ -10,6 +10,9 @@
 
 namespace tactile_net {
 
+/// A text as these files have it.
+[[nodiscard]] std::string quoted_text(std::string_view text);
+
 /// One list, its parts in order. Read once, without recursion: no file exhausts the stack.
 class SExpression {
   static constexpr auto none = static_cast<std::size_t>(-1);

@@ -281,7 +281,6 @@ std::string calibrated_scene(std::string_view toml, const AnyScene& nominal, con
   const std::string file = std::visit([](const auto& one) { return one.file; }, nominal);
   Problems problems(file, text);
   const toml::table root = parse_document(text, file, problems);
-  problems.throw_if_any();
   EditedText edited(text);
   const auto put = [&](const toml::node* node, PadParameter parameter, const Unit& unit) {
     const FittedValue& value = fit.at(parameter);

@@ -74,7 +74,6 @@ std::string ordered_scene(std::string_view toml, const AnyScene& scene,
   const std::string file = std::visit([](const auto& one) { return one.file; }, scene);
   Problems problems(file, text);
   const toml::table root = parse_document(text, file, problems);
-  problems.throw_if_any();
   const std::string line_end = text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
   const AnyScene stated = parse_any_scene(text, file);
   EditedText edited(text);
