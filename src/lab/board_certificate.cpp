@@ -46,9 +46,7 @@ class OnBoard {
     result_.copper = net_copper(board);
     const NetworkCircuit plain(result_.realization, problem_, options);
     result_.nodes = node_capacitances(board, result_.copper, plain.flat().circuit(),
-                                      circuit.options().opamp_part != nullptr
-                                          ? std::optional(circuit.options().opamp_part->packaged())
-                                          : std::nullopt);
+                                      package_of(circuit.options().opamp_part));
     options_ = options;
     result_.circuit = at(options.scale.siemens);
     result_.stated = result_.used = judged(*result_.circuit, true);
@@ -170,7 +168,8 @@ SceneCircuit on_board(const SceneCircuit& circuit, const LaidBoard& board) {
                              without_board(circuit.options()));
   return {circuit, std::make_shared<const NetworkCircuit>(
                        plain.realization(), plain.shared_problem(), plain.options(),
-                       node_capacitances(board, net_copper(board), plain.flat().circuit()))};
+                       node_capacitances(board, net_copper(board), plain.flat().circuit(),
+                                         package_of(circuit.options().opamp_part)))};
 }
 
 SceneCircuit circuit_on_board(const AnyScene& scene, const std::optional<LaidBoard>& board) {

@@ -299,7 +299,7 @@ PartsList list_of(const SceneCircuit& circuit, double target,
         .arrays = by_array(offer, result.wanted.classes.size()),
         .network = offer.circuit,
         .bought = {siemens_of(offer.values), errors_of(offer, result.wanted, drawn.common)}};
-    if (options.opamp_part != nullptr) choice.soldered.amplifiers = options.opamp_part->packaged();
+    choice.soldered.amplifiers = package_of(options.opamp_part);
     choice.order = order_of(choice.soldered);
     result.choice = std::make_shared<const PartsList::Choice>(std::move(choice));
   }

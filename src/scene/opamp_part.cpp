@@ -151,6 +151,11 @@ OpAmpPart part_of(const OpAmpPartFile& file) {
 
 }  // namespace
 
+std::optional<AmplifierPackage> package_of(const OpAmpPart* part) {
+  if (part == nullptr) return std::nullopt;
+  return part->packaged();
+}
+
 std::span<const OpAmpPart> opamp_parts() {
   static const std::vector<OpAmpPart> parts = [] {
     std::vector<OpAmpPart> all;

@@ -29,6 +29,32 @@ Json json_of(const std::vector<std::string>& words) {
 
 }  // namespace
 
+TEST_CASE("a board of a part with pins of its own is that of its scene", "[cli][board]") {
+  const Folder folder;
+  std::string text = weak_circuit;
+  const std::string usual = "\"precision\"";
+  text.replace(text.find(usual), usual.size(),
+               "{ part = \"THS4541\", second_pole = 850e6, gain = 1e5 }");
+  const std::string scene = folder.write("s.toml", text);
+  const std::string out = folder / "out";
+  const ProcessResult made = run_tool({"certify", scene, "--realization", "crossbar", "--budget",
+                                       "5%", "--phase-margin", "10", "--out", out});
+  CAPTURE(made.output, made.errors);
+  REQUIRE(made.code == 0);
+  const std::string ordered = out + "/s.ordered.toml";
+  const std::string board = out + "/board.kicad_pcb";
+  REQUIRE_THAT(read_text(board), ContainsSubstring("VQFN-16"));
+  CHECK(run_tool({"certify", ordered, "--board", board}).code == 0);
+  const ProcessResult deck = run_tool({"gen", ordered, "--budget", "5%", "--board", board});
+  CAPTURE(deck.errors);
+  CHECK(deck.code == 0);
+  CHECK_THAT(deck.output, ContainsSubstring("\nCbn0 n0 0 "));
+  // Of the usual pins it is another board.
+  text.replace(text.find("{ part"), text.find('}') + 1 - text.find("{ part"), usual);
+  CHECK_THAT(run_tool({"gen", folder.write("usual.toml", text), "--board", board}).errors,
+             ContainsSubstring("not the board of this circuit"));
+}
+
 TEST_CASE("from a scene to a board by four commands", "[cli][board]") {
   const Folder folder;
   const std::string scene = folder.write("s.toml", weak_circuit);

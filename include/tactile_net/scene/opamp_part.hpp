@@ -49,6 +49,9 @@ struct OpAmpPart {
   std::vector<Figure> figures{};
 };
 
+/// As boards take it; absent: no part is named.
+[[nodiscard]] std::optional<AmplifierPackage> package_of(const OpAmpPart* part);
+
 /// Those of circuits/parts, in the order of their names.
 [[nodiscard]] std::span<const OpAmpPart> opamp_parts();
 
