@@ -84,7 +84,7 @@ std::string ordered_scene(std::string_view toml, const AnyScene& scene,
     if (const toml::node* own = network == nullptr ? nullptr : network->get(key)) {
       edited.replace(*own, value);
     } else {
-      lines += std::string(key) + " = " + value + line_end;
+      lines.append(key).append(" = ").append(value).append(line_end);
       inside.append(" ").append(key).append(" = ").append(value).append(",");
     }
   }
