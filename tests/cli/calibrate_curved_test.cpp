@@ -100,8 +100,21 @@ class PressedDome {
     return state;
   }
 
-  /// A log of 14 presses; @param in_space  places in the sensor's axes, else on the chart
-  std::string log(bool in_space) {
+  struct Ball {
+    double y, z, radius, force;
+  };
+
+  /// The first of 14 presses, all over the dome.
+  static std::vector<Ball> balls(int count = 14) {
+    std::vector<Ball> all;
+    for (int p = 0; p < count; ++p)
+      all.push_back({1e-3 * (-4.5 + 3.0 * (p / 4) + 0.2 * (p % 3)), 1e-3 * (-4.5 + 3.0 * (p % 4)),
+                     1e-3 * (3.0 + 1.3 * (p % 4)), 0.4 + 0.05 * (p % 7)});
+    return all;
+  }
+
+  /// A log. @param in_space  places in the sensor's axes, else on the chart
+  std::string log(bool in_space, const std::vector<Ball>& done = balls()) {
     const std::vector<std::string> names = reading_names(skin_);
     std::string text = std::string("press,shape,force,force_sd,") +
                        (in_space ? "place_x,place_y,place_z" : "position_y,position_z") +
@@ -111,11 +124,8 @@ class PressedDome {
     text += '\n';
     for (int row = 0; row < 24; ++row)
       text += "0,none" + std::string(in_space ? 8 : 7, ',') + joined(numbers(nullptr)) + '\n';
-    for (int p = 0; p < 14; ++p) {
-      const double y = 1e-3 * (-4.5 + 3.0 * (p / 4) + 0.2 * (p % 3));
-      const double z = 1e-3 * (-4.5 + 3.0 * (p % 4));
-      const double radius = 1e-3 * (3.0 + 1.3 * (p % 4));
-      const double force = 0.4 + 0.05 * (p % 7);
+    int p = 0;
+    for (const auto& [y, z, radius, force] : done) {
       const PressState press = ball(y, z, radius, force);
       text += std::to_string(p + 1) + ",sphere," + shortest(force * (1.0 + 0.01 * (p % 2))) + ',' +
               shortest(0.01 * force);
@@ -124,6 +134,7 @@ class PressedDome {
       else
         text += ',' + shortest(1e3 * y) + ',' + shortest(1e3 * z);
       text += ",0.1," + shortest(1e3 * radius) + ',' + joined(numbers(&press)) + '\n';
+      ++p;
     }
     return text;
   }
@@ -235,6 +246,39 @@ TEST_CASE("a dome's depth, thickness, modulus and gains are found from balls",
   CAPTURE(before, after);
   CHECK(after < 0.06);
   CHECK(after < 0.7 * before);
+}
+
+TEST_CASE("a dome's next press tells as much of the depth as was said before it was done",
+          "[cli][calibrate][curved]") {
+  const Folder folder;
+  const std::string scene = write_dome(folder);
+  std::vector<PressedDome::Ball> done = PressedDome::balls(4);
+  const auto calibrated = [&](const std::vector<PressedDome::Ball>& balls) {
+    const ProcessResult result =
+        run_tool({"calibrate", folder.write("log.csv", PressedDome(4).log(true, balls)), "--scene",
+                  scene, "--next", "2", "--target", "depth", "--json", folder / "found.json"});
+    CAPTURE(result.output, result.errors);
+    REQUIRE(result.code == 0);
+    CHECK_THAT(result.output,
+               ContainsSubstring("contact radius") && ContainsSubstring("of the depth is unknown"));
+    return Json::parse(read_text(folder / "found.json"));
+  };
+  const auto unknown_of = [](const Json& json) {
+    const Json& depth = json["parameters"]["depth"];
+    return depth["sd"].get<double>() / depth["value"].get<double>();
+  };
+  const Json before = calibrated(done);
+  CHECK_THAT(before["unknown_now"].get<double>(), WithinRel(unknown_of(before), 0.1));
+  REQUIRE(before["next"].size() == 2);
+  for (const Json& next : before["next"]) {
+    REQUIRE(next["shape"] == "sphere");
+    done.push_back({next["position"].get<double>(), next["position_z"].get<double>(),
+                    next["radius"].get<double>(), next["force"].get<double>()});
+    const Json after = calibrated(done);
+    const double said = next["unknown_then"].get<double>();
+    CHECK_THAT(unknown_of(after), WithinRel(said, 0.15));
+    CHECK(said < 0.95 * unknown_of(before));
+  }
 }
 
 TEST_CASE("places of presses on the chart are those in space", "[cli][calibrate][curved]") {
