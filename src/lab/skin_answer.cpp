@@ -188,7 +188,9 @@ class SkinFrameMethod final : public FrameMethod {
   [[nodiscard]] bool has_bands() const override { return true; }
   Uncertain add_bands(FrameAnswer& answer) override {
     if (mixture_) {
-      add_mixture_bands(answer, problem_, readings_);
+      // Of one alpha: windows leave few degrees of freedom, and hardly smooth.
+      const double degrees = method_->degrees_of_freedom(answer.alpha.value);
+      add_mixture_bands(answer, problem_, readings_, smoothed_variance(problem_, degrees));
       doubt_flat_kernel(answer);
       return answer.wrench.normal;
     }
@@ -235,8 +237,18 @@ class SkinFrameMethod final : public FrameMethod {
  private:
   static std::shared_ptr<const LoadMixture> mixture_of(const SkinSceneProblem& problem,
                                                        std::span<const double> readings) {
-    return std::make_shared<const LoadMixture>(
-        problem.load_prior().given(readings, load_noise(problem.scene())));
+    LoadNoise noise = load_noise(problem.scene());
+    noise.model_share = std::hypot(noise.model_share, share_of_cells(problem));
+    return std::make_shared<const LoadMixture>(problem.load_prior().given(readings, noise));
+  }
+  /// How much of a load's force its cells may be off by, as they cannot have its shape. By the
+  /// square of their size: measured of contacts of a tenth of a depth to two of them
+  /// (docs/internals/mixture.md).
+  static double share_of_cells(const SkinSceneProblem& problem) {
+    constexpr double of_depth = 0.016;  // of cells as large as the taxels are deep
+    const double size = std::max(problem.grid().spacing_y, problem.grid().spacing_z) /
+                        least_depth(problem.scene().sensor);
+    return of_depth * size * size;
   }
   /// Whether tractions are the mixture's mean.
   [[nodiscard]] bool is_mean(const SkinSceneProblem& problem) const {

@@ -159,7 +159,7 @@ WrenchDistributions wrench_distributions(const LoadMixture& mixture, const Linea
 }
 
 void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
-                       std::span<const double> readings) {
+                       std::span<const double> readings, double smoothed) {
   const LoadMixture& mixture = *answer.mixture;
   const LinearProblem& solved = problem.problem();
   const SurfaceGrid& grid = solved.grid;
@@ -197,11 +197,9 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
   answer.patches.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     // Its cells tell its size, and all that lies nearest to them what presses.
-    ContactPatch patch =
-        patches_of(grid, f, std::span(&contacts[k], 1), about, rms,
-                   {.friction_limit = limit,
-                    .smoothed_variance = smoothed_variance(problem, mixture.degrees_of_freedom())})
-            .front();
+    ContactPatch patch = patches_of(grid, f, std::span(&contacts[k], 1), about, rms,
+                                    {.friction_limit = limit, .smoothed_variance = smoothed})
+                             .front();
     patch.wrench = contacts.size() == 1 ? answer.wrench
                                         : resultant_of(grid, mean, regions[k], covariance, rms);
     if (contacts.size() > 1) {

@@ -12,8 +12,9 @@ namespace tactile_net::lab {
 /// cells, and of each contact those of the cells that lie nearest to it. Under constraints the
 /// tractions are the cones', the rest is the mixture's.
 ///
+/// @param smoothed  the variance of place that smoothing may have added to a contact
 /// @pre  the answer has a mixture and tractions
 void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
-                       std::span<const double> readings);
+                       std::span<const double> readings, double smoothed);
 
 }  // namespace tactile_net::lab

@@ -179,7 +179,8 @@ FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const
   bands.patches = own.of(
       patches_of(own.grid(), f, about, rms, bands.resultant,
                  {.friction_limit = scene.scene().reconstruct.friction_limit,
-                  .smoothed_variance = smoothed_variance(scene, mixture.degrees_of_freedom()),
+                  .smoothed_variance = smoothed_variance(
+                      scene, frame.problem().family().degrees_of_freedom(result.alpha->value)),
                   .between = between}));
   const std::vector<Distribution> each = own.of(mixture);
   const BoundTractions about_these{.values = tractions, .pressures = scene.surface().count};

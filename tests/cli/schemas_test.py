@@ -64,7 +64,7 @@ def shortened(value):
 maps = [lambda key: key.startswith(("stress_", "strain_", "shear_")), lambda key: key in verdicts]
 verdicts = set()
 # What is there only where it means something.
-optional = {"frame", "constraints", "failure", "parts", "tangential", "replayed", "replay_difference", "units", "baseline", "iteration", "taxels", "other_base_gain", "answer", "interval", "low", "high"}
+optional = {"frame", "constraints", "failure", "parts", "tangential", "replayed", "replay_difference", "units", "baseline", "iteration", "taxels", "other_base_gain", "answer", "interval", "low", "high", "alpha_quartiles"}
 
 
 def check_strict(document, valid):

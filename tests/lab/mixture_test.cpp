@@ -339,6 +339,70 @@ TEST_CASE("a skin is answered by its mixture where that is asked for", "[lab][mi
   CHECK(solver.solve(read, {})->tractions == answer.tractions);
 }
 
+TEST_CASE("a skin's mixture holds contacts that are much narrower than a depth, between taxels too",
+          "[lab][mixture][skin][bands]") {
+  constexpr double force = 0.5;
+  const double noise = GENERATE(2e-3, 2e-4);  // 1 % and 0.1 % of the largest reading
+  SkinScene scene = pressed_skin("");
+  scene.contacts.resize(1);
+  scene.noise->seed = 1;
+  for (auto& [quantity, rms] : scene.noise->rms) rms = noise;
+  auto& contact = std::get<SkinContact>(scene.contacts.front());
+  contact.force = force;
+  int held = 0;
+  int all = 0;
+  std::vector<double> widths;
+  for (const double radius : {0.1, 0.25, 0.5})
+    for (const auto& [y, z] : {std::pair(0.0, 0.0), std::pair(0.5, 0.0), std::pair(0.5, 0.5),
+                               std::pair(0.25, 0.1), std::pair(1.8, -0.9)}) {
+      contact.y = y;
+      contact.z = z;
+      contact.radius = radius;
+      ++scene.noise->seed;
+      const SkinSceneProblem problem(scene);
+      REQUIRE(problem.answers_by_mixture());
+      const FrameAnswer answer = solve(problem, simulate(scene).readings);
+      const Uncertain& found = answer.wrench.normal;
+      CAPTURE(radius, y, z, found.value, found.deviation);
+      REQUIRE(found.interval);
+      ++all;
+      held += found.interval->low <= force && force <= found.interval->high;
+      widths.push_back((found.interval->high - found.interval->low) / force);
+      CHECK(std::abs(found.value - force) < 0.05 * force);
+    }
+  CAPTURE(noise, held, all);
+  CHECK(held >= all - 2);
+  std::sort(widths.begin(), widths.end());
+  CHECK(widths[widths.size() / 2] < 0.08);
+}
+
+TEST_CASE("the length of a contact is known to a fifth under constraints, and held",
+          "[lab][mixture]") {
+  const double pitch = GENERATE(1.0, 0.5, 0.25);
+  const double half_width = GENERATE(0.6, 1.0, 2.0);
+  // (sum p)^2 over the sum of p^2, of Hertz' pressure.
+  const double truth = 3.0 * std::numbers::pi * std::numbers::pi / 16.0 * half_width;
+  for (int k = 0; k < 3; ++k) {
+    const Scene scene = parse_scene(
+        "[sensor]\ncount = " + std::to_string(std::lround(15.0 / pitch)) +
+            "\npitch = " + std::to_string(pitch) +
+            "\ndepth = 1.0\nreads = [\"stress_x\"]\n[material]\nyoungs_modulus = 1.0\n"
+            "poisson_ratio = 0.45\n[[contact]]\nshape = \"cylinder\"\nforce = 1.0\ncenter = " +
+            std::to_string(0.37 * k - 0.5) + "\nhalf_width = " + std::to_string(half_width) +
+            "\n[noise]\nrms = 4e-3\nseed = " + std::to_string(k) +
+            "\n[reconstruct]\nnonnegative = true\n",
+        "pad.toml");
+    const FrameAnswer answer = answered(scene);
+    REQUIRE(answer.mixture);
+    REQUIRE(answer.bands->patches.size() == 1);
+    REQUIRE(answer.bands->patches.front().extent);
+    const Uncertain& length = *answer.bands->patches.front().extent;
+    CAPTURE(pitch, half_width, truth, length.value, length.deviation);
+    CHECK(std::abs(length.value - truth) < 2.0 * length.deviation);
+    CHECK(length.deviation < 0.3 * truth);
+  }
+}
+
 TEST_CASE("a skin of dense taxels is answered by its mixture unless that takes long",
           "[lab][mixture][skin]") {
   const auto has_interval = [](const SkinSceneProblem& problem) {
@@ -361,8 +425,12 @@ TEST_CASE("a skin of dense taxels is answered by its mixture unless that takes l
   const SkinScene first = dense("");
   CHECK(has_interval(SkinSceneProblem(first)));
   CHECK(solve(SkinSceneProblem(first), simulate(first).readings).mixture);
+  CHECK(SkinSceneProblem(pressed_skin("")).answers_by_mixture());  // as far apart as deep
   // Between taxels that lie farther apart, or that feel no pressure, may be what no window holds.
-  CHECK_FALSE(SkinSceneProblem(pressed_skin("")).answers_by_mixture());
+  SkinScene coarse = pressed_skin("");
+  coarse.sensor.pitch_y *= 1.01;
+  coarse.sensor.pitch_z *= 1.01;
+  CHECK_FALSE(SkinSceneProblem(coarse).answers_by_mixture());
   SkinScene sheared = dense("");
   sheared.sensor.reads = {Quantity::shear_xy, Quantity::shear_xz};
   CHECK_FALSE(SkinSceneProblem(sheared).answers_by_mixture());

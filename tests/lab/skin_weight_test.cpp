@@ -87,7 +87,8 @@ TEST_CASE("a weight of its own makes no seed worse, and presses lose their drag"
   const double friction = GENERATE(0.0, 0.3);
   double drag[2] = {};
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const SkinScene scene = weighted_skin("friction_limit = 0.8\n", friction, seed);
+    const SkinScene scene =
+        weighted_skin("answer = \"alpha\"\nfriction_limit = 0.8\n", friction, seed);
     double error[2] = {};
     for (const std::size_t own : {0U, 1U}) {
       const Experiment found = run(own == 0 ? scene : weighed(scene, std::nullopt));
