@@ -123,7 +123,7 @@ std::vector<std::size_t> rows_of(const NpzFile& file, const SkinArray& skin) {
   return rows;
 }
 
-/// A number that the file may have; it must then be the scene's.
+/// A number that the file may have.
 std::optional<double> number_in(const NpzFile& file, std::string_view name) {
   if (!file.has(name)) return std::nullopt;
   const NpzArray array = file.array(name, 1);
@@ -143,7 +143,8 @@ void check_frame(const NpzFile& file, const SkinArray& skin) {
   if (!file.has("frame")) return;
   const NpzArray frame = file.array("frame", 1);
   const std::string_view of_scene = enumerator_name(skin.curved->axes);
-  if (frame.texts.size() == 1 && frame.texts.front() != of_scene)
+  if (frame.texts.size() != 1) throw std::runtime_error("the array frame is not one text");
+  if (frame.texts.front() != of_scene)
     throw std::runtime_error("its displacements are along the " + frame.texts.front() +
                              " axes, and the scene says sensor.frame = \"" + std::string(of_scene) +
                              '"');
@@ -152,16 +153,58 @@ void check_frame(const NpzFile& file, const SkinArray& skin) {
 void check_units(const NpzFile& file, const SkinArray& skin, const std::vector<std::size_t>& rows) {
   if (!file.has("units")) return;
   const NpzArray units = file.array("units", most_corners);
+  if (units.texts.size() != 1 && units.texts.size() != rows.size())
+    throw std::runtime_error("the array units holds " + std::to_string(units.texts.size()) +
+                             " texts, and the sensor has " + std::to_string(rows.size()) +
+                             " readings: one for each, or one for all");
   const std::vector<Site> all = sites(skin);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (units.texts.empty()) return;
-    const std::string& unit =
-        units.texts.size() == 1 ? units.texts.front() : units.texts.at(rows[i]);
+    const std::string& unit = units.texts.size() == 1 ? units.texts.front() : units.texts[rows[i]];
     const std::string_view wanted = traits(all[i].quantity).unit;
     if (unit != wanted)
       throw std::runtime_error("its units are '" + unit + "' for " +
                                std::string(name(all[i].quantity)) + ", not '" +
                                std::string(wanted) + "' (over Pa)");
+  }
+}
+
+/// Of the bent surface: what the corners span, more or less.
+void read_areas(const NpzFile& file, std::vector<SurfaceCell>& cells) {
+  if (!file.has("areas")) return;
+  const NpzArray areas = numbers(file, "areas", most_corners, {cells.size()});
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    SurfaceCell& cell = cells[i];
+    const double ratio = areas.numbers[i] / cell.area;
+    if (!(ratio > 0.5 && ratio < 2.0))
+      throw std::runtime_error("the area of cell " + std::to_string(i) + " is " +
+                               shortest(areas.numbers[i]) + ", and its corners span " +
+                               brief(cell.area, 3) + " m2: areas are in m2");
+    cell.first_moment = multiple(ratio, cell.first_moment);
+    cell.area = areas.numbers[i];
+  }
+}
+
+/// Forces and moments of unit tractions: near those of the cell's area at its middle.
+void read_resultants(const NpzFile& file, std::vector<SurfaceCell>& cells) {
+  if (!file.has("F") || !file.has("M")) return;
+  const NpzArray forces = numbers(file, "F", 9 * most_corners, {cells.size(), 3, 3});
+  const NpzArray moments = numbers(file, "M", 9 * most_corners, {cells.size(), 3, 3});
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    SurfaceCell& cell = cells[i];
+    const double size = std::sqrt(cell.area);
+    for (std::size_t u = 0; u < 3; ++u) {
+      const SpaceVector force = vector_at(forces, 3 * i + u);
+      const SpaceVector moment = vector_at(moments, 3 * i + u);
+      if (!(length(combined(1.0, force, -cell.area, cell.middle.frame[u])) < 0.5 * cell.area))
+        throw std::runtime_error("F of cell " + std::to_string(i) +
+                                 " is not its area times its frame, in m2");
+      if (!(length(combined(1.0, moment, -1.0, cross(cell.middle.point, force))) <
+            4.0 * size * cell.area))
+        throw std::runtime_error("M of cell " + std::to_string(i) +
+                                 " is not its place times F, about the origin, in m3");
+      cell.force[u] = force;
+      cell.moment[u] = moment;
+    }
   }
 }
 
@@ -175,8 +218,11 @@ GivenKernel read_kernel_file(const std::filesystem::path& path, const SkinArray&
   check_units(file, skin, rows);
   require_same(file, "poisson_ratio", material.poisson_ratio);
   if (material.layer) require_same(file, "thickness", material.layer->thickness);
-  const double stiffer =
-      number_in(file, "youngs_modulus").value_or(material.youngs_modulus) / material.youngs_modulus;
+  const double modulus = number_in(file, "youngs_modulus").value_or(material.youngs_modulus);
+  if (!(modulus > 0.0 && std::isfinite(modulus)))
+    throw std::runtime_error("youngs_modulus must be > 0 and finite (got " + shortest(modulus) +
+                             " Pa)");
+  const double stiffer = modulus / material.youngs_modulus;
 
   const NpzArray vertices = numbers(file, "vertices", 3 * most_corners, {0, 3});
   const std::vector<Corners> corners = corners_of(file, vertices.shape[0]);
@@ -206,23 +252,8 @@ GivenKernel read_kernel_file(const std::filesystem::path& path, const SkinArray&
     kernel.cells.push_back(quadrilateral(points, frame));
     if (kernel.rows == 0) kernel.corners.push_back(points);
   }
-  if (file.has("F") && file.has("M")) {
-    const NpzArray forces = numbers(file, "F", 9 * most_corners, {corners.size(), 3, 3});
-    const NpzArray moments = numbers(file, "M", 9 * most_corners, {corners.size(), 3, 3});
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      for (std::size_t u = 0; u < 3; ++u) {
-        kernel.cells[i].force[u] = vector_at(forces, 3 * i + u);
-        kernel.cells[i].moment[u] = vector_at(moments, 3 * i + u);
-      }
-  }
-  if (file.has("areas")) {
-    const NpzArray areas = numbers(file, "areas", most_corners, {corners.size()});
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      SurfaceCell& cell = kernel.cells[i];
-      cell.first_moment = multiple(areas.numbers[i] / cell.area, cell.first_moment);
-      cell.area = areas.numbers[i];
-    }
-  }
+  read_areas(file, kernel.cells);
+  read_resultants(file, kernel.cells);
   const NpzArray given = numbers(file, "K", most_kernel_entries, {rows.size(), 3 * corners.size()});
   kernel.kernel = {rows.size(), 3 * corners.size(), std::vector<double>(given.numbers.size())};
   const std::vector<Site> all = sites(skin);

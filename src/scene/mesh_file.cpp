@@ -11,10 +11,13 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "numeric/lower_case.hpp"
 #include "scene/csv_table.hpp"
+#include "scene/document.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/bounded_text.hpp"
 #include "tactile_net/scene/diagnostic.hpp"
@@ -25,6 +28,8 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{1} << 27;
 
 std::string bytes_of(const std::filesystem::path& path) {
+  std::error_code none;
+  if (!std::filesystem::exists(path, none)) throw std::runtime_error("there is no such file");
   try {
     return bounded_text(path, most_bytes, "give a coarser mesh");
   } catch (const InputError& error) {
@@ -36,7 +41,7 @@ std::string bytes_of(const std::filesystem::path& path) {
 /// The words of each line of a text, with its number from 1.
 class Lines {
  public:
-  explicit Lines(std::string_view text) : rest_(text) {}
+  explicit Lines(std::string_view text) : rest_(without_byte_order_mark(text)) {}
 
   /// False at the end.
   [[nodiscard]] bool next() {
@@ -98,6 +103,10 @@ std::optional<std::size_t> vertex_of(std::string_view word, std::size_t count) {
 }
 
 SurfaceMesh read_obj(std::string_view text, const Unit& unit) {
+  if (text.find('\0') != std::string_view::npos)
+    throw std::runtime_error(
+        "it holds a byte 0, which plain text never does: it is in UTF-16, or damaged; save it as "
+        "plain text, or copy it again");
   SurfaceMesh mesh;
   Lines lines(text);
   while (lines.next()) {
@@ -150,10 +159,10 @@ class MergedCorners {
 SurfaceMesh read_stl_text(std::string_view text, const Unit& unit) {
   MergedCorners corners;
   std::vector<SpaceVector> loop;
-  bool ended = false;
+  bool is_open = true;
   Lines lines(text);
   while (lines.next()) {
-    const std::string_view word = lines.word(0);
+    const std::string word = lower_case(lines.word(0));
     if (word == "vertex") {
       const auto place = place_in(lines, 1, unit);
       if (!place)
@@ -168,9 +177,9 @@ SurfaceMesh read_stl_text(std::string_view text, const Unit& unit) {
       corners.add({loop[0], loop[1], loop[2]});
       loop.clear();
     }
-    ended = ended || word == "endsolid";
+    if (word == "solid" || word == "endsolid") is_open = word == "solid";
   }
-  if (!ended || !loop.empty())
+  if (is_open || !loop.empty())
     throw std::runtime_error("it ends after triangle " + std::to_string(corners.count()) +
                              " without \"endsolid\": it is cut short; copy it again");
   if (corners.count() == 0) throw std::runtime_error("it holds no triangle");
@@ -193,11 +202,14 @@ SurfaceMesh read_stl_binary(std::string_view bytes, const Unit& unit) {
         "it is no .stl file: a binary one begins with 84 bytes, one of text "
         "with \"solid\"");
   const std::size_t count = little(bytes, 80);
-  const std::size_t held = (bytes.size() - stl_head) / stl_triangle;
-  if (count != held || bytes.size() != stl_head + stl_triangle * count)
+  if (bytes.size() != stl_head + stl_triangle * count) {
+    const std::size_t held = (bytes.size() - stl_head) / stl_triangle;
+    const std::size_t more = (bytes.size() - stl_head) % stl_triangle;
     throw std::runtime_error("it announces " + std::to_string(count) + " triangles and holds " +
                              std::to_string(held) +
+                             (more > 0 ? " and " + std::to_string(more) + " bytes more" : "") +
                              ": it is cut short or no .stl file; copy it again");
+  }
   MergedCorners corners;
   for (std::size_t i = 0; i < count; ++i) {
     std::array<SpaceVector, 3> places{};
@@ -214,19 +226,18 @@ SurfaceMesh read_stl_binary(std::string_view bytes, const Unit& unit) {
   return corners.take();
 }
 
-/// Some binary files begin with "solid" too: only text has a facet.
+/// Some binary files begin with "solid" too: they hold bytes 0.
 bool is_text(std::string_view bytes) {
-  return bytes.starts_with("solid") &&
-         bytes.substr(0, 1024).find("facet") != std::string_view::npos;
+  if (bytes.find('\0') != std::string_view::npos) return false;
+  bytes = without_byte_order_mark(bytes);
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
+  return lower_case(bytes.substr(0, 5)) == "solid";
 }
 
 }  // namespace
 
 SurfaceMesh read_mesh_file(const std::filesystem::path& path, const Unit& unit) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
+  const std::string ending = lower_case(path.extension().string());
   if (ending != ".obj" && ending != ".stl")
     throw std::runtime_error("it is neither an .obj nor an .stl file");
   const std::string bytes = bytes_of(path);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -40,6 +41,7 @@ class NpzFile {
   };
 
   std::filesystem::path path_;
+  std::uint64_t bytes_ = 0;  ///< of the file
   std::map<std::string, Entry, std::less<>> entries_{};
 };
 

@@ -208,6 +208,7 @@ SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
   SkinArray placed = skin;
   placed.curved = std::make_shared<const CurvedSkin>(curved);
   const SurfaceGrid grid = given_grid(placed);
+  const double depth = least_depth(skin);
   std::vector<Taxel> taxels = skin.taxels;
   for (std::size_t i = 0; i < taxels.size(); ++i) {
     const SurfacePlace& above = curved.above[i];
@@ -219,9 +220,15 @@ SkinArray with_kernel(const SkinArray& skin, GivenKernel kernel) {
     const bool inside = row > -0.6 && column > -0.6 &&
                         row < static_cast<double>(given.rows) - 0.4 &&
                         column < static_cast<double>(given.columns) - 0.4;
-    require(inside, "taxel " + taxels[i].name +
-                        " lies below none of the kernel's cells: are they in metres, and in the "
-                        "sensor's axes?");
+    // Millimetres taken for metres make one huge cell, far outside, stand above all taxels.
+    const SurfaceCell& its = given.cells[cell];
+    const double outside =
+        dot(combined(1.0, above.point, -1.0, its.middle.point), its.middle.frame[0]);
+    const bool near = std::abs(outside) < depth + 0.5 * std::sqrt(its.area);
+    require(inside && near,
+            "taxel " + taxels[i].name +
+                " lies below none of the kernel's cells: are they in metres, and in the "
+                "sensor's axes?");
     taxels[i].y = (row - 0.5 * static_cast<double>(given.rows - 1)) * grid.spacing_y;
     taxels[i].z = (column - 0.5 * static_cast<double>(given.columns - 1)) * grid.spacing_z;
   }

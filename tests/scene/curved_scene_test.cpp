@@ -1,7 +1,10 @@
 // Scenes of curved skins: taxels with normals, [surface], and a kernel from a file.
+#include <sys/stat.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -175,4 +178,79 @@ TEST_CASE("what is wrong with a kernel's file is said", "[scene][curved]") {
   CHECK_THAT(
       finger.refusal(FingerScene::text("[reconstruct]\nkernel = \"k.npz\"\nspacing = 1.0\n")),
       ContainsSubstring("brings its own cells"));
+}
+
+TEST_CASE("what a kernel's file says beside its kernel must be true", "[scene][curved]") {
+  const FingerScene finger;
+  const SkinScene scene = finger.read(FingerScene::text());
+  const LinearProblem problem = make_problem(scene.sensor, scene.material);
+  const std::string toml = FingerScene::text("[reconstruct]\nkernel = \"k.npz\"\n");
+  const auto path = finger.folder() / "k.npz";
+  const auto refused = [&](const std::string& rule, const auto& add) {
+    Archive archive = kernel_file(scene.sensor, scene.material, false);
+    add(archive);
+    archive.write(path);
+    CHECK_THAT(finger.refusal(toml), ContainsSubstring(rule));
+  };
+  const std::size_t count = problem.grid.count();
+  const std::string cells = "(" + std::to_string(count);
+  const auto forces = [&](Archive& archive, double scale, double shift) {
+    std::vector<double> force;
+    std::vector<double> moment;
+    for (const SurfaceCell& cell : *problem.cells)
+      for (std::size_t u = 0; u < 3; ++u)
+        for (std::size_t k = 0; k < 3; ++k) {
+          force.push_back(scale * cell.force[u][k]);
+          moment.push_back(cell.moment[u][k] + shift * cell.area);
+        }
+    archive.add("F", cells + ", 3, 3)", force);
+    archive.add("M", cells + ", 3, 3)", moment);
+  };
+  for (const double modulus : {0.0, -0.25e6, std::nan("")})
+    refused("youngs_modulus must be > 0",
+            [&](Archive& archive) { archive.add("youngs_modulus", "()", {modulus}); });
+  refused("holds 5 texts, and the sensor has 60 readings",
+          [](Archive& archive) { archive.add("units", std::vector<std::string>(5, "m")); });
+  refused("holds 0 texts", [](Archive& archive) { archive.add("units", "(1,)", {1.0}); });
+  refused("the array frame is not one text",
+          [](Archive& archive) { archive.add("frame", "()", {1.0}); });
+  // In mm2, about another origin.
+  refused("areas are in m2", [&](Archive& archive) {
+    archive.add("areas", cells + ",)", std::vector<double>(count, 1.0));
+  });
+  refused("F of cell 0", [&](Archive& archive) { forces(archive, 1e6, 0.0); });
+  refused("M of cell 0", [&](Archive& archive) { forces(archive, 1.0, 0.1); });
+  refused("lies below none of the kernel's cells", [&](Archive& archive) {
+    std::vector<double> millimetres;
+    for (std::size_t row = 0; row <= problem.grid.rows; ++row)
+      for (std::size_t column = 0; column <= problem.grid.columns; ++column) {
+        const double y = static_cast<double>(row) - 0.5;
+        const double z = static_cast<double>(column) - 0.5;
+        const SpaceVector at = scene.sensor.curved->surface
+                                   .tangents(problem.grid.y(0) + y * problem.grid.spacing_y,
+                                             problem.grid.z(0) + z * problem.grid.spacing_z)
+                                   .point;
+        for (const double x : at) millimetres.push_back(1e3 * x);
+      }
+    archive.add("vertices", "(" + std::to_string(millimetres.size() / 3) + ", 3)", millimetres);
+  });
+}
+
+TEST_CASE("no more is read of a kernel's file than there is", "[scene][curved]") {
+  const FingerScene finger;
+  const SkinScene scene = finger.read(FingerScene::text());
+  const std::string toml = FingerScene::text("[reconstruct]\nkernel = \"k.npz\"\n");
+  const auto path = finger.folder() / "k.npz";
+  kernel_file(scene.sensor, scene.material, false).write(path);
+  // The list says that K, its first array, takes 4 GB.
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  file.seekp(static_cast<std::streamoff>(bytes.find("PK\x01\x02")) + 20);
+  file.write("\xff\xff\xff\xfe\xff\xff\xff\xfe", 8);
+  file.close();
+  CHECK_THAT(finger.refusal(toml), ContainsSubstring("the array K is cut off"));
+  // A pipe that nobody writes into.
+  std::filesystem::remove(path);
+  REQUIRE(mkfifo(path.c_str(), 0600) == 0);
+  CHECK_THAT(finger.refusal(toml), ContainsSubstring("a pipe or a device, and no file"));
 }

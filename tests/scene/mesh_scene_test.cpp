@@ -122,6 +122,23 @@ TEST_CASE("a mesh in any file is the surface of a scene", "[scene][curved][mesh]
     CHECK(std::abs(place.mean_curvature * 30e-3 - 1.0) <= 1e-3);
   CHECK(off(finger.read(on_mesh("metres.obj", "")), mesh) <= 1e-15);
   CHECK(off(finger.read(on_mesh("text.stl")), mesh) <= 1e-15);
+  // As other programs write them: a mark of UTF-8, capitals, blanks, a long name, two bodies.
+  const std::string mark = "\xef\xbb\xbf";
+  std::string lines = obj_text(cap);
+  lines.erase(0, lines.find("v "));
+  put(finger, "mark.obj", mark + lines + "v 0 0 0\n");
+  CHECK(off(finger.read(on_mesh("mark.obj")), mesh) <= 1e-15);
+  const std::string text = stl_text(cap);
+  std::string capitals = text;
+  for (char& c : capitals) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  const std::size_t middle = text.find("  facet", text.size() / 2);
+  for (const std::string& bytes :
+       {mark + text, capitals, "\n  " + text,
+        "solid " + std::string(3000, 'x') + text.substr(text.find('\n')),
+        text.substr(0, middle) + "endsolid\nsolid\n" + text.substr(middle)}) {
+    put(finger, "other.stl", bytes);
+    CHECK(off(finger.read(on_mesh("other.stl")), mesh) <= 1e-15);
+  }
   // Binary ones have seven digits.
   CHECK(off(finger.read(on_mesh("BYTES.STL")), mesh) <= 1e-8);
   // A polygon, and vertices counted from the end.
@@ -176,7 +193,9 @@ TEST_CASE("what is wrong with a mesh's file is said", "[scene][curved][mesh]") {
   std::string text = stl_text(cap);
   refused("cap.stl", text.substr(0, text.size() - 40), "cut short");
   refused("cap.stl", text.substr(0, text.size() / 2), "cut short");
-  refused("cap.stl", "solid nothing\nendsolid nothing\n", "84 bytes");
+  refused("cap.stl", "solid nothing\nendsolid nothing\n", "holds no triangle");
+  refused("cap.stl", text + text.substr(0, text.find("  facet", text.size() / 2)), "cut short");
+  refused("cap.obj", std::string("\xff\xfev\0 \0", 6) + obj, "UTF-16");
   text.erase(text.find("      vertex"),
              text.find('\n', text.find("      vertex")) + 1 - text.find("      vertex"));
   refused("cap.stl", text, "triangle 1 has 2 vertices");
@@ -184,6 +203,7 @@ TEST_CASE("what is wrong with a mesh's file is said", "[scene][curved][mesh]") {
   // A thousand million are announced: nothing is allotted for them.
   refused("cap.stl", stl_bytes(cap, 1'000'000'000), "announces 1000000000 triangles and holds 288");
   refused("cap.stl", stl_bytes(cap, count).substr(0, 9000), "holds 178");
+  refused("cap.stl", stl_bytes(cap, count) + "more", "holds 288 and 4 bytes more");
   refused("cap.stl", "short", "84 bytes");
   Cap bad = cap;
   bad.vertices[bad.triangles[20][1]][2] = std::numeric_limits<double>::infinity();
@@ -197,7 +217,7 @@ TEST_CASE("what is wrong with a mesh's file is said", "[scene][curved][mesh]") {
   said(on_mesh("cap.obj", ""), "state the unit");
   said(on_mesh("cap.obj", "unit = \"um\"\n"), "state the unit");
   said(on_mesh("cap.obj", "unit = \"Pa\"\n"), "must be a unit of lengths");
-  said(on_mesh("nowhere.obj"), "no such file");
+  said(on_mesh("nowhere.obj"), "there is no such file");
   said(on_mesh("../cap.obj"), "beside the scene's");
   said(FingerScene::text("[surface]\nshape = \"mesh\"\n"), "file");
   said(FingerScene::text("[surface]\nfile = \"cap.obj\"\n"), "is of the shape mesh");
