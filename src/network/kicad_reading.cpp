@@ -229,18 +229,18 @@ class BoardReading {
                          .on = std::vector<bool>(board_.layers.size())};
       const std::string shape = one.part(2).text();
       pad.round = shape == "circle" || shape == "oval";
-      const Item on_layers = one.get("layers");
-      for (std::size_t k = 0; const auto layer = on_layers.find_part(k); ++k) {
-        const std::string name = layer->text();
+      one.get("layers").each_part([&](const Item& layer) {
+        const std::string name = layer.text();
         if (name == "*.Cu") pad.on.assign(pad.on.size(), true);
         if (name == "F&B.Cu") pad.on.front() = pad.on.back() = true;
         if (const auto known = layer_.find(name); known != layer_.end())
           pad.on[known->second] = true;
-      }
+      });
       if (const auto drill = one.find("drill"))
-        for (std::size_t k = 0; const auto size = drill->find_part(k); ++k)
-          if (!size->is_list() && size->text() != "oval")
-            pad.hole = std::max(pad.hole, size_of(*size));
+        drill->each_part([&](const Item& size) {
+          if (!size.is_list() && size.text() != "oval")
+            pad.hole = std::max(pad.hole, size_of(size));
+        });
       part.pads.push_back(std::move(pad));
     });
     board_.parts.push_back(std::move(part));
@@ -298,7 +298,7 @@ class BoardReading {
     };
     if (const auto layer = zone.find("layer")) cover(layer->part(0).text());
     if (const auto on_layers = zone.find("layers"))
-      for (std::size_t k = 0; const auto layer = on_layers->find_part(k); ++k) cover(layer->text());
+      on_layers->each_part([&](const Item& layer) { cover(layer.text()); });
   }
 
   void place_planes() {

@@ -51,6 +51,12 @@ class SExpression {
         if (item.is_list() && (name.empty() || item.head() == name)) call(item);
       }
     }
+    /// The same for every part behind the head, a word or a list.
+    void each_part(const auto& call) const {
+      if (node().first == none) return;
+      for (std::size_t at = of_->nodes_[node().first].next; at != none; at = of_->nodes_[at].next)
+        call(Item(*of_, at));
+    }
     /// The first of these; absent: there is none.
     [[nodiscard]] std::optional<Item> find(std::string_view name) const;
     /// @throw std::invalid_argument  there is none
