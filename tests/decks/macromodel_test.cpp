@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 
 #include "tactile_net/lab/macromodel_comparison.hpp"
@@ -15,6 +16,7 @@
 #include "tactile_net/scene/reader.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tests/catch.hpp"
+#include "tests/damaged.hpp"
 
 using namespace tactile_net;
 namespace fs = std::filesystem;
@@ -183,6 +185,31 @@ TEST_CASE("what is no macromodel, or more than one, is refused with what to do",
              ContainsSubstring("several sub-circuits") && ContainsSubstring("a, b"));
   CHECK_THAT(refused_model(head + body, Outputs::single, {.name = "other"}),
              ContainsSubstring("no sub-circuit 'other'"));
+}
+
+TEST_CASE("any bytes are a macromodel or are refused in words", "[macromodel][fuzz]") {
+  const std::vector<std::string> seeds = {vendor("30e6", "1e12"),
+                                          ".subckt amp 1 2 3 4 5\n+ gain = 3\n" + body};
+  std::mt19937 random(9);
+  int taken = 0;
+  constexpr int rounds = 1500;
+  for (int round = 0; round < rounds; ++round) {
+    const std::size_t which = random() % 2;
+    const std::string bytes =
+        test::damaged(seeds[which], "0123456789.*+={}(),\n\r\t xX;$\"'", random);
+    CAPTURE(round, bytes);
+    try {
+      const decks::Macromodel model =
+          read(bytes, which == 0 ? Outputs::complementary : Outputs::single);
+      ++taken;
+      CHECK(model.elements >= 0.0);
+      CHECK(model.text.find('\0') == std::string::npos);
+    } catch (const InputError& error) {
+      CHECK_FALSE(error.diagnostics().empty());
+    }
+  }
+  CHECK(taken > rounds / 50);
+  CHECK(taken < rounds);
 }
 
 TEST_CASE("a macromodel that is as the scene's op-amp does as certified", "[macromodel][ngspice]") {
