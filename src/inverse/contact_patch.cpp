@@ -156,7 +156,8 @@ std::vector<ContactPatch> patches_of(const Surface& surface, std::span<const dou
       const Uncertain length{extent->value, covariance.deviation(gradient) * noise_rms};
       const double variance = variance_of_place(own, first, surface, resultant.centre->value);
       patch.extent =
-          down_to(length, length.value * share_without(variance, options.smoothed_variance));
+          down_to(length, length.value * share_without(variance, options.smoothed_variance),
+                  options.is_mean);
     }
     patches.push_back(std::move(patch));
   };

@@ -14,9 +14,11 @@
 namespace tactile_net {
 
 /// A size that lies anywhere between `least` and its value.
-inline Uncertain down_to(const Uncertain& size, double least) {
-  return {0.5 * (size.value + least),
-          std::hypot(size.deviation, (size.value - least) / std::sqrt(12.0))};
+/// @param is_likeliest  the value is: most sizes lie near it
+inline Uncertain down_to(const Uncertain& size, double least, bool is_likeliest) {
+  const double range = size.value - least;
+  if (is_likeliest) return {size.value, std::hypot(size.deviation, range / std::sqrt(3.0))};
+  return {size.value - 0.5 * range, std::hypot(size.deviation, range / std::sqrt(12.0))};
 }
 
 /// The share of a variance's root that is left without what smoothing added to it.

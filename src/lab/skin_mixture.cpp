@@ -197,9 +197,11 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
   answer.patches.clear();
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     // Its cells tell its size, and all that lies nearest to them what presses.
-    ContactPatch patch = patches_of(grid, f, std::span(&contacts[k], 1), about, rms,
-                                    {.friction_limit = limit, .smoothed_variance = smoothed})
-                             .front();
+    ContactPatch patch =
+        patches_of(
+            grid, f, std::span(&contacts[k], 1), about, rms,
+            {.friction_limit = limit, .smoothed_variance = smoothed, .is_mean = !answer.cone})
+            .front();
     patch.wrench = contacts.size() == 1 ? answer.wrench
                                         : resultant_of(grid, mean, regions[k], covariance, rms);
     if (contacts.size() > 1) {

@@ -181,6 +181,7 @@ FrameUncertainty uncertainty_of_mixture(const SceneFrame& frame, std::span<const
                  {.friction_limit = scene.scene().reconstruct.friction_limit,
                   .smoothed_variance = smoothed_variance(
                       scene, frame.problem().family().degrees_of_freedom(result.alpha->value)),
+                  .is_mean = !bound,
                   .between = between}));
   const std::vector<Distribution> each = own.of(mixture);
   const BoundTractions about_these{.values = tractions, .pressures = scene.surface().count};

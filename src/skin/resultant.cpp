@@ -395,8 +395,8 @@ std::vector<ContactPatch> patches_of(const SurfaceGrid& grid, std::span<const do
       const double of_radius = least_share_of(radius);
       const double of_second = least_share_of(second);
       share = of_radius * of_second;
-      radius = down_to(radius, radius.value * of_radius);
-      second = down_to(second, second.value * of_second);
+      radius = down_to(radius, radius.value * of_radius, options.is_mean);
+      second = down_to(second, second.value * of_second, options.is_mean);
     }
     std::vector<double> pressures;
     for (const std::size_t cell : cells) pressures.push_back(contact.p(cell));
@@ -404,7 +404,8 @@ std::vector<ContactPatch> patches_of(const SurfaceGrid& grid, std::span<const do
       Gradient gradient(tractions.size());
       for (std::size_t i = 0; i < cells.size(); ++i) gradient[cells[i]] = extent->gradient[i];
       const std::vector<Result> area{{extent->value, std::move(gradient)}};
-      patch.extent = down_to(uncertain(area, covariance, noise_rms).front(), share * extent->value);
+      patch.extent = down_to(uncertain(area, covariance, noise_rms).front(), share * extent->value,
+                             options.is_mean);
     }
     patches.push_back(std::move(patch));
   }

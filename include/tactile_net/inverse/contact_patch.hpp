@@ -78,6 +78,10 @@ struct PatchOptions {
   /// The variance of place that smoothing may have added to the pressure, along each axis [m^2].
   /// Sizes then lie between what they would be if it had added all of that, and none.
   double smoothed_variance = 0.0;
+  /// The tractions are the mean of what readings leave possible, where these tell a size no
+  /// smoother than the load is: sizes are then theirs, and the deviations hold what smoothing may
+  /// have added.
+  bool is_mean = false;
   ResultantBetween between{};  ///< of each of several contacts; null: `resultant_between`
 };
 
