@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "numeric/csv_fields.hpp"
+#include "numeric/field_value.hpp"
 #include "tactile_net/frames/csv.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/numeric/text.hpp"
@@ -37,6 +38,22 @@ std::vector<std::size_t> places_of(std::span<const std::string> wanted,
   return places;
 }
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double most_of_a_board = 1e6;  // [A] and [V]
+constexpr double least_voltage = 1e-30;
+
+/// Of what is known.
+struct Mean {
+  double sum = 0.0;
+  double count = 0.0;
+  void add(double one) {
+    if (!std::isfinite(one)) return;
+    sum += one;
+    count += 1.0;
+  }
+  [[nodiscard]] double value() const { return count > 0.0 ? sum / count : unknown; }
+};
+
 }  // namespace
 
 BoardResponses read_board_file(const std::filesystem::path& path,
@@ -47,20 +64,21 @@ BoardResponses read_board_file(const std::filesystem::path& path,
       bounded_text(path, std::uintmax_t{64} << 20, "a file of responses has some kilobytes");
   std::vector<std::size_t> of_inputs;
   std::vector<std::size_t> of_outputs;
+  CsvLayout layout;
   std::size_t columns = 0;
   BoardResponses result;
-  std::vector<double> rest(outputs.size());
-  std::size_t rests = 0;
+  std::vector<Mean> rest(outputs.size());
+  bool is_rest_measured = false;
   std::size_t number = 0;
   for (const std::string_view whole : split(text, '\n')) {
     ++number;
-    const std::string_view line = trimmed(whole);
-    if (line.empty() || line.front() == '#') continue;
+    std::string_view line = whole.substr(0, whole.find_last_not_of(" \t\r") + 1);
+    if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    if (columns == 0) layout = layout_of(line);
     std::vector<std::string_view> fields;
-    for (const std::string_view field : split(line, ',')) fields.push_back(trimmed(field));
+    for (const std::string_view field : fields_of(line, layout)) fields.push_back(trimmed(field));
     if (columns == 0) {
-      if (!fields.front().empty() && fields.front().starts_with("\xef\xbb\xbf"))
-        fields.front().remove_prefix(3);
       columns = fields.size();
       of_inputs = places_of(inputs, fields, file, number);
       of_outputs = places_of(outputs, fields, file, number);
@@ -70,13 +88,18 @@ BoardResponses read_board_file(const std::filesystem::path& path,
       refuse_board(file, number,
                    "has " + std::to_string(fields.size()) + " fields, and the header " +
                        std::to_string(columns),
-                   "a field for each column, separated by commas; an unknown voltage is empty");
+                   "a field for each column, separated as in the header; an unknown voltage is "
+                   "empty");
     const auto value = [&](std::size_t at, bool may_lack) {
       double one = 0.0;
-      if (may_lack && (fields[at].empty() || fields[at] == "nan"))
-        return std::numeric_limits<double>::quiet_NaN();
-      if (!read_number(std::string(fields[at]), one) || !std::isfinite(one))
-        refuse_board(file, number, "'" + std::string(fields[at]) + "' is not a finite number",
+      const FieldKind kind = read_field(fields[at], layout.may_have_decimal_comma(), one);
+      if (may_lack && kind == FieldKind::missing) return unknown;
+      if (kind != FieldKind::number)
+        refuse_board(file, number, why_no_number(fields[at], kind),
+                     may_lack ? "in volts; empty where it is not known" : "in ampere");
+      if (!(std::abs(one) <= most_of_a_board))
+        refuse_board(file, number,
+                     "has " + brief(one) + (may_lack ? " V" : " A") + ", which no board has",
                      may_lack ? "in volts; empty where it is not known" : "in ampere");
       return one;
     };
@@ -89,8 +112,8 @@ BoardResponses read_board_file(const std::filesystem::path& path,
     const bool at_rest =
         std::all_of(currents.begin(), currents.end(), [](double ampere) { return ampere == 0.0; });
     if (at_rest) {
-      ++rests;
-      for (std::size_t n = 0; n < rest.size(); ++n) rest[n] += voltages[n];
+      is_rest_measured = true;
+      for (std::size_t n = 0; n < rest.size(); ++n) rest[n].add(voltages[n]);
       continue;
     }
     ++result.currents.rows;
@@ -110,11 +133,11 @@ BoardResponses read_board_file(const std::filesystem::path& path,
   double largest = 0.0;
   for (std::size_t m = 0; m < result.voltages.rows; ++m)
     for (std::size_t n = 0; n < rest.size(); ++n) {
-      if (rests > 0) result.voltages(m, n) -= rest[n] / static_cast<double>(rests);
+      if (is_rest_measured) result.voltages(m, n) -= rest[n].value();
       if (std::isfinite(result.voltages(m, n)))
         largest = std::max(largest, std::abs(result.voltages(m, n)));
     }
-  if (largest == 0.0)
+  if (!(largest > least_voltage))
     refuse_board(file, 0, "has no voltage beside 0", "what the outputs show under each pattern");
   result.noise = noise > 0.0 ? noise : std::ldexp(largest, -11) / std::sqrt(12.0);
   return result;

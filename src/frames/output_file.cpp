@@ -105,10 +105,18 @@ void check_replaceable(const fs::path& path, Existing existing) {
 OutputFolder::OutputFolder(const fs::path& path, Existing existing)
     : path_(path), existing_(existing) {
   std::error_code error;
-  if (fs::exists(path) && !fs::is_directory(path))
+  const fs::file_status status = fs::status(path, error);
+  if (fs::exists(status) && !fs::is_directory(status))
     throw CannotCreate(path.string() + ": error: is a file, not a folder");
+  if (status.type() == fs::file_type::none)
+    throw CannotCreate(path.string() + ": error: cannot be created: " + error.message());
+  if (!fs::exists(status) && fs::is_symlink(path, error))
+    throw CannotCreate(path.string() +
+                       ": error: is a link to a folder that is not there: make that, or remove the "
+                       "link");
+  error.clear();
   lock_ = std::make_unique<FolderLock>(path);
-  const bool is_there = fs::is_directory(path);
+  const bool is_there = fs::is_directory(status);
   if (!path.has_filename() && !is_there) path_ = path.parent_path();
   if (!is_there && path_.has_parent_path()) fs::create_directories(path_.parent_path(), error);
   staging_ = std::make_unique<Partial>();

@@ -156,6 +156,11 @@ TEST_CASE("a file that cannot be created is told before anything is written", "[
   CHECK_THROWS_AS(OutputFile(folder.path / "none/f.txt"), CannotCreate);
   write_file(folder.path / "f.txt", "mine");
   CHECK_THROWS_AS(OutputFolder(folder.path / "f.txt"), CannotCreate);
+  fs::create_symlink("nowhere", folder.path / "link");
+  CHECK_THROWS_WITH(OutputFolder(folder.path / "link"),
+                    ContainsSubstring("a link to a folder that is not there"));
+  CHECK_THROWS_WITH(OutputFolder(folder.path / std::string(300, 'x')),
+                    ContainsSubstring("cannot be created: File name too long"));
   CHECK(text_of(folder.path / "f.txt") == "mine");
 }
 
