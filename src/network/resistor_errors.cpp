@@ -38,6 +38,11 @@ MeasuredReel measured_reel(std::span<const double> ohms, double nominal) {
   reel.mean /= count;
   for (const double ohm : ohms) reel.spread += std::pow(ohm / nominal - 1.0 - reel.mean, 2);
   reel.spread = std::sqrt(reel.spread / (count - 1.0));
+  // No parts are alike to twelve digits; that would promise a reel without any errors.
+  if (!(reel.spread > 1e-12))
+    throw std::invalid_argument(
+        "the measured parts all read the same, which tells nothing of their spread: measure more "
+        "of them, or with more digits");
   return reel;
 }
 

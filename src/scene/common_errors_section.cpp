@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -28,12 +29,21 @@ MeasuredColumn measured_column(const CsvTable::Row& header) {
                                                                          {"value [kohm]", 1e3},
                                                                          {"value [Mohm]", 1e6},
                                                                          {"value [mohm]", 1e-3}}};
+  std::optional<MeasuredColumn> found;
   for (std::size_t k = 0; k < header.fields.size(); ++k)
-    for (const auto& [name, ohm] : names)
-      if (header.fields[k] == name) return {k, ohm};
-  throw error_in_line(header.line,
-                      "there is no column of measured parts: ohms, or value with its unit, such as "
-                      "value [kohm]");
+    for (const auto& [name, ohm] : names) {
+      if (header.fields[k] != name) continue;
+      if (found)
+        throw error_in_line(header.line, "there are two columns of measured parts, '" +
+                                             header.fields[found->place] + "' and '" +
+                                             header.fields[k] + "': leave one");
+      found = {k, ohm};
+    }
+  if (!found)
+    throw error_in_line(header.line,
+                        "there is no column of measured parts: ohms, or value with its unit, such "
+                        "as value [kohm]");
+  return *found;
 }
 
 MeasuredReel measured_in(const std::filesystem::path& path, double nominal) {

@@ -260,7 +260,7 @@ ToleranceOptions read_tolerance(Table table, const NetworkOptions& network,
 void read_inputs(const Value& value, NetworkOptions& network) {
   std::vector<std::string_view> names;
   for (const auto& one : Enumerators<Inputs>::all) names.push_back(one.name);
-  const auto index = value.one_of("inputs", names);
+  const auto index = value.one_of("kind of inputs", names);
   if (!index) return;
   network.parts.inputs = Enumerators<Inputs>::all[*index].value;
   if (network.parts.inputs == Inputs::voltage && !traits(network.realization).drives_nodes)

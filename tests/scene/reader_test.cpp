@@ -334,6 +334,10 @@ TEST_CASE("what all resistors have in common: reel, measured parts, temperature;
   CHECK_THROWS_WITH(measured("value\n10030\n10050\n"), ContainsSubstring("value [kohm]"));
   CHECK_THROWS_WITH(measured("ohms\n10030\nten\n"), ContainsSubstring("not a finite number"));
   CHECK_THROWS_WITH(measured("ohms\n10030\n"), ContainsSubstring("two parts"));
+  CHECK_THROWS_WITH(measured("ohms\n10030\n10030\n10030\n"),
+                    ContainsSubstring("all read the same"));
+  CHECK_THROWS_WITH(measured("value [kohm],ohms\n10.03,9970\n10.05,9950\n"),
+                    ContainsSubstring("two columns of measured parts, 'value [kohm]' and 'ohms'"));
   CHECK_THROWS_WITH(measured("ohms\n10030\n10050\n", "10"), ContainsSubstring("nominal value"));
   CHECK_THROWS_WITH(measured("ohms\n10030\n10050\n", "10e3", ", relative = 0.01"),
                     ContainsSubstring("stands beside measured"));

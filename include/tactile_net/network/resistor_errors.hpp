@@ -23,7 +23,8 @@ inline constexpr double most_off_nominal = 0.1;
 
 /// @param ohms     what was measured, in any unit
 /// @param nominal  what is printed on them, in the same
-/// @throw std::invalid_argument  less than two parts, or one is further than `most_off_nominal`
+/// @throw std::invalid_argument  less than two parts, one is further than `most_off_nominal`, or
+///                               all are the same
 [[nodiscard]] MeasuredReel measured_reel(std::span<const double> ohms, double nominal);
 
 /// Where builds work, from where their parts have the values they are sold with.
