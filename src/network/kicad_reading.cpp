@@ -17,7 +17,8 @@ using Item = SExpression::Item;
 
 constexpr double usual_permittivity = 4.5;  // of FR-4, where the file states none
 constexpr std::size_t most_nets = 1'000'000;
-constexpr double farthest = 1e5;  // [mm] of a place or size: nothing larger is a board
+constexpr double farthest = 1e5;   // [mm] of a place or size: nothing larger is a board
+constexpr double thinnest = 1e-3;  // [mm] of a track or a sheet: nothing thinner is made
 
 double length_of(const Item& item) {
   const double value = item.number();
@@ -109,7 +110,7 @@ class BoardReading {
     if (const auto general = root.find("general"))
       if (const auto thickness = general->find("thickness"))
         board_.thickness = size_of(thickness->part(0));
-    if (!(board_.thickness > 0.0)) root.refuse("a board without a thickness");
+    if (!(board_.thickness >= thinnest)) root.refuse("a board without a thickness of 1 um or more");
     gaps_.assign(
         copper_names.size() - 1,
         {board_.thickness / static_cast<double>(copper_names.size() - 1), usual_permittivity});
@@ -134,8 +135,9 @@ class BoardReading {
         if (!layer_.contains(name) || layer_[name] != above)
           one.refuse("the stackup's layers of copper are not the board's");
         if (above > 0) {
-          if (!(height > 0.0))
-            one.refuse("no thickness between this layer of copper and the one above");
+          if (!(height >= thinnest))
+            one.refuse(
+                "no thickness of 1 um or more between this layer of copper and the one above");
           gaps.push_back({height, height / height_over_permittivity});
         }
         if (thickness && above == 0) board_.copper = size_of(thickness->part(0));
@@ -271,7 +273,7 @@ class BoardReading {
                                  .to_x = length_of(to.part(0)),
                                  .to_y = length_of(to.part(1)),
                                  .width = size_of(one.get("width").part(0))};
-    if (!(track.width > 0.0)) one.refuse("a track without a width");
+    if (!(track.width >= thinnest)) one.refuse("a track without a width of 1 um or more");
     board_.tracks.push_back(track);
   }
 

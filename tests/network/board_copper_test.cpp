@@ -353,6 +353,15 @@ TEST_CASE("no file makes the reader fall", "[copper][bad]") {
   CHECK_THROWS_WITH(
       read(two_pads("(segment (start 0 0) (end nan 0) (width 0.3) (layer \"F.Cu\") (net 2))")),
       ContainsSubstring("a number is expected"));
+  // So thin that its capacitance would overflow, and be left out.
+  CHECK_THROWS_WITH(
+      read(two_pads("(segment (start 0 0) (end 1 0) (width 1e-30) (layer \"F.Cu\") (net 2))")),
+      ContainsSubstring("without a width of 1 um"));
+  for (const char* sheet : {"(thickness 0.2)", "(thickness 1.6)"}) {
+    std::string thin = two_pads();
+    thin.replace(thin.find(sheet), std::string(sheet).size(), "(thickness 1e-30)");
+    CHECK_THROWS_WITH(read(thin), ContainsSubstring("thickness of 1 um"));
+  }
   // Cut anywhere it is refused, by its line; the whole is read.
   for (std::size_t end = 1; end + 2 < text.size(); end += text.size() / 97)
     CHECK_THROWS_WITH(read(text.substr(0, end)), StartsWith("b.kicad_pcb:"));
