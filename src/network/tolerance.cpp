@@ -11,6 +11,7 @@
 #include "network/programmed_arrays.hpp"
 #include "numeric/decompositions.hpp"
 #include "numeric/eigen.hpp"
+#include "numeric/robust.hpp"
 #include "tactile_net/network/network_circuit.hpp"
 
 namespace tactile_net {
@@ -76,10 +77,6 @@ ResistorErrors errors_of(const Reduction& reduction, const ToleranceOptions& opt
     each.push_back(arrays.is_programmed(r) ? ResistorError{.kind = ResistorError::Kind::none}
                                            : error_of(reduction, options, r));
   return ResistorErrors(std::move(each), options.common);
-}
-
-double quantile(const std::vector<double>& ascending, double q) {
-  return ascending[static_cast<std::size_t>(q * static_cast<double>(ascending.size() - 1) + 0.5)];
 }
 
 /// What first order needs of the nominal network.
