@@ -148,7 +148,10 @@ struct LoadSums::Table {
   double degrees = 0.0;
   std::vector<Piece> pieces{};
   Eigen::VectorXd probabilities{};
-  Eigen::MatrixXd means{}, variances{};  // over sigma and its square: a column for each sum
+  // Of each sum a power of two near its largest weight: squares stay numbers in any unit.
+  Eigen::RowVectorXd sizes{};
+  // Over sigma and size, and over their squares: a column for each sum.
+  Eigen::MatrixXd means{}, variances{};
 
   [[nodiscard]] Eigen::VectorXd covariances(Index a, Index b) const {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(probabilities.size());
@@ -176,6 +179,7 @@ Distribution LoadSums::of(std::size_t sum) const {
   const auto at = static_cast<Index>(sum);
   const auto means = table_->means.col(at);
   const auto variances = table_->variances.col(at);
+  const double size = table_->sigma * table_->sizes(at);
   std::vector<Distribution::Component> all;
   all.reserve(static_cast<std::size_t>(means.size()));
   double outside = 0.0;  // the probability that no window holds any of it
@@ -184,8 +188,8 @@ Distribution LoadSums::of(std::size_t sum) const {
       outside += table_->probabilities(c);
     else
       all.push_back({.probability = table_->probabilities(c),
-                     .mean = table_->sigma * means(c),
-                     .scale = table_->sigma * std::sqrt(variances(c))});
+                     .mean = size * means(c),
+                     .scale = size * std::sqrt(variances(c))});
   }
   if (outside > 0.0) all.push_back({.probability = outside});
   return Distribution(std::move(all), table_->degrees);
@@ -197,6 +201,7 @@ std::optional<Distribution> LoadSums::ratio(std::size_t numerator, std::size_t d
   const Distribution whole = of(denominator);
   if (!(std::abs(whole.mean()) > deviations_from_zero * whole.deviation())) return std::nullopt;
   const double sign = whole.mean() < 0.0 ? -1.0 : 1.0;
+  const double size = table_->sizes(above) / table_->sizes(below);
   const Eigen::VectorXd covariances = table_->covariances(above, below);
   std::vector<Distribution::Component> ratios;
   for (Index c = 0; c < covariances.size(); ++c) {
@@ -204,28 +209,34 @@ std::optional<Distribution> LoadSums::ratio(std::size_t numerator, std::size_t d
     // A component in which the denominator changes its sign is one of the unlikely.
     if (!(divisor > 0.0)) continue;
     ratios.push_back({.probability = table_->probabilities(c),
-                      .mean = sign * table_->means(c, above),
-                      .scale = std::sqrt(table_->variances(c, above)),
+                      .mean = size * sign * table_->means(c, above),
+                      .scale = size * std::sqrt(table_->variances(c, above)),
                       .divisor = divisor,
                       .divisor_scale = std::sqrt(table_->variances(c, below)),
-                      .covariance = covariances(c)});
+                      .covariance = size * covariances(c)});
   }
   return Distribution(std::move(ratios), table_->degrees);
 }
 
 LoadSums LoadMixture::sums(std::span<const std::vector<double>> weights) const {
   Eigen::MatrixXd all(tables_->tractions_count(), std::ssize(weights));
+  Eigen::RowVectorXd sizes = Eigen::RowVectorXd::Ones(all.cols());
   for (Index k = 0; k < all.cols(); ++k) {
     const std::vector<double>& one = weights[static_cast<std::size_t>(k)];
     check_weights(one, static_cast<std::size_t>(all.rows()));
     all.col(k) = as_eigen(std::span(one));
+    int exponent = 0;
+    std::frexp(all.col(k).cwiseAbs().maxCoeff(), &exponent);
+    sizes(k) = std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
   }
+  all.array().rowwise() /= sizes.array();
   const auto count = static_cast<Index>(components());
   LoadSums::Table table{.tables = tables_,
                         .parts = parts_,
                         .sigma = sigma_,
                         .degrees = degrees_,
                         .probabilities = Eigen::VectorXd(count),
+                        .sizes = std::move(sizes),
                         .means = Eigen::MatrixXd::Zero(count, all.cols()),
                         .variances = Eigen::MatrixXd::Zero(count, all.cols())};
   const LoadPrior::Tables::Window* window = nullptr;
@@ -380,10 +391,12 @@ Matrix LoadCovariance::covariances(std::span<const std::vector<double>> weights)
   const LoadSums::Table& known = *sums.table_;
   const double spread = student_variance(mixture_.degrees_);
   const double unit = std::pow(mixture_.sigma_ / noise_rms_, 2);
+  about.array() /= known.sizes.array();
   const Eigen::MatrixXd errors = known.means.rowwise() - about;
   const auto at = [&](Index a, Index b) {
     const Eigen::VectorXd own = a == b ? known.variances.col(a) : known.covariances(a, b);
-    return unit * known.probabilities.dot(spread * own + errors.col(a).cwiseProduct(errors.col(b)));
+    return unit * known.sizes(a) * known.sizes(b) *
+           known.probabilities.dot(spread * own + errors.col(a).cwiseProduct(errors.col(b)));
   };
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b <= a; ++b)

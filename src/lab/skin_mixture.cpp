@@ -86,19 +86,24 @@ std::vector<Cells> contacts_in(const LinearProblem& problem, std::span<const dou
 WrenchDistributions distributions_in(std::span<const std::size_t> cells, const LoadMixture& mixture,
                                      const LinearProblem& problem) {
   const SurfaceGrid& grid = problem.grid;
-  std::vector<std::vector<double>> weights(3, force_in(cells, problem, 0));  // and moments
-  for (const std::size_t cell : cells) {
-    weights[1][cell] *= grid.y(cell / grid.columns);
-    weights[2][cell] *= grid.z(cell % grid.columns);
-  }
+  std::vector<std::vector<double>> weights{force_in(cells, problem, 0)};
   for (std::size_t u = 1; u < problem.components; ++u)
     weights.push_back(force_in(cells, problem, u));
+  // Sums and moments of pressure: with an area they might be no numbers in the unit of length.
+  const std::size_t sum = weights.size();
+  weights.resize(sum + 3, std::vector<double>(weights.front().size()));
+  for (const std::size_t cell : cells) {
+    weights[sum][cell] = 1.0;
+    weights[sum + 1][cell] = grid.y(cell / grid.columns);
+    weights[sum + 2][cell] = grid.z(cell % grid.columns);
+  }
   const LoadSums sums = mixture.sums(weights);
-  WrenchDistributions known{
-      .normal = sums.of(0), .centre_y = sums.ratio(1, 0), .centre_z = sums.ratio(2, 0)};
+  WrenchDistributions known{.normal = sums.of(0),
+                            .centre_y = sums.ratio(sum + 1, sum),
+                            .centre_z = sums.ratio(sum + 2, sum)};
   if (problem.components == 1) return known;
-  known.tangential_y = sums.of(3);
-  known.tangential_z = sums.of(4);
+  known.tangential_y = sums.of(1);
+  known.tangential_z = sums.of(2);
   return known;
 }
 
@@ -130,8 +135,8 @@ class Intervals {
     const SurfaceGrid& grid = problem_.grid;
     std::vector<double> along(problem_.components * grid.count());
     for (const std::size_t cell : cells) {
-      along[grid.count() + cell] = grid.area() * wrench.tangential_y->value / drag.value;
-      along[2 * grid.count() + cell] = grid.area() * wrench.tangential_z->value / drag.value;
+      along[grid.count() + cell] = grid.area() * (wrench.tangential_y->value / drag.value);
+      along[2 * grid.count() + cell] = grid.area() * (wrench.tangential_z->value / drag.value);
     }
     const auto known = mixture_.ratio(along, force_in(cells, problem_, 0));
     if (!known) return std::nullopt;

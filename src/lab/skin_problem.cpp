@@ -47,16 +47,8 @@ bool is_too_large(const SkinScene& scene, std::size_t most_dense) noexcept {
   }
 }
 
-/// Whether taxels lie near enough to tell a narrow load from a wide one: no farther apart than
-/// deep.
-bool is_dense(const SkinArray& skin) {
-  constexpr double most_apart = 1.0 + 1e-9;  // depths
-  return pitch_in_depths(skin) <= most_apart;
-}
-
-/// Between the taxels of a coarse skin large loads would hide in narrow windows.
 LoadPriorOptions prior_options(const SkinScene& scene) {
-  return {.depth = least_depth(scene.sensor), .narrowest = is_dense(scene.sensor) ? 1.75 : 3.5};
+  return {.depth = least_depth(scene.sensor), .narrowest = 3.5};
 }
 
 // Cores did 5 to 10 billion in a second of the set-up, and a billion of a frame, whose numbers come
@@ -65,13 +57,18 @@ constexpr double most_set_up = 4e10;
 constexpr double most_in_frame = 5e8;
 constexpr double most_kept = 32.0 * 1024 * 1024;
 
-/// Whether bands hold without a look at what presses: taxels are dense and read what pressure does.
+/// Whether bands hold without a look at what presses: taxels read what pressure does, and are
+/// dense. Between those that lie farther apart narrower contacts press than windows hold; pressure
+/// and both shears tell them from wide ones where one quantity does not.
 bool is_seen_by_windows(const SkinArray& skin) {
+  constexpr double most_apart = 0.75;  // depths
+  constexpr double most_apart_of_three = 1.0 + 1e-9;
   const auto tells_pressure = [](Quantity quantity) {
     return quantity == Quantity::stress_x || quantity == Quantity::strain_x ||
            quantity == Quantity::displacement_x;
   };
-  return is_dense(skin) && std::any_of(skin.reads.begin(), skin.reads.end(), tells_pressure);
+  return pitch_in_depths(skin) <= (channel_count(skin) < 3 ? most_apart : most_apart_of_three) &&
+         std::any_of(skin.reads.begin(), skin.reads.end(), tells_pressure);
 }
 
 bool may_answer_by_mixture(const SkinSceneProblem& problem) {

@@ -243,7 +243,9 @@ UncertainWrench resultant_of(const SurfaceGrid& grid, std::span<const double> tr
   if (contact.presses()) {
     differentiated(3, contact.of_centre(false));
     differentiated(4, contact.of_centre(true));
-    if (contact.drags()) differentiated(5, contact.of_torsion());
+    // In a unit of length of 1e-150 m it is no number.
+    if (contact.drags() && std::isfinite(contact.torsion()))
+      differentiated(5, contact.of_torsion());
   }
   std::array<double, 6> deviations{};
   const std::vector<double> found = covariance.deviations_of(gradients);
@@ -257,7 +259,7 @@ UncertainWrench resultant_of(const SurfaceGrid& grid, std::span<const double> tr
   if (contact.presses()) {
     result.centre_y = {contact.centre().y, deviations[3]};
     result.centre_z = {contact.centre().z, deviations[4]};
-    if (contact.drags()) result.torsion = {contact.torsion(), deviations[5]};
+    if (places.back() == 5) result.torsion = {contact.torsion(), deviations[5]};
   }
   const Matrix joint = covariance.covariances(gradients);
   for (std::size_t i = 0; i < places.size(); ++i)

@@ -368,12 +368,12 @@ TEST_CASE("a skin's mixture holds contacts that are much narrower than a depth, 
       ++all;
       held += found.interval->low <= force && force <= found.interval->high;
       widths.push_back((found.interval->high - found.interval->low) / force);
-      CHECK(std::abs(found.value - force) < 0.05 * force);
+      CHECK(std::abs(found.value - force) < 0.2 * force);
     }
   CAPTURE(noise, held, all);
   CHECK(held >= all - 2);
   std::sort(widths.begin(), widths.end());
-  CHECK(widths[widths.size() / 2] < 0.08);
+  CHECK(widths[widths.size() / 2] < 0.15);
 }
 
 TEST_CASE("the length of a contact is held, and told to a third of what is wider than the depth",
@@ -432,6 +432,10 @@ TEST_CASE("a skin of dense taxels is answered by its mixture unless that takes l
   coarse.sensor.pitch_y *= 1.01;
   coarse.sensor.pitch_z *= 1.01;
   CHECK_FALSE(SkinSceneProblem(coarse).answers_by_mixture());
+  SkinScene pressed = pressed_skin("");
+  pressed.sensor.reads = {
+      Quantity::stress_x};  // which does not tell narrow contacts from wide ones
+  CHECK_FALSE(SkinSceneProblem(pressed).answers_by_mixture());
   SkinScene sheared = dense("");
   sheared.sensor.reads = {Quantity::shear_xy, Quantity::shear_xz};
   CHECK_FALSE(SkinSceneProblem(sheared).answers_by_mixture());

@@ -77,7 +77,7 @@ struct LoadNoise {
 
 struct LoadPriorOptions {
   double depth = 0.0;      ///< d [m], > 0: the taxels' least one
-  double narrowest = 2.5;  ///< window, in depths, > 0; of coarse skins 3.5 holds more often
+  double narrowest = 2.5;  ///< window, in depths, > 0; of skins 3.5 holds more often
   /// Of alpha, >= 0. 0: each size of loads is as likely as another. 1/4: large ones are less
   /// likely, which is for coarse arrays, between whose taxels they would hide; 1/2 is a
   /// half-Cauchy of the load's size.
