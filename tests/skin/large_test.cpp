@@ -182,6 +182,20 @@ TEST_CASE("large skins of any shape are solved", "[skin][large]") {
   }
 }
 
+TEST_CASE("large skins whose cells reach far beyond their taxels are solved", "[skin][large]") {
+  // Tiles of 16 cells, most of which no taxel is near.
+  const SkinArray skin = square_skin(3, 1e-3);
+  const SkinProblemOptions options = with_dead({}, {.margin = 26e-3});
+  const double alpha = 1e-4 * size_of(make_problem(skin, silicone));
+  LargeSkinSystem system(skin, silicone, options);
+  std::vector<double> right(system.tractions());
+  for (std::size_t i = 0; i < right.size(); ++i) right[i] = i % 7 == 3 ? 1.0 : -0.2;
+  LargeSkinTikhonov solver(skin, silicone, options, alpha);
+  const auto x = solver.solve_normal(right);
+  CAPTURE(solver.convergence().steps);
+  CHECK(distance(normal_product(system, alpha, x), right) < 2e-8 * norm(right));
+}
+
 TEST_CASE("alpha of a large skin is that of all singular values", "[skin][large]") {
   const SkinArray skin = square_skin(16, 2e-3);
   const LinearProblem dense = make_problem(skin, silicone);

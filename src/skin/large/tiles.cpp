@@ -242,7 +242,8 @@ TileBlock SkinTiles::block(const Line& y, const Line& z) const {
   std::vector<Eigen::MatrixXd> folded;
   for (const Eigen::MatrixXd& of_class : rows) {
     folded.emplace_back(Eigen::MatrixXd::Zero(of_class.rows(), of_class.rows()));
-    folded.back().selfadjointView<Eigen::Lower>().rankUpdate(of_class);
+    // Beyond the taxels nothing is read: the stabiliser alone. Eigen divides by the columns.
+    if (count > 0) folded.back().selfadjointView<Eigen::Lower>().rankUpdate(of_class);
   }
   add_stabiliser(y, z, classes, folded);
   return {std::move(classes), folded};
