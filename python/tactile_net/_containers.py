@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import tokenize
 import zipfile
 import zlib
 from collections.abc import Iterable
@@ -23,6 +24,21 @@ if TYPE_CHECKING:
 TIMES = ("t", "time", "timestamp", "timestamps")
 """What times are called, in the order of preference."""
 CSV_MARK = "# tactile_net "
+
+BROKEN = (
+    zipfile.BadZipFile,
+    zlib.error,
+    tokenize.TokenError,
+    EOFError,
+    OSError,
+    ValueError,
+    ArithmeticError,
+    MemoryError,
+    RuntimeError,
+    SyntaxError,
+)
+"""What NumPy raises of an archive or an array that is cut or damaged: shapes that no memory holds, methods of compression that
+are not known, passwords, headers that are no Python, deep nesting."""
 
 
 def chosen(where: str, named: dict[str, Any], name: str | None, kind: str) -> str:
@@ -78,7 +94,9 @@ def read_npz(path: str, name: str | None) -> Layout:
 def _plain(path: str, name: str, file: Any) -> NDArray[Any]:
     try:
         array: NDArray[Any] = file[name]
-    except ValueError as error:
+    except (zipfile.BadZipFile, zlib.error, EOFError, OSError):
+        raise  # of the archive
+    except BROKEN as error:
         raise refused(path, f"{name}: {_words(error)}", _AS_FLOATS) from None
     return array
 
@@ -105,7 +123,7 @@ def read_npy(path: str, name: str | None) -> Layout:
         try:
             header = form.read_array_header_1_0 if form.read_magic(file)[0] == 1 else form.read_array_header_2_0
             shape, fortran, dtype = header(file)
-        except ValueError as error:
+        except BROKEN as error:
             raise refused(path, f"has a header that cannot be read: {error}", _AS_FLOATS) from None
         if dtype.hasobject:
             raise refused(path, _words(ValueError("pickle")), _AS_FLOATS)
@@ -164,7 +182,7 @@ def read_own_csv(path: str) -> Layout:
     with open(path, encoding="utf-8", newline="\n") as file:
         try:
             attributes = json.loads(file.readline().removeprefix(CSV_MARK))
-        except ValueError as error:
+        except (ValueError, RecursionError) as error:
             raise refused(
                 path, f"has a first line that cannot be read: {error}", "it tells of units and scene"
             ) from None

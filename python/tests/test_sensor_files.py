@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import zipfile
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,8 @@ from sensor_pads import PAD, SOFT, bump, flat_grid, lattice_skin
 
 import tactile_net as tn
 from tactile_net import sensors
+from tactile_net._containers import read_npz
+from tactile_net.sensors._reading import array_in, arrays_in
 
 RNG = np.random.default_rng(42)
 
@@ -497,6 +500,48 @@ def test_xela(tmp_path: Path) -> None:
     path.write_text(xela_message(0.0, counts[0]) + "\n" + xela_message(0.1, counts[0, :20]))
     with pytest.raises(tn.InputError, match="messages of \\[60, 72\\] numbers"):
         tn.load(path, sensor="xela", gain=1.0, units="N", **given)
+
+
+def test_xela_refuses_what_no_server_sends(tmp_path: Path) -> None:
+    path = tmp_path / "run.jsonl"
+    given: dict[str, Any] = {"model": "2x2", "pitch": 2e-3} | PAD
+    path.write_text('{"a":' * 10_000)
+    assert not sensors.sniffed(path)
+    with pytest.raises(tn.InputError, match="no message of JSON in line 1"):
+        tn.load(path, sensor="xela", gain=1.0, units="N", **given)
+    huge = "9" * 400
+    rest = ", 1" * 11
+    path.write_text(f'{{"1": {{"calibrated": [{huge}{rest}]}}}}')
+    with pytest.raises(tn.InputError, match="a reading that is no number"):
+        tn.load(path, sensor="xela", units="N", **given)
+    path.write_text('{"1": {"data": "%s%s"}}' % ("F" * 400, ",1" * 11))
+    with pytest.raises(tn.InputError, match="a reading that is no number"):
+        tn.load(path, sensor="xela", gain=1.0, units="N", **given)
+
+
+@pytest.mark.parametrize("shape", ["(100000000000, 3)", "(1000000000000000000000000, 3)", "((("])
+def test_archives_whose_headers_lie_are_refused(shape: str, tmp_path: Path) -> None:
+    header = f"{{'descr': '<f8', 'fortran_order': False, 'shape': {shape}, }}".encode().ljust(117) + b"\n"
+    array = b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header + bytes(48)
+    for changes in ({}, {8: 99}, {6: 1}):  # a method of compression, a password
+        stored = io.BytesIO()
+        with zipfile.ZipFile(stored, "w") as archive:
+            archive.writestr("normal_forces.npy", array)
+        data = bytearray(stored.getvalue())
+        entry = data.index(b"PK\x01\x02")
+        for at, value in changes.items():
+            data[at] = data[entry + at + 2] = value
+        path = tmp_path / "run.npz"
+        path.write_bytes(data)
+        with pytest.raises(tn.InputError, match=r"is no \.npz file"):
+            arrays_in(str(path))
+        with pytest.raises(tn.InputError, match="normal_forces: "):
+            read_npz(str(path), None)
+    path = tmp_path / "run.npy"
+    path.write_bytes(array)
+    if shape == "(((":
+        with pytest.raises(tn.InputError, match="header that cannot be read"):
+            array_in(str(path))
 
 
 # Points.

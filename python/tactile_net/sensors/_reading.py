@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import zipfile
-import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +10,7 @@ import numpy as np
 
 from .. import _core
 from .._arrays import Floats
-from .._containers import read_npy
+from .._containers import BROKEN, read_npy
 from .._judge import numbers
 from .._refusal import refused
 
@@ -64,7 +62,7 @@ def arrays_in(path: str) -> dict[str, NDArray[Any]]:
             if sum(one.file_size for one in file.zip.infolist()) > MOST_BYTES:
                 raise refused(path, f"unpacks to more than {MOST_BYTES >> 30} GiB", "cut it into parts")
             found = {name: file[name] for name in file.files}
-    except (zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError) as error:
+    except BROKEN as error:
         if type(error).__name__ == "InputError":
             raise
         words = (

@@ -102,7 +102,7 @@ def _features(path: str) -> dict[str, Any]:
             return {}
         with open(info, encoding="utf-8") as file:
             found = json.load(file).get("features", {})
-    except (OSError, ValueError, AttributeError):
+    except (OSError, ValueError, AttributeError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}
 

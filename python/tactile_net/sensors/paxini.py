@@ -85,7 +85,7 @@ def _model_in(path: str) -> str | None:
         return None
     try:
         told = json.loads(first[2:])
-    except ValueError:
+    except (ValueError, RecursionError):
         return None
     said = told.get("sensor_part") if isinstance(told, dict) else None
     return said if isinstance(said, str) else None

@@ -28,7 +28,7 @@ def sniff(path: str) -> float:
         return 0.0
     try:
         told = json.loads(first)
-    except ValueError:
+    except (ValueError, RecursionError):
         return 0.0
     return 0.9 if isinstance(told, dict) and any(_is_sensor(key, one) for key, one in told.items()) else 0.0
 
@@ -52,7 +52,7 @@ def frames(path: str, given: Given) -> Frames:
     sensor = one_of(path, (key for one in messages for key in one if _is_sensor(key, one[key])), given.name, "sensor")
     told = [one[sensor] for one in messages if _is_sensor(sensor, one.get(sensor))]
     times = [one.get("time") for one in told]
-    t = np.array(times, dtype=float) if all(isinstance(one, int | float) for one in times) else None
+    t = np.array(times, dtype=float) if all(isinstance(one, int | float) and one < 1e300 for one in times) else None
     if given.reads != "stress" and all(isinstance(one.get("calibrated"), list) and one["calibrated"] for one in told):
         values = in_si(path, _triples(path, [one["calibrated"] for one in told], float), given, "force")
         return Frames(values, t, "N", "sensor", notes=_notes(messages, told), file=path)
@@ -98,6 +98,6 @@ def _triples(path: str, rows: list[list[Any]], number: Any) -> NDArray[np.float6
         raise refused(path, f"has messages of {sorted(sizes)} numbers, not x, y and z of the same taxels in each")
     try:
         values = np.array([[number(one) for one in row] for row in rows], dtype=float)
-    except (TypeError, ValueError) as error:
+    except (OverflowError, TypeError, ValueError) as error:
         raise refused(path, f"has a reading that is no number: {error}") from None
     return values.reshape(len(rows), -1, 3)
