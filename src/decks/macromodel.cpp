@@ -114,6 +114,8 @@ const Definition& chosen(const std::vector<Definition>& all, const DeckText& dec
       });
       if (!called) fitting.push_back(&one);
     }
+  if (fitting.empty())
+    refuse_model(file, 0, "has no sub-circuit that no other calls: they call one another", how);
   if (fitting.size() != 1)
     refuse_model(file, 0, "has several sub-circuits, and which one is the op-amp is not said", how);
   return *fitting.front();

@@ -183,6 +183,8 @@ TEST_CASE("what is no macromodel, or more than one, is refused with what to do",
       ContainsSubstring("not one in_plus"));
   CHECK_THAT(refused_model(".subckt a 1 2 3 4 5\n" + body + ".subckt b 1 2 3 4 5\n" + body),
              ContainsSubstring("several sub-circuits") && ContainsSubstring("a, b"));
+  CHECK_THAT(refused_model(".subckt a 1 2 3 4 5\nXa 1 2 3 4 5 a\n" + body),
+             ContainsSubstring("they call one another"));
   CHECK_THAT(refused_model(head + body, Outputs::single, {.name = "other"}),
              ContainsSubstring("no sub-circuit 'other'"));
 }
