@@ -22,6 +22,10 @@ Certification certify(const AnyScene& scene, Observer& observer,
     observer.step({Step::Kind::draws});
     result.tolerance = tolerate(result.circuit.network(), *options.tolerance);
   }
+  if (options.refine && result.circuit.loaded()) {
+    observer.step({Step::Kind::draws});
+    result.refinement = refinement(result.circuit);
+  }
   observer.step({Step::Kind::realizations});
   result.recommendation = recommend(result.circuit);
   if (wanted.accuracy) result.parts = parts_list(result.circuit, *wanted.accuracy);

@@ -16,6 +16,7 @@
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
+#include "tactile_net/report/words/refinement_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
 
@@ -192,6 +193,46 @@ Figure resistors_figure(const FlatCircuit& circuit) {
           std::move(plot)};
 }
 
+/// Errors over cycles, what is proven of them, and where arithmetic ends.
+Figure refinement_figure(const lab::CircuitRefinement& refinement) {
+  const RefinementTrials& trials = refinement.trials;
+  Plot plot{"Refined cycle by cycle", "cycle", "|f - f*| / |f*|", {}, {}};
+  plot.logarithmic_y = true;
+  const std::size_t cycles = trials.cycles.size();
+  for (std::size_t k = 1; k <= cycles; ++k) plot.x.push_back(static_cast<double>(k));
+  const auto add = [&](const std::string& label, std::size_t colour, bool dashed, auto&& at) {
+    Curve curve{label, {}, colour};
+    curve.dashed = dashed;
+    for (std::size_t k = 0; k < cycles; ++k) curve.y.push_back(at(k));
+    if (std::all_of(curve.y.begin(), curve.y.end(),
+                    [](double y) { return std::isfinite(y) && y > 0.0; }))
+      plot.curves.push_back(std::move(curve));
+  };
+  add("median build", 1, false, [&](std::size_t k) { return trials.cycles[k].median; });
+  add("95 of 100", 2, false, [&](std::size_t k) { return trials.cycles[k].p95; });
+  add("worst of " + std::to_string(trials.builds), 3, false,
+      [&](std::size_t k) { return trials.cycles[k].worst; });
+  add("errors that conspire", 4, false, [&](std::size_t k) { return trials.cycles[k].adverse; });
+  if (refinement.verdict != RefinementVerdict::refused) {
+    const double rate = refinement.verdict == RefinementVerdict::proven
+                            ? refinement.bound.contraction()
+                            : refinement.bound.contraction_of_most();
+    add("proven", 5, true, [&](std::size_t k) {
+      return std::sqrt(refinement.bound.condition) * trials.first_energy *
+             std::pow(rate, static_cast<double>(k));
+    });
+  }
+  add("single precision ends", 6, true, [&](std::size_t) { return trials.single_floor; });
+  add("double precision ends", 7, true, [&](std::size_t) { return trials.double_floor; });
+  if (plot.curves.empty()) return {};
+  return {"refinement", "refinement",
+          "How far the answer is from the exact one after each cycle; the first is the circuit by "
+          "itself. No build is above the dashed line that is proven, which also holds of errors "
+          "that conspire; converters cost a factor a cycle, and only the arithmetic of the "
+          "residual ends it.",
+          std::move(plot)};
+}
+
 constexpr std::string_view voltages = "the tractions that the circuit's voltages stand for";
 
 /// The pad with these tractions, none where nothing loads it.
@@ -232,6 +273,7 @@ std::vector<Figure> figures_of(const lab::Certification& c) {
   }
   figures.push_back(builds_figure(c));
   figures.push_back(resistors_figure(c.circuit.network().flat()));
+  if (c.refinement) figures.push_back(refinement_figure(*c.refinement));
   return figures;
 }
 
@@ -301,6 +343,10 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
     html += element("h3", "Datasheet") + html_table(cells(*c.datasheet)) +
             html_list(in_words(*c.datasheet));
   html += figures.html("parts");
+  if (c.refinement)
+    html += element("h2", "Refined in numbers") + html_list(report::in_words(*c.refinement)) +
+            html_table(report::cycle_cells(*c.refinement)) + element("h3", "Does it pay?") +
+            html_table(report::way_cells(*c.refinement)) + figures.html("refinement");
   html += colophon("The scene, the files, the command",
                    std::visit([](const auto& scene) { return scene_html(scene); }, c.scene()),
                    page.files, made);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "scene/common_errors_section.hpp"
+#include "scene/refine_section.hpp"
 #include "scene/sections.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/opamp_part.hpp"
@@ -377,6 +378,7 @@ NetworkOptions read_network(Table& root, const Units& units, const Unit& alpha,
   if (const auto tolerance = table_of(table.value("tolerance")))
     options.tolerance = read_tolerance(*tolerance, options, folder);
   if (const auto limits = table_of(table.value("limits"))) options.limits = read_limits(*limits);
+  if (const auto refine = table.value("refine")) options.refine = read_refine(*refine, options);
   if (auto settling = table_of(table.value("settling"))) {
     if (const auto accuracy = settling->required(
             "accuracy", "how near to its end the answer must stay: accuracy = 1e-3"))

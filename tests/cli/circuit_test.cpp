@@ -193,6 +193,53 @@ TEST_CASE("certify writes a page and the numbers behind its plots", "[cli]") {
         run_tool({"certify", scene("circuits/least-squares.toml"), "--json", "-"}).output);
 }
 
+TEST_CASE("certify refines a circuit in numbers, and says whether that pays", "[cli]") {
+  const Folder folder;
+  const std::string path = folder.write(
+      "s.toml", small_circuit +
+                    "realization = \"lattice\"\nopamp = { bandwidth = 10e6 }\n"
+                    "tolerance = { relative = 0.01, trials = 40 }\nrefine = { cycles = 5 }\n");
+  const std::string json = run_tool({"certify", path, "--json", "-"}).output;
+  const Json refinement = Json::parse(json).at("refinement");
+  CHECK(refinement.at("verdict") == "proven");
+  CHECK(refinement.at("bits") == 12);
+  const Json& trials = refinement.at("trials");
+  CHECK(trials.at("builds") == 40);
+  REQUIRE(trials.at("cycles").size() == 5);
+  CHECK(trials.at("cycles").back().at("worst_error").get<double>() < 1e-6);
+  // The first cycle is the circuit itself: the draws of its tolerance, and converters' noise.
+  CHECK_THAT(trials.at("cycles")[0].at("p95_error").get<double>(),
+             WithinRel(Json::parse(json).at("tolerance").at("p95_error").get<double>(), 0.25));
+  CHECK(refinement.at("ways").back().at("way") == "numbers");
+  CHECK(trials.at("cycle_products") > trials.at("frame_products"));
+
+  const ProcessResult other =
+      run_tool({"certify", path, "--refine", "bits=6,cycles=9,step=conjugate"});
+  CHECK(other.code == 0);
+  CHECK_THAT(other.output, ContainsSubstring("converters of 6 bits") &&
+                               ContainsSubstring("steps: conjugate") &&
+                               ContainsSubstring("no way to beat the digital frame"));
+  const std::string out = folder / "out";
+  CHECK(run_tool({"certify", path, "--out", out}).code == 0);
+  CHECK_THAT(read_text(folder / "out/report.html"), ContainsSubstring("Does it pay?"));
+  CHECK_THAT(read_text(folder / "out/refinement.csv"), ContainsSubstring("median build"));
+
+  for (const std::string bad :
+       {"bits=3", "cycles=0", "gain=0.6", "step=long", "noise", "speed=2"}) {
+    CAPTURE(bad);
+    const ProcessResult result = run_tool({"certify", path, "--refine", bad});
+    CHECK(result.code == 2);
+    CHECK_THAT(result.errors, ContainsSubstring("--refine"));
+  }
+  // Not refined unless somebody asks.
+  const std::string plain =
+      folder.write("plain.toml", small_circuit + "realization = \"lattice\"\n");
+  CHECK(Json::parse(run_tool({"certify", plain, "--json", "-"}).output).at("refinement").is_null());
+  // The command line asks it of circuits that it does not speak of, too.
+  CHECK_THAT(run_tool({"certify", scene("nic.toml"), "--refine", "bits=12"}).errors,
+             ContainsSubstring("refinement is of crossbar, least_squares and lattice"));
+}
+
 TEST_CASE("certify lists what to order for an accuracy", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_circuit);

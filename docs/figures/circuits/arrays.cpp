@@ -10,16 +10,16 @@
 #include "tactile_net/sensing/exact.hpp"
 
 namespace tactile_net::circuits {
-namespace {
 
-/// An array of the page, under its cylinder; more than thirty taxels lie half as far apart.
-NetworkProblem problem(std::size_t count, double alpha) {
+NetworkProblem array_problem(std::size_t count, double alpha) {
   const SensorArray array{count, count > 30 ? 0.25 : 0.5, {1.5}, {Quantity::strain_x}};
   const Material pad{1.0, 0.45};
   const std::vector<Contact> contacts = {RigidContact{.half_width = 2.0}};
   const LinearProblem inverse = make_problem(array, pad, {.smoothing_length = 1.0});
   return network_problem(inverse, alpha, exact_readings(array, pad, contacts));
 }
+
+namespace {
 
 std::string error(double value) { return std::isfinite(value) ? percent(value) : "unstable"; }
 
@@ -55,7 +55,7 @@ std::string arrays_table() {
   text += '\n';
   for (const Case& one : cases) {
     std::cerr << "arrays, " << name(one.realization) << ' ' << one.count << '\n';
-    const NetworkProblem network = problem(one.count, one.alpha);
+    const NetworkProblem network = array_problem(one.count, one.alpha);
     const auto median = [&](double scale, const ToleranceOptions& options) {
       return error(tolerate(Reduction(realize(one.realization, network,
                                               {.scale = {scale, 1.0}, .ladder = one.ladder})),

@@ -7,6 +7,7 @@
 #include "docs/figures/circuits/ladder_texts.hpp"
 #include "docs/figures/circuits/numbers.hpp"
 #include "docs/figures/circuits/opamp_texts.hpp"
+#include "docs/figures/circuits/refinement_texts.hpp"
 #include "tactile_net/frames/output_file.hpp"
 #include "tactile_net/network/opamp.hpp"
 
@@ -498,7 +499,8 @@ std::string page() {
          table(Realization::least_squares, {.inverters = true}) + lattice_text +
          table(Realization::lattice) + lc_text + table(Realization::lc) + ndr_text + devices() +
          table(Realization::ndr) + opamps_text + opamp_classes_table() + motion_text +
-         motion_table() + arrays_text + arrays_table() + ending;
+         motion_table() + arrays_text + arrays_table() + refinement_text + refinement_table() +
+         refinement_numbers + ending;
 }
 
 }  // namespace

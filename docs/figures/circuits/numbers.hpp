@@ -8,6 +8,9 @@
 
 namespace tactile_net::circuits {
 
+/// The array of the page, under its cylinder; more than thirty taxels lie half as far apart.
+[[nodiscard]] NetworkProblem array_problem(std::size_t count, double alpha);
+
 /// A table of one realisation at several alphas: agreement, settling, tolerance.
 [[nodiscard]] std::string table(Realization realization, const RealizationOptions& options = {});
 
@@ -34,6 +37,9 @@ namespace tactile_net::circuits {
 
 /// What steps, noise and wires of programmable arrays do.
 [[nodiscard]] std::string arrays_table();
+
+/// Circuits of parts that are off, refined in numbers: bounds, builds, errors by cycle.
+[[nodiscard]] std::string refinement_table();
 
 /// How far behind a moving contact they are; lengths taken for mm.
 [[nodiscard]] std::string motion_table();

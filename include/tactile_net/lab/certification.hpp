@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "tactile_net/lab/board_certificate.hpp"
+#include "tactile_net/lab/circuit_refinement.hpp"
 #include "tactile_net/lab/contact_motion.hpp"
 #include "tactile_net/lab/datasheet.hpp"
 #include "tactile_net/lab/observer.hpp"
@@ -18,6 +19,7 @@ struct Certification {
   SceneCircuit circuit;
   std::optional<ContactMotion> motion{};       ///< of contacts, for a circuit that settles
   std::optional<ToleranceResult> tolerance{};  ///< where the scene gives one, for a linear circuit
+  std::optional<CircuitRefinement> refinement{};  ///< where the scene asks for it
   Recommendation recommendation{};
   std::optional<PartsList> parts{};  ///< where an accuracy is asked for
   /// Of the board that is given, or of that which the list of parts makes.

@@ -16,6 +16,7 @@
 #include "tactile_net/network/allocation.hpp"
 #include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/realization.hpp"
+#include "tactile_net/network/refinement_options.hpp"
 #include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/scene/macromodel.hpp"
 #include "tactile_net/scene/sensor_effects.hpp"
@@ -114,6 +115,7 @@ struct NetworkOptions {
   std::optional<ToleranceOptions> tolerance{};  ///< absent: every component has its exact value
   std::optional<double> settling_accuracy{};    ///< absent: only the operating point
   DatasheetLimits limits{};                     ///< that a datasheet is judged by
+  std::optional<RefinementOptions> refine{};    ///< absent: the answer is not refined
 };
 
 /// What scenes of lines and of skins have in common. `SensorEffects` lie between the pad and the

@@ -2,6 +2,7 @@
 
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
+#include "report/json/self_test_fields.hpp"
 #include "tactile_net/report/words/board_bench_words.hpp"
 
 namespace tactile_net::report {
@@ -53,17 +54,6 @@ std::vector<std::vector<double>> rows_of(const Matrix& matrix) {
 }  // namespace tactile_net::report
 
 namespace tactile_net {
-
-template <>
-struct Fields<SelfTest> {
-  static constexpr auto all = std::tuple{
-      field("limit", &SelfTest::limit,
-            "The largest step of refinement over the answer that passes: 95 of 100 builds show at "
-            "most this; 0: there is no load."),
-      field("median", &SelfTest::median, "That of the median build."),
-      field("apart", &SelfTest::apart,
-            "How far it is from the build's own error in 95 of 100, relative.")};
-};
 
 template <>
 struct Fields<lab::BoardBench> {

@@ -3,6 +3,7 @@
 #include "report/json/board_fields.hpp"
 #include "report/json/datasheet_fields.hpp"
 #include "report/json/network_values.hpp"
+#include "report/json/refinement_fields.hpp"
 #include "report/json/scene_json.hpp"
 #include "report/json/schemas.hpp"
 #include "tactile_net/report/words/macromodel_words.hpp"
@@ -432,6 +433,9 @@ struct Fields<lab::Certification> {
       field("tolerance", &lab::Certification::tolerance,
             "Draws of this circuit's parts; null: the scene gives no tolerance, or the circuit is "
             "not linear."),
+      field("refinement", &lab::Certification::refinement,
+            "The circuit as the inner solver of a refinement in numbers; null: it was not asked "
+            "for."),
       field("recommendation", &lab::Certification::recommendation,
             "Which realisation suits the scene's tolerances."),
       field(

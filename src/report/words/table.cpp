@@ -14,6 +14,7 @@
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
+#include "tactile_net/report/words/refinement_words.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 #include "tactile_net/report/words/scene_words.hpp"
 #include "tactile_net/report/words/skin_words.hpp"
@@ -175,6 +176,13 @@ void print_certificate(std::ostream& out, const lab::Certification& c) {
   out << '\n';
   if (!c.recommendation.candidates.empty()) print_cells(out, cells(c.recommendation));
   out << in_words(c.recommendation) << '\n';
+  if (c.refinement) {
+    out << '\n';
+    for (const std::string& line : in_words(*c.refinement)) out << line << '\n';
+    print_cells(out, cycle_cells(*c.refinement));
+    out << '\n';
+    print_cells(out, way_cells(*c.refinement));
+  }
   if (c.parts) {
     out << '\n';
     print_cells(out, cells(*c.parts));

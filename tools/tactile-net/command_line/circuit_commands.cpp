@@ -92,6 +92,10 @@ void add_certify(AllCommands& all) {
                    "offset, settling, noise and supply current over tolerances and temperature, "
                    "against the scene's limits; with --budget, of the parts to order; with --out, "
                    "write it as SCENE.datasheet.json too");
+  command.add_option("--refine", options.refine, text("KEY=VALUE,..."),
+                     "Refine the circuit's answer in numbers, as the keys of the scene's refine "
+                     "say, such as bits=12,cycles=4: what is proven, what builds come to, and "
+                     "whether it pays");
   add_network(command, options.network);
 }
 

@@ -1,8 +1,11 @@
 #include "commands/certify.hpp"
 
+#include <variant>
+
 #include "commands/board_file.hpp"
 #include "commands/budget.hpp"
 #include "commands/input.hpp"
+#include "commands/refine_options.hpp"
 #include "failure.hpp"
 #include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/certification.hpp"
@@ -29,7 +32,14 @@ std::string ordered_text(const InputText& text, const lab::Certification& c,
 void run(const CertifyOptions& options, const Streams& streams) {
   decks::refuse_deck(options.scene);
   const InputText text = input_text(options.scene, streams.in);
-  const AnyScene scene = circuit_scene(text, options.network, streams);
+  AnyScene scene = circuit_scene(text, options.network, streams);
+  if (!options.refine.empty())
+    std::visit(
+        [&](auto& one) {
+          one.network.refine =
+              refine_options(options.refine, one.network.refine.value_or(RefinementOptions{}));
+        },
+        scene);
   Results results(options.results, streams);
   Progress progress(streams);
   lab::CertificationOptions wanted{.accuracy = share_of(options.budget),

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/network_options.hpp"
 #include "commands/results.hpp"
@@ -22,6 +23,7 @@ struct CertifyOptions {
   double phase_margin = lab::usual_phase_margin;
   bool oscillating_board = false;
   bool datasheet = false;
+  std::vector<std::string> refine{};  ///< keys over the scene's; empty: as it says
 };
 
 /// @throw CheckFailed  the circuit is not stable, or its datasheet misses a limit

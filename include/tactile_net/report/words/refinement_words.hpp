@@ -1,0 +1,26 @@
+/// @file
+/// A refinement as sentences and tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tactile_net/lab/circuit_refinement.hpp"
+
+namespace tactile_net::report {
+
+/// What is proven, or what to do where nothing is.
+[[nodiscard]] std::string verdict_in_words(const lab::CircuitRefinement& refinement);
+
+/// The verdict, what bounds and builds say, the test of the board by itself, and what it pays for.
+[[nodiscard]] std::vector<std::string> in_words(const lab::CircuitRefinement& refinement);
+
+/// Errors after each cycle: median, 95 of 100, worst, conspiring errors.
+[[nodiscard]] std::vector<std::vector<std::string>> cycle_cells(
+    const lab::CircuitRefinement& refinement);
+
+/// Ways to an answer: error, price, time, multiplications.
+[[nodiscard]] std::vector<std::vector<std::string>> way_cells(
+    const lab::CircuitRefinement& refinement);
+
+}  // namespace tactile_net::report
