@@ -157,6 +157,8 @@ Datasheet datasheet(const SceneCircuit& circuit, const PartsList* parts,
                   .on_board = board != nullptr,
                   .drawn = circuit.tolerance(),
                   .settling_accuracy = options.settling_accuracy.value_or(1e-3)};
+  const OpAmp& opamp = network.options().opamp;
+  sheet.drift_unknown = sheet.drawn.common.temperature && opamp.offset && !opamp.offset_drift;
   if (options.opamp_part != nullptr) sheet.opamp_part = options.opamp_part->name;
   const auto miss = [&](FigureKind kind, MissingReason reason) {
     sheet.missing.push_back({kind, reason});
@@ -165,21 +167,23 @@ Datasheet datasheet(const SceneCircuit& circuit, const PartsList* parts,
   const auto problems = circuit_loads(circuit);
   sheet.loads = problems.size();
   const std::vector<Load> loads = loads_of(network, problems);
-  const LoadedNetwork loaded(
-      network.reduction(), loads,
-      {opamp_errors(network.flat(), loads), sheet.drawn.balance.value_or(0.0)});
+  const LoadedNetwork loaded(network.reduction(), loads,
+                             {.errors = opamp_errors(network.flat(), loads),
+                              .balance = sheet.drawn.balance.value_or(0.0),
+                              .tare = sheet.drawn.tare});
   const std::size_t resting = builds_at_rest(network.reduction().rows());
   std::optional<double> error = limits.error;
   if (!error && sheet.ordered) error = parts->wanted.target;
   sheet.figures.push_back(figure_of(
       FigureKind::error,
       loaded.builds(source.bought.printed, source.bought.errors, resting, of_datasheet), error));
-  if (const std::vector<double> offsets = loaded.offsets(resting, of_datasheet); !offsets.empty())
+  if (const std::vector<double> offsets =
+          loaded.offsets(source.bought.errors, resting, of_datasheet);
+      !offsets.empty())
     sheet.figures.push_back(figure_of(FigureKind::offset, offsets, limits.offset));
   else
     miss(FigureKind::offset, MissingReason::no_offset);
 
-  const OpAmp& opamp = network.options().opamp;
   const std::size_t states =
       takes_time(network.realization(), network.options()) ? count_states(network.flat()) : 0;
   const std::size_t builds = builds_over_time(states);

@@ -215,7 +215,9 @@ Offer priced(const std::shared_ptr<const NetworkCircuit>& circuit, const Network
   result.stability = stability_of(*circuit);
   const std::vector<Load> loads = loads_of(*circuit, problems);
   const LoadedNetwork network(circuit->reduction(), loads,
-                              {opamp_errors(circuit->flat(), loads), drawn.balance.value_or(0.0)});
+                              {.errors = opamp_errors(circuit->flat(), loads),
+                               .balance = drawn.balance.value_or(0.0),
+                               .tare = drawn.tare});
   draw_opamps(result, network, circuit->reduction(), drawn.common);
   const double target = parts.wanted.target;
   double of_resistors = left_of(target, result.common_p95);
@@ -277,6 +279,7 @@ PartsList list_of(const SceneCircuit& circuit, double target,
   const NetworkProblems problems = circuit_loads(circuit);
   PartsList result{.wanted = {.target = target}, .loads = problems.size()};
   result.series = circuit.tolerance().series.value_or(Series::e96);
+  result.tare = circuit.tolerance().tare;
   const NetworkOptions& options = circuit.options();
   if (options.resistor_classes) result.wanted.classes = *options.resistor_classes;
   result.opamp_price = options.opamp_price.value_or(result.opamp_price);

@@ -36,6 +36,7 @@ Circuit drawn_circuit(const FlatCircuit& circuit, const BuildParts& parts, std::
   const InputPlaces places{drawn.resistors.size() + balances, any_of_models(drawn, &OpAmp::offset)
                                                                   ? circuit.amplifiers().size()
                                                                   : std::size_t{0}};
+  const double kelvin = parts.resistors.kelvin(seed, build);
   const bool has_bias = any_of_models(drawn, &OpAmp::bias_current);
   std::vector<AmplifierModel> models;
   for (std::size_t k = 0; k < drawn.instances.size(); ++k) {
@@ -44,15 +45,27 @@ Circuit drawn_circuit(const FlatCircuit& circuit, const BuildParts& parts, std::
     model.name = "opamp" + std::to_string(k);
     drawn.instances[k].subcircuit = model.name;
     OpAmp& opamp = model.opamp;
-    if (opamp.offset) *opamp.offset *= normal(seed, build, places.offset(k));
+    const auto drawn_input = [&](double typical, const std::optional<double>& limit,
+                                 std::uint64_t place) {
+      const InputSpread spread = input_spread(typical, limit);
+      return spread.deviation * input_error(spread, seed, build, place);
+    };
+    if (opamp.offset)
+      opamp.offset = drawn_input(*opamp.offset, opamp.offset_limit, places.offset(k));
+    if (opamp.offset_drift && kelvin != 0.0)
+      opamp.offset =
+          opamp.offset.value_or(0.0) + kelvin * *opamp.offset_drift * drift_error(seed, build, k);
+    opamp.offset_limit.reset();  // of parts that are bought: this is one of them
     if (opamp.bandwidth && parts.bandwidth > 0.0) {
       const double factor = 1.0 + parts.bandwidth * uniform(seed, build, of_bandwidth + k);
       *opamp.bandwidth *= factor;
       if (opamp.second_pole) *opamp.second_pole *= factor;
     }
     if (has_bias && opamp.bias_current) {
-      const double plus = *opamp.bias_current * normal(seed, build, places.bias(k));
-      const double minus = *opamp.bias_current * normal(seed, build, places.bias(k) + 1);
+      const double typical = *opamp.bias_current;
+      const double plus = drawn_input(typical, opamp.bias_limit, places.bias(k));
+      const double minus = drawn_input(typical, opamp.bias_limit, places.bias(k) + 1);
+      opamp.bias_limit.reset();
       opamp.bias_current = 0.5 * (plus + minus);
       const std::string name = "Ib" + std::to_string(k);
       if (x.plus != 0) drawn.sources.push_back({name + 'p', x.plus, 0.5 * (minus - plus)});

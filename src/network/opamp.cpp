@@ -20,6 +20,12 @@ void check(const std::optional<double>& value, const char* name) {
     throw std::invalid_argument(std::string("an op-amp's ") + name + " must be > 0 and finite");
 }
 
+void check_limit(const std::optional<double>& typical, const std::optional<double>& limit,
+                 const char* name) {
+  if (limit && typical && std::abs(*typical) > *limit)
+    throw std::invalid_argument(std::string("an op-amp's ") + name + " must be within its limit");
+}
+
 /// A farad value that sets a pole at `hertz` with a conductance.
 std::string farad(double siemens, double hertz) {
   return shortest(siemens / angular_frequency(hertz));
@@ -112,10 +118,15 @@ void check(const OpAmp& opamp) {
   check(opamp.slew, "slew");
   check(opamp.output_resistance, "output resistance");
   check(opamp.output_current, "output current");
+  check(opamp.offset_limit, "offset limit");
+  check(opamp.offset_drift, "offset drift");
+  check(opamp.bias_limit, "bias limit");
   if (opamp.bias_current && !std::isfinite(*opamp.bias_current))
     throw std::invalid_argument("an op-amp's bias current must be finite");
   if (opamp.offset && !std::isfinite(*opamp.offset))
     throw std::invalid_argument("an op-amp's offset must be finite");
+  check_limit(opamp.offset, opamp.offset_limit, "offset");
+  check_limit(opamp.bias_current, opamp.bias_limit, "bias current");
   if ((opamp.noise_voltage || opamp.noise_current) && !opamp.bandwidth)
     throw std::invalid_argument(
         "an op-amp's noise needs its bandwidth: white noise of any frequency has no size");

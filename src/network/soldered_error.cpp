@@ -33,8 +33,11 @@ struct LoadedNetwork::Solved {
   Solved(const Reduction& network, std::span<const Load> given, BuiltOpAmps built)
       : reduction(network),
         loads(given.begin(), given.end()),
-        opamps(std::move(built)),
-        draws(network, opamps.errors, opamps.balance),
+        resting(std::move(built.errors)),
+        counted(built.tare ? without_rest(resting) : resting),
+        balance(built.balance),
+        draws(network, counted, balance),
+        draws_at_rest(network, resting, balance),
         right(right_sides(network, given, network.siemens())),
         lu(as_eigen(network.equations().matrix)),
         unknowns(lu.solve(right)),
@@ -45,7 +48,7 @@ struct LoadedNetwork::Solved {
       throw std::domain_error("without an answer there is nothing to err from");
     shifts.resize(outputs.rows(), outputs.cols());
     for (Eigen::Index load = 0; load < outputs.cols(); ++load) {
-      const std::vector<double> shift = total_shift(opamps.errors, static_cast<std::size_t>(load),
+      const std::vector<double> shift = total_shift(counted, static_cast<std::size_t>(load),
                                                     static_cast<std::size_t>(outputs.rows()));
       shifts.col(load) = as_eigen(std::span(shift));
     }
@@ -88,8 +91,11 @@ struct LoadedNetwork::Solved {
 
   const Reduction& reduction;
   const std::vector<Load> loads;
-  const BuiltOpAmps opamps;
+  const OpAmpErrors resting;  // of the builds as they are
+  const OpAmpErrors counted;  // and of their answers as they are read
+  const double balance;
   const OpAmpDraws draws;
+  const OpAmpDraws draws_at_rest;
   Eigen::MatrixXd right;
   Lu lu;
   Eigen::MatrixXd unknowns;
@@ -134,19 +140,19 @@ OpAmpShares LoadedNetwork::opamp_shares() const {
   const auto add = [](double& sum, double share) { sum += share * share; };
   const Eigen::MatrixXd by_currents = s.to_outputs();
   for (Eigen::Index load = 0; load < s.outputs.cols(); ++load) {
-    const OpAmpShares one = shares(s.opamps.errors, static_cast<std::size_t>(load), s.sizes(load));
+    const OpAmpShares one = shares(s.counted, static_cast<std::size_t>(load), s.sizes(load));
     add(squares.offset, one.offset);
     add(squares.bias_current, one.bias_current);
     add(squares.gain, one.gain);
     add(squares.common_mode, one.common_mode);
     add(squares.output_resistance, one.output_resistance);
     add(squares.total, one.total);
-    if (s.opamps.balance > 0.0 && s.reduction.complementary() > 0) {
+    if (s.balance > 0.0 && s.reduction.complementary() > 0) {
       const Eigen::VectorXd z = s.unknowns.col(load);
       const Matrix each =
           s.reduction.balance_sensitivities({z.data(), static_cast<std::size_t>(z.size())});
-      add(squares.balance, s.opamps.balance / std::sqrt(3.0) *
-                               (as_eigen(each) * by_currents).norm() / s.sizes(load));
+      add(squares.balance,
+          s.balance / std::sqrt(3.0) * (as_eigen(each) * by_currents).norm() / s.sizes(load));
     }
   }
   const auto loads = static_cast<double>(s.outputs.cols());
@@ -160,13 +166,14 @@ OpAmpShares LoadedNetwork::opamp_shares() const {
           .total = root(squares.total + squares.balance)};
 }
 
-std::vector<double> LoadedNetwork::offsets(std::size_t count, std::uint64_t seed) const {
+std::vector<double> LoadedNetwork::offsets(const ResistorErrors& of_resistors, std::size_t count,
+                                           std::uint64_t seed) const {
   std::vector<double> result;
-  const OpAmpErrors& errors = solved_->opamps.errors;
-  if (errors.offset.values.empty() && errors.bias_current.values.empty()) return result;
+  if (!solved_->resting.any_of_inputs()) return result;
   for (std::size_t build = 0; build < count; ++build)
     result.push_back(solved_->relative(
-        solved_->draws.of_inputs(seed, build).replicate(1, solved_->outputs.cols())));
+        solved_->draws_at_rest.of_inputs(seed, build, of_resistors.kelvin(seed, build))
+            .replicate(1, solved_->outputs.cols())));
   return result;
 }
 
@@ -187,8 +194,9 @@ std::vector<double> LoadedNetwork::builds(std::span<const double> printed,
       errors.push_back(std::numeric_limits<double>::infinity());
       continue;
     }
-    const Eigen::MatrixXd off = (solved_->moved(equations, siemens) + solved_->shifts).colwise() +
-                                solved_->draws.of_inputs(seed, build);
+    const Eigen::MatrixXd off =
+        (solved_->moved(equations, siemens) + solved_->shifts).colwise() +
+        solved_->draws.of_inputs(seed, build, of_resistors.kelvin(seed, build));
     errors.push_back(solved_->relative(off));
   }
   std::sort(errors.begin(), errors.end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "network/nodal_equations.hpp"
@@ -27,7 +28,8 @@ bool any(const FlatCircuit& circuit, std::optional<double> OpAmp::*key) {
 }
 
 /// What errors of the inputs make of the outputs, a column an error.
-/// @param by  the outputs by an error of each input, `each` amplifiers' after one another
+/// @param by   the outputs by an error of each input, `each` amplifiers' after one another
+/// @param key  what their size is
 Eigen::MatrixXd input_errors(const FlatCircuit& circuit, const Eigen::MatrixXd& by,
                              std::optional<double> OpAmp::*key) {
   const auto amplifiers = static_cast<Eigen::Index>(circuit.amplifiers().size());
@@ -38,6 +40,21 @@ Eigen::MatrixXd input_errors(const FlatCircuit& circuit, const Eigen::MatrixXd& 
     value.segment(k * inputs, inputs).setConstant((opamp.*key).value_or(0.0));
   }
   return by * value.asDiagonal();
+}
+
+/// As `input_errors`, of one standard deviation each.
+Matrix drawn_errors(const FlatCircuit& circuit, const Eigen::MatrixXd& by,
+                    std::optional<double> OpAmp::*key, std::optional<double> OpAmp::*limit,
+                    std::vector<InputSpread>& spreads) {
+  const auto columns = static_cast<std::size_t>(by.cols());
+  const std::size_t inputs = columns / circuit.amplifiers().size();
+  Eigen::VectorXd deviation(by.cols());
+  for (std::size_t k = 0; k < columns; ++k) {
+    const OpAmp& opamp = circuit.opamp(circuit.amplifiers()[k / inputs]);
+    spreads.push_back(input_spread((opamp.*key).value_or(0.0), opamp.*limit));
+    deviation(static_cast<Eigen::Index>(k)) = spreads.back().deviation;
+  }
+  return from_eigen(by * deviation.asDiagonal());
 }
 
 InputErrors together_and_apart(const Eigen::MatrixXd& errors, double size) {
@@ -95,10 +112,13 @@ OpAmpErrors opamp_errors(const FlatCircuit& circuit,
     return errors;
   const NodalEquations own(circuit, without_input_errors);
   if (any(circuit, &OpAmp::offset))
-    errors.offset = from_eigen(input_errors(circuit, own.by_offset(), &OpAmp::offset));
+    errors.offset = drawn_errors(circuit, own.by_offset(), &OpAmp::offset, &OpAmp::offset_limit,
+                                 errors.offset_spread);
   if (any(circuit, &OpAmp::bias_current))
-    errors.bias_current =
-        from_eigen(input_errors(circuit, own.by_bias_current(), &OpAmp::bias_current));
+    errors.bias_current = drawn_errors(circuit, own.by_bias_current(), &OpAmp::bias_current,
+                                       &OpAmp::bias_limit, errors.bias_spread);
+  if (any(circuit, &OpAmp::offset_drift))
+    errors.offset_drift = from_eigen(input_errors(circuit, own.by_offset(), &OpAmp::offset_drift));
   // From ideal op-amps on, one property after the other: what each adds adds up to all of it.
   const NodalEquations ideal(circuit, [](const OpAmp&) { return OpAmp{}; });
   const NodalEquations of_gain(circuit, [](const OpAmp& opamp) {
@@ -120,6 +140,25 @@ OpAmpErrors opamp_errors(const FlatCircuit& circuit,
     shift.common_mode = difference(by_inputs, by_gain);
     shift.output_resistance = difference(own.outputs(loads[load]), by_inputs);
   }
+  return errors;
+}
+
+InputSpread input_spread(double typical, const std::optional<double>& limit) noexcept {
+  const double size = std::abs(typical);
+  const double within = limit.value_or(std::numeric_limits<double>::infinity()) / size;
+  if (!std::isfinite(within)) return {.deviation = size};
+  if (within <= 1.0) return {.deviation = *limit / std::sqrt(3.0), .within = within};
+  // Of a normal error of variance 1 that is cut off there.
+  const double lost = 2.0 * within * std::exp(-0.5 * within * within) /
+                      (std::sqrt(2.0 * std::numbers::pi) * std::erf(within / std::numbers::sqrt2));
+  return {.deviation = size * std::sqrt(1.0 - lost), .within = within};
+}
+
+OpAmpErrors without_rest(OpAmpErrors errors) {
+  errors.offset = {};
+  errors.bias_current = {};
+  errors.offset_spread.clear();
+  errors.bias_spread.clear();
   return errors;
 }
 

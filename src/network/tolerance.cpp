@@ -168,6 +168,9 @@ class Draws {
     arrays_.through_lines(siemens);
   }
 
+  [[nodiscard]] double kelvin(std::size_t trial) const noexcept {
+    return errors_.kelvin(options_.seed, trial);
+  }
   [[nodiscard]] const std::vector<Resistor>& paths() const noexcept { return arrays_.paths(); }
   [[nodiscard]] BoughtParts bought() const { return {parts_, errors_}; }
 
@@ -296,8 +299,7 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
   if (v.norm() == 0.0) throw std::domain_error("without a load there is no answer to err from");
   if (!v.allFinite()) throw std::domain_error("the network has no unique answer");
 
-  const bool random =
-      draws(options) || !opamps.offset.values.empty() || !opamps.bias_current.values.empty();
+  const bool random = draws(options) || opamps.any_of_inputs();
   ToleranceResult result{.trials = random ? options.trials : 1};
   const Draws built(reduction, options);
   const OpAmpDraws amplifiers(reduction, opamps, options.balance.value_or(0.0));
@@ -314,8 +316,9 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
       continue;
     }
     ++result.stable;
-    const Eigen::VectorXd off =
-        outputs_of(reduction, equations) + amplifiers.of_inputs(options.seed, trial) + shift - v;
+    const Eigen::VectorXd off = outputs_of(reduction, equations) +
+                                amplifiers.of_inputs(options.seed, trial, built.kelvin(trial)) +
+                                shift - v;
     errors.push_back(off.norm() / v.norm());
     if (errors.back() <= options.accuracy) ++result.accurate;
   }
@@ -328,7 +331,9 @@ ToleranceResult tolerate(const Reduction& reduction, const ToleranceOptions& opt
 
 ToleranceResult tolerate(const NetworkCircuit& circuit, const ToleranceOptions& options) {
   const std::vector<std::vector<CurrentSource>> own = {circuit.circuit().sources};
-  return tolerate(circuit.reduction(), options, opamp_errors(circuit.flat(), own));
+  OpAmpErrors opamps = opamp_errors(circuit.flat(), own);
+  return tolerate(circuit.reduction(), options,
+                  options.tare ? without_rest(std::move(opamps)) : opamps);
 }
 
 }  // namespace tactile_net

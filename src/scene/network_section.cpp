@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -94,10 +95,13 @@ constexpr std::string_view capacitance_needs =
 
 constexpr OpAmpKey opamp_keys[] = {
     {"offset", &OpAmp::offset, any_number, in_volts},
+    {"offset_limit", &OpAmp::offset_limit, positive, in_volts},
+    {"offset_drift", &OpAmp::offset_drift, positive, {}},
     {"noise_voltage", &OpAmp::noise_voltage, positive, {}, noise_needs},
     {"noise_corner", &OpAmp::noise_corner, positive, in_hertz, noise_needs},
     {"noise_current", &OpAmp::noise_current, positive, {}, noise_needs},
     {"bias_current", &OpAmp::bias_current, any_number, {}},
+    {"bias_limit", &OpAmp::bias_limit, positive, {}},
     {"cmrr", &OpAmp::common_mode_rejection},
     {"slew", &OpAmp::slew, positive, {}, "limits the rate that a bandwidth gives"},
     {"output_resistance", &OpAmp::output_resistance},
@@ -105,6 +109,37 @@ constexpr OpAmpKey opamp_keys[] = {
     {"differential_capacitance", &OpAmp::differential_capacitance, positive, {}, capacitance_needs},
     {"output_current", &OpAmp::output_current},
     {"rail", &OpAmp::rail, above_diodes, in_volts}};
+
+/// An error of inputs: its typical value, and its limit.
+struct SpreadKeys {
+  std::string_view typical_key;
+  std::string_view limit_key;
+  std::optional<double> OpAmp::*typical;
+  std::optional<double> OpAmp::*limit;
+};
+
+constexpr SpreadKeys spread_keys[] = {
+    {"offset", "offset_limit", &OpAmp::offset, &OpAmp::offset_limit},
+    {"bias_current", "bias_limit", &OpAmp::bias_current, &OpAmp::bias_limit}};
+
+/// A typical value that a scene states takes the place of both of a part's, a limit that of its
+/// limit. A limit alone stands for the typical value too.
+/// @param before  what the scene's keys override
+void settle_limit(Table& table, const SpreadKeys& keys, const OpAmp& before, OpAmp& opamp) {
+  std::optional<double>& typical = opamp.*keys.typical;
+  std::optional<double>& limit = opamp.*keys.limit;
+  const bool states_typical = table.value(keys.typical_key).has_value();
+  const auto stated = table.value(keys.limit_key);
+  if (!stated) {
+    if (states_typical) limit.reset();
+    return;
+  }
+  if (!limit) return;
+  if (!states_typical && before.*keys.typical == before.*keys.limit) typical = limit;
+  if (typical && std::abs(*typical) > *limit)
+    stated->misfit("must not be below " + std::string(keys.typical_key) + ", the typical value, " +
+                   shortest(*typical));
+}
 
 void read_opamp(Table table, NetworkOptions& network) {
   OpAmp& opamp = network.parts.opamp;
@@ -127,6 +162,7 @@ void read_opamp(Table table, NetworkOptions& network) {
     if (!opamp.bandwidth)
       pole->problem("needs the first pole", "beside it, bandwidth = 10e6 (gain-bandwidth product)");
   }
+  const OpAmp before = opamp;
   for (const OpAmpKey& key : opamp_keys) {
     const auto value = table.value(key.name);
     if (!value) continue;
@@ -134,6 +170,7 @@ void read_opamp(Table table, NetworkOptions& network) {
     if (!key.needs_bandwidth.empty() && !opamp.bandwidth)
       value->problem(std::string(key.needs_bandwidth), "beside it, bandwidth = 10e6");
   }
+  for (const SpreadKeys& keys : spread_keys) settle_limit(table, keys, before, opamp);
   if (const auto corner = table.value("noise_corner"); corner && !opamp.noise_voltage)
     corner->problem(
         "is the frequency below which 1/f noise exceeds white noise, and no white noise is given",
@@ -244,6 +281,7 @@ ToleranceOptions read_tolerance(Table table, const NetworkOptions& network,
   beside("stabiliser", tolerance.stabiliser);
   beside("balance", tolerance.balance);
   beside("bandwidth", tolerance.bandwidth);
+  if (const auto tare = table.value("tare")) tolerance.tare = tare->boolean().value_or(false);
   if (const auto value = table.value("series"))
     if (const auto index = value->one_of("series", names)) tolerance.series = series[*index];
   read_arrays(table, network, tolerance);

@@ -34,7 +34,10 @@ constexpr PartFigure part_figures[] = {
     {"noise_corner", &OpAmp::noise_corner},
     {"noise_current", &OpAmp::noise_current},
     {"offset", &OpAmp::offset},
+    {"offset_limit", &OpAmp::offset_limit},
+    {"offset_drift", &OpAmp::offset_drift},
     {"bias_current", &OpAmp::bias_current},
+    {"bias_limit", &OpAmp::bias_limit},
     {"cmrr_db", &OpAmp::common_mode_rejection, false, true},
     {"input_capacitance", &OpAmp::input_capacitance},
     {"differential_capacitance", &OpAmp::differential_capacitance},
@@ -122,6 +125,10 @@ void read_figures(Table table, OpAmpPart& part) {
     if (!values.empty()) take(part, figure, std::move(values), std::move(at));
   }
   table.finish();
+  // A limit alone is all that is known.
+  OpAmp& opamp = part.opamp;
+  if (!opamp.offset) opamp.offset = opamp.offset_limit;
+  if (!opamp.bias_current) opamp.bias_current = opamp.bias_limit;
 }
 
 OpAmpPart part_of(const OpAmpPartFile& file) {

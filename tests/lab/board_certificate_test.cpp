@@ -4,8 +4,10 @@
 #include <string>
 
 #include "tactile_net/lab/certification.hpp"
+#include "tactile_net/lab/datasheet.hpp"
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/report/words/board_words.hpp"
+#include "tactile_net/report/words/datasheet_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -64,6 +66,45 @@ TEST_CASE("siemens are raised until the board's circuit has the margin", "[board
   const lab::BoardCertificate kept = lab::close_board(raised, again, 45.0);
   CHECK_FALSE(kept.changed());
   CHECK_THAT(kept.used.margin->degrees, WithinAbs(board.used.margin->degrees, 2.0));
+}
+
+TEST_CASE("eleven taxels of the ordered scene meet 0.3 % of parts that are sold, with the margin",
+          "[board]") {
+  Scene scene = read_scene(SCENES "/circuits/board.toml");
+  scene.sensor.count = 11;
+  std::get<RigidContact>(scene.contacts.front()).half_width = 0.5;
+  scene.network.one_volt = true;  // of a narrower contact
+  const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
+  REQUIRE(circuit.options().opamp_part != nullptr);
+  lab::PartsList list = lab::parts_list(circuit, 3e-3);
+  REQUIRE(list.choice);
+  const lab::BoardCertificate board = lab::close_board(circuit, list, 45.0);
+  CAPTURE(report::in_words(board));
+  CHECK(board.used.enough(45.0));
+  CHECK(*board.used.settling_seconds < 2.5e-6);
+  CHECK(list.opamp_part == "OPA1637");
+  CHECK(list.chosen().within >= 93 * list.chosen().builds / 100);
+  // Its datasheet says so of others.
+  const lab::Datasheet sheet = lab::datasheet(circuit, &list, &board);
+  CHECK(sheet.on_board);
+  CHECK(sheet.drawn.tare);
+  CHECK(sheet.unstable == 0);
+  CHECK(sheet.passes());
+  CHECK(sheet.figures.at(0).verdict() == lab::DatasheetFigure::Verdict::passes);
+  CHECK_THAT(report::conditions_in_words(sheet, sheet.figures.at(0)),
+             ContainsSubstring("less the answer without readings"));
+  // What is subtracted is told as it is: of this part more than what resistors leave.
+  REQUIRE(sheet.figures.at(1).kind == lab::DatasheetFigure::Kind::offset);
+  CHECK(sheet.figures.at(1).typical > 5e-4);
+
+  // Without a controller that subtracts it less is left for resistors.
+  scene.network.tolerance->tare = false;
+  const lab::PartsList ordered = lab::parts_list(lab::simulated_circuit(scene), 3e-3);
+  for (const auto& one : ordered.candidates)
+    if (one.realization == Realization::lattice) {
+      CHECK(one.opamps_alone.offset > 5e-4);
+      CHECK(one.price > list.chosen().price);
+    }
 }
 
 TEST_CASE("a board from a file is certified as it is, and says which siemens would do", "[board]") {

@@ -161,7 +161,8 @@ TEST_CASE("a scene names a part, and states what its data sheet does not", "[opa
   OpAmp expected = sold.opamp;
   expected.second_pole = 270e6;
   expected.output_resistance = 20.0;
-  expected.offset = 50e-6;
+  expected.offset = 50e-6;  // of its own spread: the part's limit is not beside it
+  expected.offset_limit.reset();
   expected.input_capacitance = 1e-12 + 8e-12;
   expected.load_capacitance = 2e-11;
   expected.rail = 2.5;
@@ -182,6 +183,37 @@ TEST_CASE("a scene names a part, and states what its data sheet does not", "[opa
                 "opamp = { part = \"ADA4940-1\", bandwidth = 1e8 }\n")
             .parts.opamp.bandwidth == 1e8);
   CHECK(network("opamp = \"precision\"\n").opamp_part == nullptr);
+}
+
+TEST_CASE("a limit alone is all that is known of an offset, and a scene states both",
+          "[opamp_part][scene]") {
+  // The sheet has a maximum and no typical value.
+  CHECK(part("OPA1637").opamp.offset == 200e-6);
+  CHECK(part("OPA1637").opamp.offset_limit == 200e-6);
+  CHECK(part("OPA1637").opamp.bias_limit == 2e-9);
+  CHECK(part("LMP7731").opamp.offset == 6e-6);
+  CHECK(part("LMP7731").opamp.offset_limit == 500e-6);
+  CHECK(part("THS4551").opamp.offset_drift == 1.8e-6);
+  CHECK_FALSE(part("OPA192").opamp.offset_limit);
+
+  const auto opamp = [](const std::string& keys) {
+    return network("realization = \"lattice\"\nopamp = { part = \"OPA1637\"" + keys + " }\n")
+        .parts.opamp;
+  };
+  CHECK(opamp(", offset = 20e-6").offset == 20e-6);
+  CHECK_FALSE(opamp(", offset = 20e-6").offset_limit);
+  CHECK(opamp(", offset = 20e-6, offset_limit = 150e-6").offset_limit == 150e-6);
+  CHECK(opamp(", offset_limit = 300e-6").offset == 300e-6);
+  CHECK_THROWS_WITH(opamp(", offset = 20e-6, offset_limit = 10e-6"),
+                    ContainsSubstring("must not be below offset"));
+  const OpAmp own =
+      network("opamp = { offset_limit = 1e-4, bias_limit = 1e-9, offset_drift = 1e-6 }\n")
+          .parts.opamp;
+  CHECK(own.offset == 1e-4);
+  CHECK(own.bias_current == 1e-9);
+  CHECK(own.offset_drift == 1e-6);
+  CHECK(network("tolerance = { relative = 0.01, tare = true }\n").tolerance.value().tare);
+  CHECK_FALSE(network("tolerance = { relative = 0.01 }\n").tolerance.value().tare);
 }
 
 TEST_CASE("a scene says what parts cost", "[opamp_part][scene]") {

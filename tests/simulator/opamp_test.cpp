@@ -12,8 +12,10 @@
 #include "tactile_net/inverse/line_problem.hpp"
 #include "tactile_net/inverse/reconstruction.hpp"
 #include "tactile_net/network/deck.hpp"
+#include "tactile_net/network/drawn_circuit.hpp"
 #include "tactile_net/network/motion.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
+#include "tactile_net/network/soldered_error.hpp"
 #include "tactile_net/network/static_errors.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -67,6 +69,54 @@ TEST_CASE("every error of an op-amp is the same in ngspice's operating point", "
     // All of them together are the linear equations'.
     CHECK(relative_l2_error(at_rest(circuit(all)), operating_voltages(FlatCircuit(circuit(all)))) <
           1e-5);
+  }
+}
+
+TEST_CASE("in ngspice a build's answer less that at rest has no offsets in it", "[spice][opamp]") {
+  const ArrayNetwork network = array_network(9, 1e-3);
+  for (const Realization one :
+       {Realization::crossbar, Realization::least_squares, Realization::lattice}) {
+    CAPTURE(name(one));
+    const auto circuit = [&](const OpAmp& opamp) {
+      return realize(one, network.problem, {.scale = {1e-2, 1.0}, .opamp = opamp});
+    };
+    const FlatCircuit flat(circuit({.gain = 1e6,
+                                    .bandwidth = 1e7,
+                                    .offset = 1e-3,
+                                    .offset_limit = 1e-3,
+                                    .bias_current = 1e-6}));
+    const Reduction reduction(flat);
+    const std::vector<double> printed(reduction.siemens().begin(), reduction.siemens().end());
+    const ResistorErrors off(std::vector<double>(printed.size(), 0.01));
+    const std::vector<Load> loads = {flat.circuit().sources};
+    const LoadedNetwork loaded(reduction, loads,
+                               {.errors = opamp_errors(flat, loads), .tare = true});
+    const std::vector<double> exact = at_rest(circuit({}));
+    std::vector<double> errors;
+    for (std::size_t build = 0; build < 3; ++build) {
+      const Circuit built = drawn_circuit(flat, {printed, off}, 4, build);
+      std::vector<double> read = at_rest(built);
+      Circuit idle = built;
+      Circuit plain = built;
+      for (CurrentSource& source : idle.sources)
+        if (!source.name.starts_with("Ib")) source.ampere = 0.0;
+      for (AmplifierModel& model : plain.amplifiers) {
+        model.opamp.offset.reset();
+        model.opamp.bias_current.reset();
+      }
+      std::erase_if(plain.sources,
+                    [](const CurrentSource& source) { return source.name.starts_with("Ib"); });
+      const std::vector<double> rest = at_rest(idle);
+      const std::vector<double> without = at_rest(plain);
+      CHECK(relative_l2_error(read, without) > 1e-4);
+      for (std::size_t i = 0; i < read.size(); ++i) read[i] -= rest[i];
+      CHECK(relative_l2_error(read, without) < 1e-7);
+      errors.push_back(relative_l2_error(read, exact));
+    }
+    std::sort(errors.begin(), errors.end());
+    const std::vector<double> drawn = loaded.builds(printed, off, 3, 4);
+    for (std::size_t k = 0; k < errors.size(); ++k)
+      CHECK_THAT(errors[k], WithinRel(drawn[k], 0.01));
   }
 }
 

@@ -20,7 +20,7 @@ No theorem on stability includes output resistances, nor T1 and T2 a finite comm
 `input_capacitance`, `output` at every output, and `resistor` across every resistor (a 0402 with its pads has some 0.05 pF); `differential_capacitance` lies between an op-amp's inputs. All of them are
 in the deck, the poles, the settling time and the noise, and cost nothing where they are absent. What loads an output is a pole in its loop as soon as the output has a resistance: 200 ohm and 100 pF are one at 8 MHz.
 ngspice settles with all of them in the certificate's time within 5 % (`nic`, `rail`, `crossbar`, `least_squares`, its ladder, `lattice`), and the noise agrees within 3 %. A lattice of 41 taxels at 2 mS, with 10 pF at its inputs
-and 20 pF at its residuals, has its slowest pole at +1.2e6 1/s, and grows so in ngspice; at 10 mS (`scenes/circuits/board.toml`) it is stable.
+and 20 pF at its residuals, has its slowest pole at +1.2e6 1/s, and grows so in ngspice; at 10 mS it is stable.
 
 **Slew.** The core integrates a bent rate: x' = slew tanh(r/slew), r what the inputs ask for (a thousandth of r passes straight on, without which a simulator finds no
 slope). The certificate's settling time then comes from these equations: a method of Rosenbrock's until no rate exceeds by a hundredth of the slew

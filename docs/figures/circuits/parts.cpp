@@ -14,6 +14,15 @@ std::string figure_of(const OpAmpPart& part, std::string_view name, double unit)
   return "-";
 }
 
+/// "0.005", "0.005 to 0.5" with the limit, or "to 0.2" where the limit alone is known.
+std::string with_limit(const OpAmpPart& part, std::string_view name, std::string_view limit,
+                       double unit) {
+  const std::string typical = figure_of(part, name, unit);
+  const std::string most = figure_of(part, limit, unit);
+  if (most == "-") return typical;
+  return (typical == "-" ? "" : typical + ' ') + "to " + most;
+}
+
 std::string listed(const std::vector<int>& pins) {
   std::string text;
   for (const int pin : pins) text += (text.empty() ? "" : ", ") + std::to_string(pin);
@@ -33,8 +42,8 @@ std::string parts_table() {
     const AmplifierPins& pins = part.pins;
     out << "| " << part.name << " | " << figure_of(part, "gain_bandwidth", 1e6) << " | "
         << figure_of(part, "slew", 1e6) << " | " << figure_of(part, "noise_voltage", 1e-9) << " | "
-        << figure_of(part, "offset", 1e-3) << " | " << figure_of(part, "bias_current", 1e-9)
-        << " | "
+        << with_limit(part, "offset", "offset_limit", 1e-3) << " | "
+        << with_limit(part, "bias_current", "bias_limit", 1e-9) << " | "
         << (part.least_supply ? brief(*part.least_supply) + " to " + brief(*part.most_supply) : "-")
         << " | " << figure_of(part, "supply_current", 1e-3) << " | " << part.price << " | "
         << part.package;

@@ -54,7 +54,9 @@ struct Datasheet {
   bool ordered = false;   ///< it is of the list that is to order, else of the scene's own circuit
   bool on_board = false;  ///< with the capacitances of its board
   ToleranceOptions drawn{};  ///< what resistors and op-amps are off
-  std::size_t loads = 1;     ///< the contacts' places that errors are root mean squares over
+  /// The temperature differs from build to build, and what offsets do then is not stated.
+  bool drift_unknown = false;
+  std::size_t loads = 1;  ///< the contacts' places that errors are root mean squares over
   double settling_accuracy = 1e-3;
   std::size_t unstable = 0;  ///< of the builds whose poles were computed
   std::vector<DatasheetFigure> figures{};

@@ -80,6 +80,7 @@ struct PartsList {
   std::size_t loads = 1;     ///< the scene's contacts at so many places
   double opamp_price = 2.0;  ///< of one, with two outputs; typical where the scene states none
   std::string opamp_part{};  ///< by which op-amps are ordered; empty: the scene names none
+  bool tare = false;         ///< builds are read less their answer without readings
   std::vector<Candidate> candidates{};
   std::optional<std::size_t> chosen_at{};  ///< the cheapest that may be ordered
   std::shared_ptr<const Choice> choice{};  ///< null: there is none
@@ -96,8 +97,8 @@ struct PartsList {
 /// Values are of the scene's series, E96 where it names none: two parts where one would take more
 /// of the target than it may. How much a part counts is the mean over the scene's contacts where
 /// they are and moved along the sensor, and a build's error the root mean square over them. The
-/// scene's op-amps are in every build: offsets and bias currents drawn, with what is stated as
-/// standard deviation, the balance of `tolerance`, finite gain, common-mode rejection and output
+/// scene's op-amps are in every build: offsets and bias currents drawn as
+/// `InputSpread` says, the balance of `tolerance`, finite gain, common-mode rejection and output
 /// resistance. Under the same conditions as a recommendation: complementary outputs.
 ///
 /// @param target  95 of 100 builds err by at most this, > 0

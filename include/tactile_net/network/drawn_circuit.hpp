@@ -19,9 +19,9 @@ struct BuildParts {
 };
 
 /// The draws are those of `LoadedNetwork::builds` and of a circuit's yield: offsets and bias
-/// currents with what is stated as standard deviation, each op-amp its own. Complementary outputs
-/// are exact opposites. An op-amp k is of the model "opampk"; where its two bias currents differ,
-/// sources Ib... make the difference.
+/// currents as `InputSpread` says, each op-amp its own, offsets at the build's temperature.
+/// Complementary outputs are exact opposites. An op-amp k is of the model "opampk"; where its two
+/// bias currents differ, sources Ib... make the difference.
 ///
 /// @throw std::invalid_argument  another number of resistors
 [[nodiscard]] Circuit drawn_circuit(const FlatCircuit& circuit, const BuildParts& parts,

@@ -18,8 +18,13 @@ struct OpAmp {
   std::optional<double> gain{};         ///< A0 at direct current, > 0; absent with a pole: 1e6
   std::optional<double> bandwidth{};    ///< gain-bandwidth product [Hz], > 0; absent: no pole
   std::optional<double> second_pole{};  ///< [Hz], > 0; needs the bandwidth
-  std::optional<double> offset{};       ///< input offset voltage of every op-amp [V]
-  std::optional<double> rail{};         ///< the output stays within -rail ... rail [V], > 0.6
+  /// Input offset voltage of every op-amp [V]: typical, or its limit where that alone is known.
+  std::optional<double> offset{};
+  /// No op-amp's offset is beyond it, either way [V], > 0, >= the size of `offset`.
+  std::optional<double> offset_limit{};
+  /// What an offset changes by a kelvin at most, either way [V/K], > 0.
+  std::optional<double> offset_drift{};
+  std::optional<double> rail{};  ///< the output stays within -rail ... rail [V], > 0.6
   /// From the inverting input to ground, and from both where the outputs are complementary [F], >
   /// 0.
   std::optional<double> input_capacitance{};
@@ -35,7 +40,10 @@ struct OpAmp {
   std::optional<double> noise_corner{};
   /// White noise of each input [A per square root of Hz], > 0; needs the bandwidth.
   std::optional<double> noise_current{};
-  std::optional<double> bias_current{};  ///< that every input takes in [A], of either sign
+  /// That every input takes in [A], of either sign: typical, or its limit where that alone is
+  /// known.
+  std::optional<double> bias_current{};
+  std::optional<double> bias_limit{};  ///< no input's is beyond it [A], > 0, >= its size
   /// How much more the output follows the inputs' difference than what they have in common, > 0:
   /// 1e4 is 80 dB.
   std::optional<double> common_mode_rejection{};

@@ -28,6 +28,7 @@ struct ResistorChange {
 struct BuiltOpAmps {
   OpAmpErrors errors{};  ///< under the network's loads; of none: ideal ones
   double balance = 0.0;  ///< as `ToleranceOptions::balance`; 0: outputs are exact opposites
+  bool tare = false;     ///< as `ToleranceOptions::tare`
 };
 
 /// A network's nominal answers under several loads, and what leads to them. Errors are relative to
@@ -57,8 +58,11 @@ class LoadedNetwork {
   [[nodiscard]] OpAmpShares opamp_shares() const;
 
   /// What offsets and bias currents of builds make of the answer without a load, drawn as in
-  /// `builds`; empty: the op-amps have none.
-  [[nodiscard]] std::vector<double> offsets(std::size_t count, std::uint64_t seed) const;
+  /// `builds`, subtracted or not; empty: the op-amps have none.
+  ///
+  /// @param of_resistors  of the same builds, whose temperature counts
+  [[nodiscard]] std::vector<double> offsets(const ResistorErrors& of_resistors, std::size_t count,
+                                            std::uint64_t seed) const;
 
   /// Errors of builds, ascending: each resistor off what is printed on it as `tactile_net::drawn`
   /// does it, and the op-amps as `OpAmpErrors` says; infinite: unstable.

@@ -40,6 +40,9 @@ struct ToleranceOptions {
   /// How far every op-amp's bandwidth, its second pole with it, is off, uniform within +-bandwidth,
   /// > 0, < 1. It moves no answer at rest: not in `drawn` nor `tolerate`, but in `drawn_circuit`.
   std::optional<double> bandwidth{};
+  /// Every build's answer is read less its answer without a load, which a controller measures at
+  /// rest and subtracts: `without_rest`.
+  bool tare = false;
   /// Of each resistor, as `Reduction::resistors()`, in place of `relative`; empty: all alike.
   std::vector<double> each{};
   /// What all resistors that are bought have in common. Those of a measured reel are all whose
@@ -140,7 +143,8 @@ struct ToleranceResult {
                                        const OpAmpErrors& opamps = {});
 
 /// With the circuit's own op-amps: their offsets, bias currents, finite gain, common-mode rejection
-/// and output resistance are in every build.
+/// and output resistance are in every build; with `ToleranceOptions::tare` no offsets and bias
+/// currents, but their drift.
 ///
 /// @throw std::invalid_argument, std::domain_error  as above
 [[nodiscard]] ToleranceResult tolerate(const NetworkCircuit& circuit,

@@ -80,7 +80,9 @@ std::string temperature_text(const lab::Datasheet& sheet) {
 std::string conditions_in_words(const lab::Datasheet& sheet, const lab::DatasheetFigure& figure) {
   switch (figure.kind) {
     case FigureKind::error:
-      return "at rest, relative to the exact answer" +
+      return std::string("at rest, ") +
+             (sheet.drawn.tare ? "less the answer without readings, " : "") +
+             "relative to the exact answer" +
              (sheet.loads > 1
                   ? ", rms over the contacts at " + std::to_string(sheet.loads) + " places"
                   : std::string());
@@ -129,6 +131,10 @@ std::vector<std::string> in_words(const lab::Datasheet& sheet) {
                   "confidence of 97.5 % (Clopper and Pearson)");
   if (sheet.unstable > 0)
     lines.push_back(std::to_string(sheet.unstable) + " of the builds are UNSTABLE");
+  if (sheet.drift_unknown)
+    lines.push_back(
+        "what the op-amps' offsets drift by with the temperature is not known, and left out: give "
+        "offset_drift under opamp");
   for (const lab::MissingFigure& one : sheet.missing) lines.push_back(missing_in_words(one));
   return lines;
 }

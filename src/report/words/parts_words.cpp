@@ -123,8 +123,11 @@ std::string none_in_words(const lab::PartsList& list) {
          ", which they disturb least, 95 of 100 builds with exact resistors are within " +
          percent(best->opamps_p95) +
          " (root mean squares: " + opamp_shares_in_words(best->opamps_alone) +
-         "). Raise volts to lower what offsets and bias currents do; better op-amps lower all of "
-         "it.";
+         "). Raise volts to lower what offsets and bias currents do" +
+         (list.tare ? ""
+                    : ", or let the controller subtract the answer without readings, tare = true "
+                      "in tolerance, which takes them away") +
+         "; better op-amps lower all of it.";
 }
 
 }  // namespace
@@ -171,6 +174,9 @@ std::string in_words(const lab::PartsList& list) {
   if (chosen.opamps_alone.total > 0.0)
     text += ", the op-amps by " + percent(chosen.opamps_alone.total) +
             " (root mean squares: " + opamp_shares_in_words(chosen.opamps_alone) + ")";
+  if (list.tare)
+    text +=
+        ". Answers are read less those without readings, in which offsets and bias currents are";
   const auto [least, most] = chosen.interval();
   text += ". Of " + std::to_string(chosen.builds) +
           " builds drawn anew, with which nothing was chosen, " + std::to_string(chosen.within) +

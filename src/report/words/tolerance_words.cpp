@@ -35,6 +35,7 @@ std::string kinds_of_errors(const ToleranceOptions& options) {
     kinds.push_back("cells off by " + percent(*options.cell_noise) + " of the largest");
   if (options.wire_resistance)
     kinds.push_back("lines of " + brief(*options.wire_resistance) + " ohm a segment");
+  if (options.tare) kinds.push_back("read less their answer without readings");
   return join(kinds, ", ");
 }
 
