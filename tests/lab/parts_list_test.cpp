@@ -52,9 +52,9 @@ TEST_CASE("the list to order is stable with the scene's op-amps, and its draws m
   CHECK(chosen.opamps_p95 < 3e-4);
   CHECK_THAT(report::in_words(list), ContainsSubstring("less those without readings"));
   const std::vector<Load> own = {circuit.network().circuit().sources};
-  const LoadedNetwork ordered(circuit.network().reduction(), own,
-                              {.errors = opamp_errors(circuit.network().flat(), own)});
-  CHECK(1.55 * ordered.opamp_shares().offset > 3e-3);
+  const LoadedNetwork as_ordered(circuit.network().reduction(), own,
+                                 {.errors = opamp_errors(circuit.network().flat(), own)});
+  CHECK(1.55 * as_ordered.opamp_shares().offset > 3e-3);
   CHECK(chosen.resistors_price <= 1.01 * chosen.resistors_bound);
   // What is recommended without second poles does not settle with them.
   bool seen = false;
