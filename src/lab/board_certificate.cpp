@@ -9,6 +9,7 @@
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/network/laid_board.hpp"
 #include "tactile_net/network/state_space.hpp"
+#include "tactile_net/network/supply_drop.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/scene/opamp_part.hpp"
 #include "tactile_net/scene/scale_units.hpp"
@@ -44,6 +45,9 @@ class OnBoard {
     result_.has_planes = board.has_planes;
     result_.to_plane = board.layers.front().to_plane;
     result_.copper = net_copper(board);
+    result_.supply = supply_drop(board, "VEE");
+    if (const OpAmpPart* const part = circuit.options().opamp_part)
+      result_.supply_current = part->supply_current;
     const NetworkCircuit plain(result_.realization, problem_, options);
     result_.nodes = node_capacitances(board, result_.copper, plain.flat().circuit(),
                                       package_of(circuit.options().opamp_part));
@@ -154,9 +158,9 @@ double rounded_up(double value) {
   return rounded;
 }
 
-LaidBoard laid(const SolderedCircuit& soldered) {
+LaidBoard laid(const Board& board) {
   std::ostringstream text;
-  write_kicad_board(text, board_of(soldered));
+  write_kicad_board(text, board);
   return read_kicad_board(text.str(), "board.kicad_pcb");
 }
 
@@ -195,7 +199,7 @@ BoardCertificate close_board(const SceneCircuit& circuit, PartsList& list, doubl
   for (int attempt = 1;; ++attempt) {
     const SceneCircuit one =
         simulated_circuit(scene_with(circuit.scene(), realization, ladder, siemens));
-    OnBoard on(one, laid(list.choice->soldered), wanted);
+    OnBoard on(one, laid(*list.choice->board), wanted);
     on.raise();
     BoardCertificate& result = on.result();
     if (!stated) stated = result.stated;

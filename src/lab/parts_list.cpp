@@ -303,6 +303,7 @@ PartsList list_of(const SceneCircuit& circuit, double target,
         .network = offer.circuit,
         .bought = {siemens_of(offer.values), errors_of(offer, result.wanted, drawn.common)}};
     choice.soldered.amplifiers = package_of(options.opamp_part);
+    choice.board = std::make_shared<const Board>(board_of(choice.soldered));
     choice.order = order_of(choice.soldered);
     result.choice = std::make_shared<const PartsList::Choice>(std::move(choice));
   }

@@ -27,7 +27,11 @@ struct Chip {
 constexpr Chip chip_0402{"Resistor_SMD:R_0402_1005Metric", 1.86, 0.94, 0.51, 0.54, 0.64, 0.0625};
 constexpr Chip chip_0603{"Resistor_SMD:R_0603_1608Metric", 2.96, 1.46, 0.825, 0.8, 0.95, 0.1};
 
-constexpr double pin_width = 2.4;  // of courtyards
+// Headers of pins in steps of 2.54 mm, as KiCad's library has them.
+constexpr double pin_pitch = 2.54;
+constexpr double pin_pad = 1.7;
+constexpr double beyond_pins = 3.6;       // of courtyards, from the middles of the outer pins
+constexpr std::size_t most_signals = 20;  // of a header of two rows: a cable of 40 wires
 constexpr double test_point_width = 1.5;
 constexpr double screw = 3.2;
 constexpr double screw_head = 6.4;
@@ -97,7 +101,7 @@ class BoardOf {
     }
     add_amplifiers();
     add_test_points();
-    add_pins();
+    add_headers();
     std::vector<BoardRow> rows = place_in_rows(board_, parts_);
     lay_tracks(board_, rows, parts_);
     add_labels(board_, rows, title());
@@ -181,26 +185,31 @@ class BoardOf {
                                   " holds several fully differential amplifiers: "
                                   "take the one that holds one");
     PackageLands lands = lands_of(package);
-    const auto join = [&](const std::vector<int>& pins, std::size_t at) {
-      for (const int pin : pins) lands.pads.at(static_cast<std::size_t>(pin) - 1).net = at;
+    const auto join = [&](const std::vector<int>& pins, std::size_t at, std::string purpose) {
+      for (const int pin : pins) {
+        BoardPad& pad = lands.pads.at(static_cast<std::size_t>(pin) - 1);
+        pad.net = at;
+        pad.purpose = purpose;
+      }
     };
     const AmplifierPins& pins = package.pins;
-    const auto signals = {&pins.in_plus, &pins.in_minus, &pins.out_plus, &pins.out_minus};
-    for (std::size_t k = 0; const std::vector<int>* const signal : signals) {
-      if (k < x.pins.size()) join({signal->at(0)}, net(x.pins[k]));
-      ++k;
-    }
+    join({pins.in_plus.at(0)}, net(x.pins[0]), "IN+");
+    join({pins.in_minus.at(0)}, net(x.pins[1]), "IN-");
+    join({pins.out_plus.at(0)}, net(x.pins[2]), both ? "OUT+" : "OUT");
+    if (both) join({pins.out_minus.at(0)}, net(x.pins[3]), "OUT-");
     // What the package has beside is a follower at ground.
     for (std::size_t idle = 1; idle < pins.amplifiers(); ++idle) {
       const std::size_t own = add_net("idle" + std::to_string(idle) + x.name);
-      join({pins.in_plus[idle]}, net(0));
-      join({pins.in_minus.at(idle), pins.out_plus.at(idle)}, own);
+      const std::string which = std::to_string(idle + 1);
+      join({pins.in_plus[idle]}, net(0), "IN" + which + '+');
+      join({pins.in_minus.at(idle)}, own, "IN" + which + '-');
+      join({pins.out_plus.at(idle)}, own, "OUT" + which);
     }
-    join(pins.supply_plus, parts_.positive);
-    join(pins.supply_minus, parts_.negative);
-    join(pins.common_mode, net(0));
-    join(pins.power_down, parts_.positive);
-    join(pins.exposed, net(0));
+    join(pins.supply_plus, parts_.positive, "V+");
+    join(pins.supply_minus, parts_.negative, "V-");
+    join(pins.common_mode, net(0), "VOCM");
+    join(pins.power_down, parts_.positive, "PD");
+    join(pins.exposed, net(0), "EP");
     return {.kind = Footprint::Kind::amplifier,
             .library = std::move(lands.library),
             .element = x.name,
@@ -250,27 +259,57 @@ class BoardOf {
            std::to_string(circuit_.instances.size()) + " amplifiers";
   }
 
-  void add_pins() {
-    std::size_t count = 0;
-    const auto add = [&](const std::string& element, const std::string& use, std::size_t at) {
-      board_.footprints.push_back(
-          {.kind = Footprint::Kind::pin,
-           .library = "Connector_PinHeader_2.54mm:PinHeader_1x01_P2.54mm_Vertical",
-           .number = ++count,
-           .element = element,
-           .value = use + ' ' + element,
-           .width = pin_width,
-           .height = pin_width,
-           .pads = {{"1", 0.0, 0.0, 1.7, 1.7, at, true}}});
-      return board_.footprints.size() - 1;
+  /// @param signals  nets, in the order of their pins
+  /// @param first    whether each signal stands before its ground, or behind it
+  void add_signals(const std::string& use, const std::vector<std::size_t>& signals, bool first,
+                   std::vector<std::size_t>& to) {
+    const std::size_t count = (signals.size() + most_signals - 1) / most_signals;
+    for (std::size_t k = 0; k < count; ++k) {
+      std::vector<std::size_t> nets;
+      for (std::size_t s = k * signals.size() / count; s < (k + 1) * signals.size() / count; ++s)
+        for (const bool is_first : {true, false})
+          nets.push_back(is_first == first ? signals[s] : parts_.ground);
+      to.push_back(add_header(use + std::to_string(k + 1), nets, 2));
+    }
+  }
+
+  /// Pins go along y, of two columns the odd ones left.
+  std::size_t add_header(const std::string& element, const std::vector<std::size_t>& nets,
+                         std::size_t columns) {
+    const std::size_t rows = nets.size() / columns;
+    const std::string size =
+        std::to_string(columns) + 'x' + (rows < 10 ? "0" : "") + std::to_string(rows);
+    const auto middle = [](std::size_t count) {
+      return 0.5 * pin_pitch * static_cast<double>(count - 1);
     };
-    for (const CurrentSource& one : circuit_.sources)
-      parts_.inputs.push_back(add(one.name, "reading", net(one.into)));
-    for (const Node node : circuit_.outputs)
-      parts_.outputs.push_back(add(circuit_.nodes[node], "output", net(node)));
-    parts_.outputs.push_back(add("GND", "supply", parts_.ground));
-    parts_.outputs.push_back(add("VCC", "supply", parts_.positive));
-    parts_.outputs.push_back(add("VEE", "supply", parts_.negative));
+    Footprint header{
+        .kind = Footprint::Kind::header,
+        .library = "Connector_PinHeader_2.54mm:PinHeader_" + size + "_P2.54mm_Vertical",
+        .number = ++headers_,
+        .element = element,
+        .value = "pin header " + size,
+        .width = 2.0 * middle(columns) + beyond_pins,
+        .height = 2.0 * middle(rows) + beyond_pins,
+        .origin_x = -middle(columns),
+        .origin_y = -middle(rows)};
+    for (std::size_t pin = 0; pin < nets.size(); ++pin)
+      header.pads.push_back({std::to_string(pin + 1),
+                             pin_pitch * static_cast<double>(pin % columns) - middle(columns),
+                             pin_pitch * static_cast<double>(pin / columns) - middle(rows), pin_pad,
+                             pin_pad, nets[pin], true});
+    board_.footprints.push_back(std::move(header));
+    return board_.footprints.size() - 1;
+  }
+
+  void add_headers() {
+    std::vector<std::size_t> readings;
+    for (const CurrentSource& one : circuit_.sources) readings.push_back(net(one.into));
+    add_signals("inputs", readings, true, parts_.inputs);
+    std::vector<std::size_t> outputs;
+    for (const Node node : circuit_.outputs) outputs.push_back(net(node));
+    add_signals("outputs", outputs, false, parts_.outputs);
+    parts_.outputs.push_back(
+        add_header("supply", {parts_.ground, parts_.positive, parts_.negative}, 1));
     for (const std::size_t supply : {parts_.positive, parts_.negative})
       parts_.outputs.push_back(add_capacitor("C" + board_.nets[supply], "10u", chip_0603, supply));
   }
@@ -301,6 +340,7 @@ class BoardOf {
   std::vector<std::size_t> unit_of_;  // of resistors
   std::vector<double> watts_;         // of resistors
   std::size_t capacitors_ = 0;
+  std::size_t headers_ = 0;
   double coarsest_ = 0.0;
 };
 
@@ -318,11 +358,13 @@ std::string Footprint::reference() const {
       return "TP" + std::to_string(number);
     case Kind::screw:
       return 'H' + std::to_string(number);
-    case Kind::pin:
+    case Kind::header:
       break;
   }
   return 'J' + std::to_string(number);
 }
+
+std::string Footprint::package() const { return library.substr(library.find(':') + 1); }
 
 Board board_of(const SolderedCircuit& soldered) { return BoardOf(soldered).board(); }
 

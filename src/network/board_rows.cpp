@@ -10,11 +10,11 @@
 namespace tactile_net {
 namespace {
 
-constexpr double board_margin = 8.0;            // [mm], with room for a screw
-constexpr double designator_beside = 0.9;       // beside a part, for its designator along y
-constexpr double slot_width = 0.94 + 0.9;       // an 0402 and its designator
-constexpr double pin_pitch = 2.54;              // of headers
-constexpr double pin_label_room = 4.6;          // beyond pins
+constexpr double board_margin = 8.0;       // [mm], with room for a screw
+constexpr double designator_beside = 0.9;  // beside a part, for its designator along y
+constexpr double slot_width = 0.94 + 0.9;  // an 0402 and its designator
+constexpr double pin_label_room = 4.6;     // beyond headers
+constexpr double between_headers = 0.3;
 constexpr double title_room = 2.4;              // above the first row
 constexpr double column_label_room = 2.6;       // above columns
 constexpr std::size_t slots_of_test_point = 2;  // or left of the slots
@@ -71,9 +71,10 @@ class Placement {
     make_groups();
     add_test_points();
     find_columns();
-    board_.width = std::max(
-        {x_of(slots_) + board_margin, 2.0 * board_margin + designator_beside + widest_amplifier()});
-    add_pins(parts_.inputs, true);
+    board_.width = std::max({x_of(slots_) + board_margin,
+                             2.0 * board_margin + designator_beside + widest_amplifier(),
+                             2.0 * board_margin + widest_header()});
+    add_headers(parts_.inputs, true);
     const std::size_t first = rows_.size();
     add_resistors();
     if (rows_.size() > first) rows_[first].begins_section = true;
@@ -84,7 +85,7 @@ class Placement {
     }
     add_loose_test_points();
     add_amplifiers();
-    add_pins(parts_.outputs, false);
+    add_headers(parts_.outputs, false);
     rows_.front().room_above += title_room;
     return std::move(rows_);
   }
@@ -316,17 +317,32 @@ class Placement {
     }
   }
 
-  void add_pins(const std::vector<std::size_t>& pins, bool down) {
-    for (std::size_t k = 0; k < pins.size();) {
+  /// Along x, with its designator.
+  [[nodiscard]] double width_in_row(std::size_t index) {
+    return part(index).height + designator_beside + between_headers;
+  }
+  [[nodiscard]] double widest_header() {
+    double widest = 0.0;
+    for (const auto* const all : {&parts_.inputs, &parts_.outputs})
+      for (const std::size_t one : *all) widest = std::max(widest, width_in_row(one));
+    return widest;
+  }
+
+  /// Pin 1 left and below, so that of two rows the odd pins are below; capacitors with the supply
+  /// above, as the headers beside them have it.
+  void add_headers(const std::vector<std::size_t>& all, bool down) {
+    for (std::size_t k = 0; k < all.size();) {
       BoardRow row{.begins_section = true,
                    .down = down,
                    .room_above = down ? pin_label_room : 0.0,
                    .room_below = down ? 0.0 : pin_label_room};
       double x = board_margin;
-      for (; k < pins.size() && x + pin_pitch <= board_.width - board_margin; ++k) {
-        const bool is_pin = part(pins[k]).pads[0].drilled;
-        add_at(row, pins[k], x, is_pin ? 0.0 : angle_of(part(pins[k])));
-        x = is_pin ? x + pin_pitch : x + part(pins[k]).height + designator_beside;
+      for (; k < all.size() && x + width_in_row(all[k]) <= board_.width - board_margin + 1e-9;
+           ++k) {
+        // A header's designator stands left of it, a capacitor's right.
+        const bool is_header = part(all[k]).kind == Footprint::Kind::header;
+        add_at(row, all[k], is_header ? x + designator_beside : x, is_header ? 90.0 : 270.0);
+        x += width_in_row(all[k]);
       }
       rows_.push_back(std::move(row));
     }

@@ -8,30 +8,34 @@
 #include <utility>
 
 #include "network/board_rows.hpp"
+#include "network/board_rules.hpp"
 
 namespace tactile_net {
 namespace {
 
-// board.kicad_pro's, in millimetres.
-constexpr double track_width = 0.15;
-constexpr double via_size = 0.45;
-constexpr double track_clearance = 0.127;
+// In millimetres.
+using board_rules::supply_track;
+constexpr double track_width = board_rules::track;
+constexpr double via_size = board_rules::via;
 
-constexpr double track_raster =
-    0.45;  // a via beside a track: (via + track) / 2 + clearance = 0.427
-constexpr double via_beside_track = 0.45;  // holes of one net are 0.25 apart
-constexpr double via_beside_via = via_size + track_clearance + 0.003;
+constexpr double track_raster = 0.45;      // a via beside a track
+constexpr double via_beside_track = 0.45;  // holes of one net are hole_to_hole apart
+static_assert(0.5 * (via_size + track_width) + board_rules::clearance <= track_raster);
+static_assert(board_rules::via_drill + board_rules::hole_to_hole <= via_beside_track + 1e-9);
+constexpr double via_beside_via = via_size + board_rules::clearance + 0.003;
 constexpr double hole_beside_track = 1.06;  // of a pin's pad of 1.7
 constexpr double first_track = 0.21;        // beyond the parts
 constexpr double after_tracks = 0.3;
-constexpr double wider = 0.13;  // half of what a wide track has beyond a usual one
+constexpr double wider = 0.5 * (supply_track - track_width);
+constexpr double via_of_supply = 0.3;  // of four, from the middle of where two wide tracks meet
 constexpr double from_edge = 6.0;
 
 /// Where a pad meets its channel.
 struct Outlet {
   std::size_t net = 0;
   double x = 0.0;
-  double y = 0.0;  // of the pad, from the row's middle
+  double y = 0.0;          // of the pad, from the row's middle
+  double half_more = 0.0;  // of a wide track
 };
 
 /// A net in a channel.
@@ -43,6 +47,14 @@ struct ChannelRun {
   double low = 0.0, high = 0.0;     // along x
   std::size_t depth = 0;            // 0: the nearest to the parts
   double half_more = 0.0;
+  double y = 0.0;
+
+  /// A wide way to a pad is straight: its run is the nearest to the parts, where no other is
+  /// crossed.
+  [[nodiscard]] bool comes_first() const {
+    return std::any_of(outlets.begin(), outlets.end(),
+                       [](const Outlet& one) { return one.half_more > 0.0; });
+  }
 };
 
 struct TrackChannel {
@@ -50,13 +62,15 @@ struct TrackChannel {
   std::size_t hop_rows = 0;
   std::size_t depths = 0;
   bool wide = false;
+  bool wide_first = false;  // the others are beyond it
 
   /// From the parts' edge to the track of that row.
   [[nodiscard]] static double reach(std::size_t row) {
     return first_track + track_raster * static_cast<double>(row);
   }
   [[nodiscard]] double reach(const ChannelRun& run) const {
-    return reach(hop_rows + run.depth) + run.half_more;
+    const bool beyond = wide_first && run.depth > 0;
+    return reach(hop_rows + run.depth) + run.half_more + (beyond ? 2.0 * wider : 0.0);
   }
   [[nodiscard]] double height() const {
     if (runs.empty()) return 0.5 * after_tracks;
@@ -90,7 +104,9 @@ class ChannelOrder {
     while (!left_.empty()) {
       const auto next = std::min_element(left_.begin(), left_.end(), [&](auto a, auto b) {
         const auto key = [&](std::size_t k) {
-          return std::tuple(runs_[k].half_more, covers[k], runs_[k].high - runs_[k].low);
+          const ChannelRun& run = runs_[k];
+          return std::tuple(run.comes_first() ? -1.0 : run.half_more, covers[k],
+                            run.high - run.low);
         };
         return key(a) < key(b);
       });
@@ -101,19 +117,21 @@ class ChannelOrder {
       place(runs_[chosen]);
       channel.depths = std::max(channel.depths, runs_[chosen].depth + 1);
       channel.wide = channel.wide || runs_[chosen].half_more > 0.0;
+      channel.wide_first = channel.wide_first || runs_[chosen].comes_first();
     }
     channel.hop_rows = hop_rows_;
   }
 
  private:
-  static bool covers(const ChannelRun& run, double x) {
-    return x > run.low - via_beside_track && x < run.high + via_beside_track;
+  static bool covers(const ChannelRun& run, const Outlet& one) {
+    const double margin = via_beside_track + run.half_more + one.half_more;
+    return one.x > run.low - margin && one.x < run.high + margin;
   }
   [[nodiscard]] static std::size_t stubs_covered(const ChannelRun& run, const ChannelRun& other) {
     if (&run == &other) return 0;
     return static_cast<std::size_t>(
         std::count_if(other.outlets.begin(), other.outlets.end(),
-                      [&](const Outlet& one) { return covers(run, one.x); }));
+                      [&](const Outlet& one) { return covers(run, one); }));
   }
   static bool overlap(const ChannelRun& a, const ChannelRun& b) {
     return a.low - via_beside_via < b.high && b.low - via_beside_via < a.high;
@@ -122,7 +140,7 @@ class ChannelOrder {
   void place(ChannelRun& run) {
     std::size_t least = 0;
     for (const ChannelRun* const one : placed_)
-      if (run.half_more > 0.0 || stubs_covered(run, *one) > 0)
+      if (run.half_more > 0.0 || one->half_more > 0.0 || stubs_covered(run, *one) > 0)
         least = std::max(least, one->depth + 1);
     for (run.depth = least;; ++run.depth)
       if (std::none_of(placed_.begin(), placed_.end(), [&](const ChannelRun* one) {
@@ -132,7 +150,7 @@ class ChannelOrder {
     run.hops.assign(run.outlets.size(), 0);
     for (std::size_t k = 0; k < run.outlets.size(); ++k)
       for (const ChannelRun* const one : placed_)
-        if (one->depth < run.depth && covers(*one, run.outlets[k].x)) {
+        if (one->depth < run.depth && covers(*one, run.outlets[k])) {
           run.hops[k] = hop_at(run.outlets[k].x);
           break;
         }
@@ -228,7 +246,7 @@ class Tracks {
         if (pad.drilled) {
           holes_[row].push_back({x, hole_beside_track});
           if (pad.net != 0 && !is_plane(pad.net))
-            add_outlet(row, pad.net, rows_[row].down, x, pad.y);
+            add_outlet(row, pad.net, rows_[row].down, x, pad.y, half_more(pad.net));
           continue;
         }
         if (pad.net == 0) continue;
@@ -248,8 +266,9 @@ class Tracks {
     }
   }
 
-  void add_outlet(std::size_t row, std::size_t net, bool down, double x, double y) {
-    outlets_[2 * row + (down ? 1 : 0)][net].push_back({net, x, y});
+  void add_outlet(std::size_t row, std::size_t net, bool down, double x, double y,
+                  double wide = 0.0) {
+    outlets_[2 * row + (down ? 1 : 0)][net].push_back({net, x, y, wide});
   }
 
   /// To a plane by a via outside of the pad, to others by the channel.
@@ -262,7 +281,8 @@ class Tracks {
     holes_[row].push_back({x, via_beside_track});
     blocked_[2 * row + (down ? 1 : 0)].push_back(x);
     const double via = edge + 0.1 + 0.5 * via_size;
-    local_.push_back({row, net, x, y, x, down ? via : -via, std::min(0.3, width), true});
+    local_.push_back(
+        {row, net, x, y, x, down ? via : -via, std::min(board_rules::wide_track, width), true});
     double& reach = down ? below_[row] : above_[row];
     reach = std::max(reach, via + 0.5 * via_size);
   }
@@ -328,12 +348,15 @@ class Tracks {
         one.last = std::min(range.second, borders[k + 1]);
         if (one.first < one.last) wanted.push_back(one);
       }
+    // The wide ones first, which need the most room to be near to what they feed.
     std::stable_sort(wanted.begin(), wanted.end(), [](const Trunk& a, const Trunk& b) {
-      return a.last - a.first > b.last - b.first;
+      return std::pair(a.half_more, a.last - a.first) > std::pair(b.half_more, b.last - b.first);
     });
     for (std::size_t c = 0; c < outlets_.size(); ++c) {
       for (const auto& [net, outlets] : outlets_[c])
-        for (const Outlet& one : outlets) blocked_[c].push_back(one.x);
+        for (const Outlet& one : outlets)
+          for (const double side : {-one.half_more, 0.0, one.half_more})
+            blocked_[c].push_back(one.x + side);
       std::sort(blocked_[c].begin(), blocked_[c].end());
     }
     for (std::vector<BlockedX>& row : holes_)
@@ -429,13 +452,13 @@ class Tracks {
   }
 
   void draw(std::size_t c, double middle) {
-    const TrackChannel& channel = channels_[c];
+    TrackChannel& channel = channels_[c];
     const double away = c % 2 == 0 ? -1.0 : 1.0;
     const double edge = middle + away * (c % 2 == 0 ? above_ : below_)[c / 2];
-    for (const ChannelRun& run : channel.runs) {
-      const double y = edge + away * channel.reach(run);
-      track(run.net, false, run.low, y, run.high, y, track_width + 2.0 * run.half_more);
-      for (const double x : run.trunks) board_.vias.push_back({run.net, x, y});
+    for (ChannelRun& run : channel.runs) {
+      const double y = run.y = edge + away * channel.reach(run);
+      draw_along(run, c);
+      for (const double x : run.trunks) add_vias(run, x, y);
       for (Trunk& one : trunks_) {
         if (one.net != run.net) continue;
         if (one.first == c) one.from_y = y;
@@ -445,12 +468,46 @@ class Tracks {
         const Outlet& one = run.outlets[k];
         const std::size_t hop = run.hops[k];
         const double to = hop == 0 ? y : edge + away * TrackChannel::reach(hop - 1);
-        track(run.net, false, one.x, middle + one.y, one.x, to, track_width);
+        const double width = track_width + 2.0 * one.half_more;
+        track(run.net, false, one.x, middle + one.y, one.x, to, width);
         if (hop == 0) continue;
         board_.vias.push_back({run.net, one.x, to});
         board_.vias.push_back({run.net, one.x, y});
-        track(run.net, true, one.x, to, one.x, y, track_width);
+        track(run.net, true, one.x, to, one.x, y, width);
       }
+    }
+  }
+
+  void add_vias(const ChannelRun& run, double x, double y) {
+    if (run.half_more == 0.0) {
+      board_.vias.push_back({run.net, x, y});
+      return;
+    }
+    for (const double right : {-via_of_supply, via_of_supply})
+      for (const double down : {-via_of_supply, via_of_supply})
+        board_.vias.push_back({run.net, x + right, y + down});
+  }
+
+  /// Between two rows both channels have the supply's run furthest from their parts, side by side:
+  /// one piece of copper, so that a capacitor is as near to its amplifier as may be.
+  /// @return  the run that this channel's shares it with; null: none
+  [[nodiscard]] const ChannelRun* run_beside(std::size_t c) const {
+    const std::size_t other = c % 2 == 1 ? c + 1 : c - 1;
+    if (c == 0 || other >= channels_.size()) return nullptr;
+    for (const ChannelRun& one : channels_[other].runs)
+      if (one.net == parts_.negative) return &one;
+    return nullptr;
+  }
+
+  /// Along its channel, or as a bus between two rows once both have their places.
+  void draw_along(const ChannelRun& run, std::size_t c) {
+    const ChannelRun* const beside = run.net == parts_.negative ? run_beside(c) : nullptr;
+    if (beside == nullptr) {
+      track(run.net, false, run.low, run.y, run.high, run.y, track_width + 2.0 * run.half_more);
+    } else if (c % 2 == 0) {
+      const double middle = 0.5 * (beside->y + run.y);
+      track(run.net, false, std::min(beside->low, run.low), middle,
+            std::max(beside->high, run.high), middle, run.y - beside->y + supply_track);
     }
   }
 

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "network/copper_shapes.hpp"
+
 namespace tactile_net {
 namespace {
 
@@ -52,26 +54,6 @@ struct NetParts {
   std::vector<const LaidBoard::Track*> tracks{};
   std::vector<const LaidBoard::Via*> vias{};
 };
-
-bool is_in(const LaidBoard::Pad& pad, double x, double y) {
-  const double turn = pad.angle * std::numbers::pi / 180.0;
-  const double dx = x - pad.x;
-  const double dy = y - pad.y;
-  return std::abs(dx * std::cos(turn) - dy * std::sin(turn)) <= 0.5 * pad.width + 1e-3 &&
-         std::abs(dx * std::sin(turn) + dy * std::cos(turn)) <= 0.5 * pad.height + 1e-3;
-}
-
-bool is_on(const LaidBoard::Track& track, double x, double y) {
-  const double dx = track.to_x - track.from_x;
-  const double dy = track.to_y - track.from_y;
-  const double square = dx * dx + dy * dy;
-  const double along =
-      square > 0.0
-          ? std::clamp(((x - track.from_x) * dx + (y - track.from_y) * dy) / square, 0.0, 1.0)
-          : 0.0;
-  return std::hypot(x - track.from_x - along * dx, y - track.from_y - along * dy) <=
-         0.5 * track.width + 1e-3;
-}
 
 /// The pads, then tracks, then vias.
 Islands islands_of(const NetParts& net) {
@@ -168,10 +150,6 @@ class CopperOf {
                     strips_.back().capacitance(usual_width * millimetre));
   }
 
-  [[nodiscard]] static double length_of(const LaidBoard::Track& track) {
-    return std::hypot(track.to_x - track.from_x, track.to_y - track.from_y);
-  }
-
  private:
   [[nodiscard]] bool is_outer(std::size_t k) const { return k == 0 || k + 1 == strips_.size(); }
   [[nodiscard]] double hole(double pad) const {
@@ -240,7 +218,7 @@ std::vector<NetCopper> net_copper(const LaidBoard& board) {
     for (const LaidBoard::Pad* pad : net.pads) one.of_pads += copper.of(*pad);
     for (const LaidBoard::Track* track : net.tracks) {
       one.of_tracks += copper.of(*track);
-      one.length += CopperOf::length_of(*track);
+      one.length += length_of(*track);
     }
     for (const LaidBoard::Via* via : net.vias) one.of_tracks += copper.of(*via);
     one.missing = missing_length(net);

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "network/board_rows.hpp"
+#include "network/board_rules.hpp"
 #include "network/s_expression.hpp"
 #include "tactile_net/network/board.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -64,23 +66,39 @@ constexpr const char* stackup = R"(    (stackup
 /// Copper all over a layer.
 std::string plane_of(const Board& board, const std::string& net, const char* layer) {
   const auto at = std::find(board.nets.begin(), board.nets.end(), net);
-  const std::string right = millimetres(board.width + sheet_corner - 0.5);
-  const std::string bottom = millimetres(board.height + sheet_corner - 0.5);
+  constexpr double inset = board_rules::plane_from_edge;
+  const std::string first = millimetres(sheet_corner + inset);
+  const std::string right = millimetres(board.width + sheet_corner - inset);
+  const std::string bottom = millimetres(board.height + sheet_corner - inset);
+  const std::string clearance = millimetres(board_rules::plane_clearance);
   return "  (zone (net " + std::to_string(at - board.nets.begin()) + ") (net_name " +
          quoted_text(net) + ") (layer \"" + layer +
-         "\") (hatch edge 0.508)\n    (connect_pads (clearance 0.3))\n    (min_thickness 0.2)\n"
-         "    (fill yes (thermal_gap 0.3) (thermal_bridge_width 0.3))\n    (polygon (pts (xy 20.5 "
-         "20.5) (xy " +
-         right + " 20.5) (xy " + right + ' ' + bottom + ") (xy 20.5 " + bottom + ")))\n  )\n";
+         "\") (hatch edge 0.508)\n    (connect_pads (clearance " + clearance +
+         "))\n    (min_thickness 0.2)\n    (fill yes (thermal_gap " + clearance +
+         ") (thermal_bridge_width 0.3))\n    (polygon (pts (xy " + first + ' ' + first + ") (xy " +
+         right + ' ' + first + ") (xy " + right + ' ' + bottom + ") (xy " + first + ' ' + bottom +
+         ")))\n  )\n";
+}
+
+/// A place that turns with the part.
+std::pair<double, double> turned_place(double x, double y, double angle) {
+  const BoardPad point = turned(BoardPad{.x = x, .y = y}, angle);
+  return {point.x, point.y};
+}
+
+/// Where KiCad has the part.
+std::pair<double, double> origin_of(const Footprint& one) {
+  const auto [x, y] = turned_place(one.origin_x, one.origin_y, one.angle);
+  return {one.x + x + sheet_corner, one.y + y + sheet_corner};
 }
 
 /// @param x, y  from the part's middle, as it lies on the board
 std::string text_of(const Footprint& one, const char* kind, const std::string& text, double x,
                     double y, const char* style) {
   // KiCad turns the place with the part, and keeps the angle.
-  for (long k = std::lround(one.angle / 90.0); k < 4; ++k) x = std::exchange(y, -x);
-  return std::string("    (fp_text ") + kind + ' ' + quoted_text(text) + ' ' + at(x, y, 90.0) +
-         style + '\n';
+  const auto [own_x, own_y] = turned_place(x, y, 360.0 - one.angle);
+  return std::string("    (fp_text ") + kind + ' ' + quoted_text(text) + ' ' +
+         at(own_x - one.origin_x, own_y - one.origin_y, 90.0) + style + '\n';
 }
 
 constexpr const char* on_silk =
@@ -89,16 +107,29 @@ constexpr const char* on_silk =
 constexpr const char* on_paper =
     " (layer \"F.Fab\") (effects (font (size 0.3 0.3) (thickness 0.05))))";
 
-/// The designator along y on the board's silk, right of the part; of pins and test points the
-/// net's name too. The value and the courtyard are on KiCad's layers for them.
-std::string drawing_of(const Footprint& one, const Board& board) {
-  const bool upright = std::lround(one.angle / 90.0) % 2 != 0;
-  const double right = 0.5 * (upright ? one.height : one.width) + 0.45;
+/// Beyond a header, to the board's edge, the net of each pin that is not of ground beside a signal.
+std::string names_of_pins(const Footprint& one, const Board& board) {
+  const auto [half_x, half_y] = half_size(one);
+  const double away = 2.0 * one.y < board.height ? -1.0 : 1.0;
+  const bool all = one.element == "supply";
   std::string text;
-  if (one.kind == Footprint::Kind::pin) {
-    const double away = 2.0 * one.y < board.height ? -1.0 : 1.0;  // to the board's edge
-    text = text_of(one, "reference", one.reference(), 0.0, away * 2.1, on_silk) +
-           text_of(one, "user", board.nets[one.pads[0].net], 0.0, away * 4.0, on_silk);
+  for (const BoardPad& own : one.pads) {
+    const std::string& net = board.nets[own.net];
+    if (!all && net == "GND") continue;
+    text += text_of(one, "user", net, turned(own, one.angle).x, away * (half_y + 2.0), on_silk);
+  }
+  if (!all) text += text_of(one, "user", "GND", half_x + 0.45, away * 1.27, on_silk);
+  return text;
+}
+
+/// The designator along y on the board's silk, right of the part, of headers left of it; of headers
+/// and test points nets' names too. The value and the courtyard are on KiCad's layers for them.
+std::string drawing_of(const Footprint& one, const Board& board) {
+  const double right = half_size(one).first + 0.45;
+  std::string text;
+  if (one.kind == Footprint::Kind::header) {
+    text = text_of(one, "reference", one.reference(), -right, 0.0, on_silk) +
+           names_of_pins(one, board);
   } else {
     text = text_of(one, "reference", one.reference(), right, 0.0,
                    one.kind == Footprint::Kind::screw ? on_paper : on_silk);
@@ -106,9 +137,11 @@ std::string drawing_of(const Footprint& one, const Board& board) {
       text += text_of(one, "user", one.value, -right, 0.0, on_silk);
   }
   text += text_of(one, "value", one.value, 0.0, 0.0, on_paper);
-  return text + "    (fp_rect (start " + millimetres(-0.5 * one.width) + ' ' +
-         millimetres(-0.5 * one.height) + ") (end " + millimetres(0.5 * one.width) + ' ' +
-         millimetres(0.5 * one.height) + ") (layer \"F.CrtYd\") (width 0.05) (fill none))\n";
+  return text + "    (fp_rect (start " + millimetres(-0.5 * one.width - one.origin_x) + ' ' +
+         millimetres(-0.5 * one.height - one.origin_y) + ") (end " +
+         millimetres(0.5 * one.width - one.origin_x) + ' ' +
+         millimetres(0.5 * one.height - one.origin_y) +
+         ") (layer \"F.CrtYd\") (width 0.05) (fill none))\n";
 }
 
 std::string text_of(const BoardPad& pad, const Footprint& one, const Board& board) {
@@ -116,11 +149,14 @@ std::string text_of(const BoardPad& pad, const Footprint& one, const Board& boar
     return "    (pad \"\" np_thru_hole circle (at 0 0) (size 3.2 3.2) (drill 3.2) (layers \"*.Cu\" "
            "\"*.Mask\"))\n";
   std::string text = "    (pad " + quoted_text(pad.name);
-  text += pad.drilled ? " thru_hole rect " : " smd roundrect ";
-  text += at(pad.x, pad.y, one.angle) + " (size " + millimetres(pad.width) + ' ' +
-          millimetres(pad.height);
-  text += pad.drilled ? ") (drill 1) (layers \"*.Cu\" \"*.Mask\")"
-                      : ") (layers \"F.Cu\" \"F.Paste\" \"F.Mask\") (roundrect_rratio 0.25)";
+  // Pin 1 of a header is square.
+  text +=
+      pad.drilled ? (pad.name == "1" ? " thru_hole rect " : " thru_hole oval ") : " smd roundrect ";
+  text += at(pad.x - one.origin_x, pad.y - one.origin_y, one.angle) + " (size " +
+          millimetres(pad.width) + ' ' + millimetres(pad.height);
+  text += pad.drilled
+              ? ") (drill " + millimetres(board_rules::pin_drill) + ") (layers \"*.Cu\" \"*.Mask\")"
+              : ") (layers \"F.Cu\" \"F.Paste\" \"F.Mask\") (roundrect_rratio 0.25)";
   if (pad.net != 0)
     text += " (net " + std::to_string(pad.net) + ' ' + quoted_text(board.nets[pad.net]) + ')';
   return text + ")\n";
@@ -138,13 +174,15 @@ void write_kicad_board(std::ostream& out, const Board& board) {
   for (std::size_t net = 0; net < board.nets.size(); ++net)
     text += "  (net " + std::to_string(net) + ' ' + quoted_text(board.nets[net]) + ")\n";
   for (const Footprint& one : board.footprints) {
+    const auto [x, y] = origin_of(one);
     text += "  (footprint " + quoted_text(one.library) + " (layer \"F.Cu\") " +
-            at(one.x + sheet_corner, one.y + sheet_corner, one.angle) + '\n';
+            at(x, y, one.angle) + '\n';
     text += "    (property \"Element\" " + quoted_text(one.element) + ")\n";
     if (!one.tolerance.empty())
       text += "    (property \"Tolerance\" " + quoted_text(one.tolerance) + ")\n";
     text += one.pads.front().drilled ? "    (attr through_hole" : "    (attr smd";
-    text += one.is_bought() ? ")\n" : " exclude_from_pos_files exclude_from_bom)\n";
+    if (!one.is_placed()) text += " exclude_from_pos_files";
+    text += one.is_bought() ? ")\n" : " exclude_from_bom)\n";
     text += drawing_of(one, board);
     for (const BoardPad& pad : one.pads) text += text_of(pad, one, board);
     text += "  )\n";
@@ -155,9 +193,9 @@ void write_kicad_board(std::ostream& out, const Board& board) {
             (one.back ? ") (layer \"B.Cu\") (net " : ") (layer \"F.Cu\") (net ") +
             std::to_string(one.net) + "))\n";
   for (const BoardVia& one : board.vias)
-    text += "  (via" + point("at", one.x, one.y) +
-            " (size 0.45) (drill 0.2) (layers \"F.Cu\" \"B.Cu\") (net " + std::to_string(one.net) +
-            "))\n";
+    text += "  (via" + point("at", one.x, one.y) + " (size " + millimetres(board_rules::via) +
+            ") (drill " + millimetres(board_rules::via_drill) +
+            ") (layers \"F.Cu\" \"B.Cu\") (net " + std::to_string(one.net) + "))\n";
   for (const BoardText& one : board.texts)
     text += "  (gr_text " + quoted_text(one.text) + ' ' +
             at(one.x + sheet_corner, one.y + sheet_corner, one.angle) + on_silk + '\n';
@@ -165,6 +203,17 @@ void write_kicad_board(std::ostream& out, const Board& board) {
           millimetres(board.height + sheet_corner) +
           ") (layer \"Edge.Cuts\") (width 0.1) (fill none))\n" + plane_of(board, "GND", "In1.Cu") +
           plane_of(board, "VCC", "In2.Cu") + ")\n";
+  out << text;
+}
+
+void write_positions(std::ostream& out, const Board& board) {
+  std::string text = "Designator,Val,Package,Mid X,Mid Y,Rotation,Layer\n";
+  for (const Footprint& one : board.footprints) {
+    if (!one.is_placed()) continue;
+    const auto [x, y] = origin_of(one);
+    text += one.reference() + ',' + one.value + ',' + one.package() + ',' + millimetres(x) + ',' +
+            millimetres(-y) + ',' + millimetres(one.angle) + ",top\n";
+  }
   out << text;
 }
 

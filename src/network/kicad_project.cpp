@@ -1,33 +1,44 @@
 #include <ostream>
 #include <string>
+#include <utility>
 
+#include "network/board_rules.hpp"
 #include "tactile_net/network/board.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 
 namespace tactile_net {
+namespace {
 
-void write_kicad_project(std::ostream& out) {
-  // What most makers of boards of four layers do without a surcharge.
-  out << R"json({
+constexpr const char* project = R"json({
   "board": {
     "design_settings": {
       "defaults": {
         "silk_line_width": 0.12,
-        "silk_text_size_h": 0.8,
-        "silk_text_size_v": 0.8,
-        "silk_text_thickness": 0.1
+        "silk_text_size_h": @silk_height@,
+        "silk_text_size_v": @silk_height@,
+        "silk_text_thickness": @silk_line@
+      },
+      "rule_severities": {
+        "lib_footprint_issues": "ignore",
+        "lib_footprint_mismatch": "ignore"
       },
       "rules": {
-        "min_clearance": 0.127,
-        "min_copper_edge_clearance": 0.3,
-        "min_hole_clearance": 0.2,
-        "min_hole_to_hole": 0.25,
-        "min_through_hole_diameter": 0.2,
-        "min_track_width": 0.127,
-        "min_via_annular_width": 0.1,
-        "min_via_diameter": 0.4
+        "min_clearance": @clearance@,
+        "min_copper_edge_clearance": @copper_to_edge@,
+        "min_hole_clearance": @hole_to_copper@,
+        "min_hole_to_hole": @hole_to_hole@,
+        "min_through_hole_diameter": @via_drill@,
+        "min_track_width": @least_track@,
+        "min_via_annular_width": @least_ring@,
+        "min_via_diameter": @least_via@
       },
-      "track_widths": [0.0, 0.15, 0.3],
-      "via_dimensions": [{"diameter": 0.0, "drill": 0.0}, {"diameter": 0.45, "drill": 0.2}]
+      "track_widths": [0.0, @track@, @wide_track@, @supply_track@],
+      "via_dimensions": [{"diameter": 0.0, "drill": 0.0}, {"diameter": @via@, "drill": @via_drill@}]
+    }
+  },
+  "erc": {
+    "rule_severities": {
+      "lib_symbol_issues": "ignore"
     }
   },
   "meta": {"filename": "board.kicad_pro", "version": 1},
@@ -35,7 +46,7 @@ void write_kicad_project(std::ostream& out) {
     "classes": [
       {
         "bus_width": 12.0,
-        "clearance": 0.127,
+        "clearance": @clearance@,
         "diff_pair_gap": 0.25,
         "diff_pair_via_gap": 0.25,
         "diff_pair_width": 0.2,
@@ -45,9 +56,9 @@ void write_kicad_project(std::ostream& out) {
         "name": "Default",
         "pcb_color": "rgba(0, 0, 0, 0.000)",
         "schematic_color": "rgba(0, 0, 0, 0.000)",
-        "track_width": 0.15,
-        "via_diameter": 0.45,
-        "via_drill": 0.2,
+        "track_width": @track@,
+        "via_diameter": @via@,
+        "via_drill": @via_drill@,
         "wire_width": 6.0
       }
     ],
@@ -60,6 +71,31 @@ void write_kicad_project(std::ostream& out) {
   "text_variables": {}
 }
 )json";
+
+}  // namespace
+
+void write_kicad_project(std::ostream& out) {
+  using namespace board_rules;
+  std::string text = project;
+  for (const auto& [name, value] : {std::pair("clearance", clearance),
+                                    {"track", track},
+                                    {"wide_track", wide_track},
+                                    {"supply_track", supply_track},
+                                    {"via", via},
+                                    {"via_drill", via_drill},
+                                    {"least_track", least_track},
+                                    {"least_via", least_via},
+                                    {"least_ring", least_ring},
+                                    {"hole_to_hole", hole_to_hole},
+                                    {"hole_to_copper", hole_to_copper},
+                                    {"copper_to_edge", copper_to_edge},
+                                    {"silk_height", silk_height},
+                                    {"silk_line", silk_line}}) {
+    const std::string mark = std::string("@") + name + '@';
+    for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos;)
+      text.replace(at, mark.size(), shortest(value));
+  }
+  out << text;
 }
 
 }  // namespace tactile_net

@@ -81,7 +81,8 @@ class BoardReading {
     });
     root.each("via", [&](const Item& one) {
       board_.vias.push_back({net_of(one), length_of(one.get("at").part(0)),
-                             length_of(one.get("at").part(1)), size_of(one.get("size").part(0))});
+                             length_of(one.get("at").part(1)), size_of(one.get("size").part(0)),
+                             one.find("drill") ? size_of(one.get("drill").part(0)) : 0.0});
     });
     root.each("zone", [&](const Item& one) { add_zone(one); });
     place_planes();

@@ -49,20 +49,40 @@ std::string identifier(const std::string& name) {
 /// A footprint's pins: pads of one name are one.
 struct Pin {
   std::string number{};
-  std::string name = "~";
+  std::string name{};
   std::size_t net = 0;
+  const char* type = "passive";  ///< what KiCad's check of rules goes by
 };
+
+const char* type_of(const BoardPad& pad) {
+  const auto is = [&](const char* what) { return pad.purpose.starts_with(what); };
+  if (is("OUT")) return "output";
+  if (is("IN") || is("VOCM") || is("PD")) return "input";
+  return is("V") ? "power_in" : "passive";
+}
 
 std::vector<Pin> pins_of(const Footprint& one) {
   std::vector<Pin> pins;
   for (const BoardPad& pad : one.pads) {
     const auto same = std::find_if(pins.begin(), pins.end(),
                                    [&](const Pin& pin) { return pin.number == pad.name; });
+    const bool open = one.kind == Footprint::Kind::amplifier && pad.net == 0;
     if (same == pins.end())
-      pins.push_back({pad.name, "~", pad.net});
+      pins.push_back({pad.name,
+                      open                  ? "NC"
+                      : pad.purpose.empty() ? "~"
+                                            : pad.purpose,
+                      pad.net, open ? "no_connect" : type_of(pad)});
     else if (same->net != pad.net)
       throw std::invalid_argument("pads " + pad.name + " of " + one.reference() +
                                   " are of different nets");
+  }
+  // A connector's odd pins are drawn down its left side, the even ones right of them.
+  if (one.kind == Footprint::Kind::header && one.origin_x < 0.0) {
+    std::vector<Pin> sides;
+    for (std::size_t k = 0; k < pins.size(); k += 2) sides.push_back(pins[k]);
+    for (std::size_t k = pins.size(); k > 0; k -= 2) sides.push_back(pins[k - 1]);
+    return sides;
   }
   return pins;
 }
@@ -135,13 +155,29 @@ std::string text_of(const Symbol& symbol) {
   for (std::size_t k = 0; k < symbol.pins.size(); ++k) {
     const auto [x, y] = symbol.end(k);
     const double length = symbol.box ? pitch : symbol.letters == "R" ? 0.5 * pitch : 1.3 * pitch;
-    text += "        (pin passive line " + at(x, y, Symbol::points_right(x) ? 180 : 0) +
-            " (length " + place(length) + ") (name " + quoted_text(symbol.pins[k].name) + ' ' +
-            effects() + ") (number " + quoted_text(symbol.pins[k].number) + ' ' + effects() +
-            "))\n";
+    text += std::string("        (pin ") + symbol.pins[k].type + " line " +
+            at(x, y, Symbol::points_right(x) ? 180 : 0) + " (length " + place(length) + ") (name " +
+            quoted_text(symbol.pins[k].name) + ' ' + effects() + ") (number " +
+            quoted_text(symbol.pins[k].number) + ' ' + effects() + "))\n";
   }
   return text + "      )\n    )\n";
 }
+
+/// As the file's lib_symbols have it: KiCad's own sign that a net has power from outside.
+constexpr const char* power_flag =
+    R"(    (symbol "tactile-net:PWR_FLAG" (power) (pin_numbers hide) (pin_names (offset 0) hide) (in_bom yes) (on_board yes)
+    (property "Reference" "#FLG" (id 0) (at 0 1.905 0) (effects (font (size 1.27 1.27)) hide))
+    (property "Value" "PWR_FLAG" (id 1) (at 0 3.81 0) (effects (font (size 1.27 1.27))))
+    (property "Footprint" "" (id 2) (at 0 0 0) (effects (font (size 1.27 1.27)) hide))
+    (property "Datasheet" "~" (id 3) (at 0 0 0) (effects (font (size 1.27 1.27)) hide))
+      (symbol "PWR_FLAG_0_0"
+        (pin power_out line (at 0 0 90) (length 0) (name "pwr" (effects (font (size 1.27 1.27)))) (number "1" (effects (font (size 1.27 1.27)))))
+      )
+      (symbol "PWR_FLAG_0_1"
+        (polyline (pts (xy 0 0) (xy 0 1.27) (xy -1.016 1.905) (xy 0 2.54) (xy 1.016 1.905) (xy 0 1.27)) (stroke (width 0) (type default) (color 0 0 0 0)) (fill (type none)))
+      )
+    )
+)";
 
 /// A part and where it stands, with its symbol.
 struct Part {
@@ -164,15 +200,13 @@ struct Room {
 
 class Schematic {
  public:
-  Schematic(const Board& board, const Circuit& circuit, std::string amplifier_part)
-      : board_(board), circuit_(circuit), amplifier_part_(std::move(amplifier_part)) {
-    for (const Instance& one : circuit_.instances) instances_[one.name] = &one;
+  Schematic(const Board& board, std::string amplifier_part)
+      : board_(board), amplifier_part_(std::move(amplifier_part)) {
     std::map<std::size_t, Sheet> rows;
     for (const Footprint& one : board.footprints) {
       Part part{.footprint = &one, .pins = pins_of(one)};
-      name_pins(part);
       part.symbol = symbol_for(part);
-      const std::optional<std::size_t> row = row_of(one.element);
+      const std::optional<std::size_t> row = row_of(one);
       part.group = group_of(one);
       (row ? rows[*row] : root_).parts.push_back(std::move(part));
     }
@@ -202,44 +236,32 @@ class Schematic {
     return sheets;
   }
 
-  static std::optional<std::size_t> row_of(const std::string& element) {
-    if (element.find_first_of("0123456789") == std::string::npos) return std::nullopt;
-    return place_of(element).row;
+  static std::optional<std::size_t> row_of(const Footprint& one) {
+    if (one.kind == Footprint::Kind::header ||
+        one.element.find_first_of("0123456789") == std::string::npos)
+      return std::nullopt;
+    return place_of(one.element).row;
   }
 
   static std::string group_of(const Footprint& one) {
     const std::string letters = letters_of(one.reference());
     if (letters == "R") return std::string(tactile_net::name(place_of(one.element).array));
-    return letters == "U" || letters == "C" ? "amplifiers and capacitors" : "pins";
+    if (letters == "U" || letters == "C") return "amplifiers and capacitors";
+    return letters == "J" ? "headers" : "test points and screws";
   }
 
-  /// Amplifiers, pins, then array by array, by their designators' numbers.
+  /// Amplifiers, test points, headers, then array by array, by their designators' numbers.
   static void sort(Sheet& sheet) {
     const auto order = [](const Part& part) {
       const std::string letters = letters_of(part.footprint->reference());
       const auto array = letters == "R"
-                             ? 2 + static_cast<int>(place_of(part.footprint->element).array)
-                             : static_cast<int>(part.group == "pins");
+                             ? 3 + static_cast<int>(place_of(part.footprint->element).array)
+                         : letters == "J" ? 2
+                                          : static_cast<int>(letters != "U" && letters != "C");
       return std::tuple(array, letters != "U", letters, part.footprint->number);
     };
     std::stable_sort(sheet.parts.begin(), sheet.parts.end(),
                      [&](const Part& a, const Part& b) { return order(a) < order(b); });
-  }
-
-  /// What each of an amplifier's pins is for, by the net that it has.
-  void name_pins(Part& part) const {
-    const auto found = instances_.find(part.footprint->element);
-    if (found == instances_.end()) return;
-    constexpr std::array purposes = {"IN+", "IN-", "OUT+", "OUT-"};
-    const std::vector<Node>& nodes = found->second->pins;
-    for (Pin& pin : part.pins) {
-      const std::string& net = board_.nets[pin.net];
-      if (pin.net == 0) pin.name = "NC";
-      if (net == "VCC" || net == "VEE" || net == "GND") pin.name = net;
-      for (std::size_t k = 0; k < std::min(nodes.size(), purposes.size()); ++k)
-        if (nodes[k] != 0 && net == circuit_.nodes[nodes[k]])
-          pin.name = nodes.size() == 3 && k == 2 ? "OUT" : purposes[k];
-    }
   }
 
   /// Parts of one footprint whose pins have the same names share a symbol.
@@ -293,8 +315,7 @@ class Schematic {
     const std::string id = sheet + '/' + reference;
     const double above = symbol.box ? symbol.half_height + letter : pitch;
     std::string text = "  (symbol (lib_id \"tactile-net:" + symbol.name + "\") " + at(x, y, 0) +
-                       " (unit 1)\n    (in_bom " +
-                       (one.kind < Footprint::Kind::pin ? "yes" : "no") +
+                       " (unit 1)\n    (in_bom " + (one.is_bought() ? "yes" : "no") +
                        ") (on_board yes)\n    (uuid " + identifier(id) + ")\n";
     const bool beside = !symbol.box && !one.tolerance.empty();
     text += property("Reference", reference, 0, at(x, y - above, 0), "");
@@ -307,7 +328,7 @@ class Schematic {
     if (!one.tolerance.empty())
       text += property("Tolerance", one.tolerance, field++, at(x + 0.5 * letter, y + above, 0),
                        " (justify left)");
-    if (one.kind < Footprint::Kind::pin)
+    if (one.is_bought())
       text += property("MPN", one.kind == Footprint::Kind::amplifier ? amplifier_part_ : "", field,
                        at(x, y + above + 1.5 * letter, 0),
                        one.kind == Footprint::Kind::amplifier ? "" : " hide");
@@ -328,9 +349,13 @@ class Schematic {
     if (pin.net == 0)
       return "  (no_connect (at " + place(x) + ' ' + place(y) + ") (uuid " + identifier(id) +
              "))\n";
-    return "  (global_label " + quoted_text(board_.nets[pin.net]) + " (shape passive) " +
-           at(x, y, right ? 0 : 180) + ' ' +
-           effects(right ? " (justify left)" : " (justify right)") + "\n    (uuid " +
+    return label_text(board_.nets[pin.net], id, x, y, right);
+  }
+
+  static std::string label_text(const std::string& net, const std::string& id, double x, double y,
+                                bool right) {
+    return "  (global_label " + quoted_text(net) + " (shape passive) " + at(x, y, right ? 0 : 180) +
+           ' ' + effects(right ? " (justify left)" : " (justify right)") + "\n    (uuid " +
            identifier(id) +
            ")\n    (property \"Intersheet References\" \"${INTERSHEET_REFS}\" (id 0) " +
            at(x, y, 0) + ' ' + effects(" hide") + ")\n  )\n";
@@ -380,15 +405,41 @@ class Schematic {
     for (const Part& part : sheet.parts) used[part.symbol] = true;
     for (std::size_t k = 0; k < symbols_.size(); ++k)
       if (used[k]) text += text_of(symbols_[k]);
+    if (&sheet == &root_) text += power_flag;
     return text + "  )\n";
+  }
+
+  /// Of each supply that it comes from outside, through a header: pins that take power ask for it.
+  /// @return  as instances
+  static std::string flags_text(std::string& text, double y) {
+    std::string instances;
+    double x = sheet_edge + 2.0 * pitch;
+    std::size_t count = 0;
+    for (const char* const net : {"GND", "VCC", "VEE"}) {
+      const std::string reference = "#FLG" + std::to_string(++count);
+      const std::string id = "flag of " + std::string(net);
+      text += "  (symbol (lib_id \"tactile-net:PWR_FLAG\") " + at(x, y, 0) +
+              " (unit 1)\n    (in_bom no) (on_board no)\n    (uuid " + identifier(id) + ")\n" +
+              property("Reference", reference, 0, at(x, y, 0), " hide") +
+              property("Value", "PWR_FLAG", 1, at(x, y - 1.5 * pitch, 0), "") +
+              property("Footprint", "", 2, at(x, y, 0), " hide") +
+              property("Datasheet", "~", 3, at(x, y, 0), " hide") + "    (pin \"1\" (uuid " +
+              identifier(id + ".1") + "))\n  )\n" + label_text(net, id + ':', x, y, true);
+      instances += "    (path \"/" + identifier(id) + "\" (reference \"" + reference +
+                   "\") (unit 1) (value \"PWR_FLAG\") (footprint \"\"))\n";
+      x += 8.0 * pitch;
+    }
+    return instances;
   }
 
   /// The supply's parts, a box a sheet, and which part stands where.
   [[nodiscard]] std::string root_text() const {
     auto [text, y] = parts_text(root_, sheet_edge);
     y += 2.0 * pitch;
+    std::string flags = flags_text(text, y);
+    y += 3.0 * pitch;
     std::string pages = "  (sheet_instances\n    (path \"/\" (page \"1\"))\n";
-    std::string parts = "  (symbol_instances\n" + instances_text(root_, "/");
+    std::string parts = "  (symbol_instances\n" + instances_text(root_, "/") + std::move(flags);
     constexpr double width = 20.0 * pitch;
     constexpr double height = 4.0 * pitch;
     const auto columns = static_cast<std::size_t>(sheet_width / (width + 3.0 * pitch));
@@ -429,10 +480,8 @@ class Schematic {
   }
 
   const Board& board_;
-  const Circuit& circuit_;
   std::string amplifier_part_;
-  std::map<std::string, const Instance*> instances_;  // by their names
-  std::map<std::string, std::size_t> symbol_at_;      // by what it is like
+  std::map<std::string, std::size_t> symbol_at_;  // by what it is like
   std::vector<Symbol> symbols_;
   Sheet root_;
   std::vector<Sheet> sheets_;
@@ -441,9 +490,8 @@ class Schematic {
 }  // namespace
 }  // namespace schematic
 
-std::vector<SchematicFile> kicad_schematic(const Board& board, const Circuit& circuit,
-                                           const std::string& amplifier_part) {
-  return schematic::Schematic(board, circuit, amplifier_part).files();
+std::vector<SchematicFile> kicad_schematic(const Board& board, const std::string& amplifier_part) {
+  return schematic::Schematic(board, amplifier_part).files();
 }
 
 }  // namespace tactile_net

@@ -35,18 +35,26 @@ class SameCircuit {
   void compare() {
     for (const Resistor& one : circuit_.resistors) compare(one);
     for (const Instance& one : circuit_.instances) compare(one);
-    std::set<std::string> sources;
-    for (const CurrentSource& one : circuit_.sources) {
-      if (const auto at = parts_.find(one.name); at != parts_.end())
-        expect(*at->second, "1", one.into);
-      sources.insert(one.name);
-    }
+    compare_readings();
     for (const auto& [element, part] : parts_)
       if ((element.front() == 'R' || element.front() == 'X') && !seen_.contains(element))
         refuse(*part, "is on the board, and not in the circuit");
   }
 
  private:
+  /// Which pin a reading comes in by is the board's own affair.
+  void compare_readings() const {
+    std::set<std::string> nets;
+    for (const auto& [element, part] : parts_)
+      if (element.starts_with("inputs"))
+        for (const LaidBoard::Pad& pad : part->pads) nets.insert(board_.nets[pad.net]);
+    for (const CurrentSource& one : circuit_.sources)
+      if (!nets.empty() && !nets.contains(wanted(one.into)))
+        throw std::invalid_argument(board_.file + ": not the board of this circuit: the reading " +
+                                    one.name + " comes in at " + wanted(one.into) +
+                                    ", and no header of readings has a pin of that net");
+  }
+
   [[noreturn]] void refuse(const LaidBoard::Part& part, const std::string& what) const {
     throw std::invalid_argument(board_.file + ':' + std::to_string(part.line) +
                                 ": not the board of this circuit: " + part.reference + " (" +

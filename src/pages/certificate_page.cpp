@@ -9,6 +9,7 @@
 #include "pages/parts.hpp"
 #include "pages/skin_figures.hpp"
 #include "tactile_net/drawing/html.hpp"
+#include "tactile_net/network/board.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/report/words/board_words.hpp"
@@ -298,6 +299,8 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
     schematic = report::schematic_texts(*c.parts);
     page.files.insert(page.files.end(), {{"board.kicad_pcb", report::board_text(*c.parts)},
                                          {"board.kicad_pro", report::project_text()},
+                                         {"board.pos.csv", report::positions_csv(*c.parts)},
+                                         {"fabricate.py", std::string(fabrication_script())},
                                          schematic.front()});
   }
 

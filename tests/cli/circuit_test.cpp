@@ -277,6 +277,14 @@ TEST_CASE("certify reads the board that it has written, and refuses others", "[c
   CHECK(written["board_written"] == true);
   CHECK(written["board"]["stated"] == written["board"]["used"]);
   CHECK_THAT(read_text(out + "/copper.csv"), StartsWith("net,pads,track_mm,missing_mm,"));
+  CHECK_THAT(made.output, ContainsSubstring("VEE falls by "));
+  CHECK(written["board"]["vee_ohm"].get<double>() > 0.0);
+  // What a maker and an assembler take is made beside it.
+  CHECK_THAT(read_text(out + "/fabricate.py"),
+             StartsWith("\"\"\"Fills the planes") && EndsWith("main(*sys.argv[1:])\n"));
+  CHECK_THAT(read_text(out + "/board.pos.csv"),
+             StartsWith("Designator,Val,Package,Mid X,Mid Y,Rotation,Layer\nR1,"));
+  CHECK_THAT(read_text(out + "/BOM.csv"), ContainsSubstring("\npin header 1x03,J"));
   const std::string board = out + "/board.kicad_pcb";
   const std::string realization = written["parts"]["choice"];
   const ProcessResult read = said(

@@ -3,12 +3,14 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "tactile_net/network/laid_board.hpp"
 #include "tests/catch.hpp"
 #include "tests/network/problems.hpp"
 
@@ -94,6 +96,25 @@ std::map<std::string, Pads> pads_in(const std::string& file) {
   return result;
 }
 
+/// The nets of these headers' odd or even pins, in their order; between them are pins of ground.
+std::vector<std::string> signals_of(const std::map<std::string, Pads>& pads, const std::string& use,
+                                    std::size_t first) {
+  std::vector<std::string> signals;
+  for (std::size_t k = 1; pads.contains(use + std::to_string(k)); ++k) {
+    const Pads& own = pads.at(use + std::to_string(k));
+    CHECK(own.size() % 2 == 0);
+    CHECK(own.size() <= 40);
+    for (std::size_t pin = 1; pin <= own.size(); ++pin) {
+      const std::string& net = own.at(std::to_string(pin));
+      if (pin % 2 == first % 2)
+        signals.push_back(net);
+      else
+        CHECK(net == "GND");
+    }
+  }
+  return signals;
+}
+
 SolderedCircuit soldered_network(Realization realization, bool pairs, bool inverters = false) {
   RealizationOptions options;
   options.inverters = inverters;
@@ -148,10 +169,17 @@ TEST_CASE("every pad of the board has the net that the deck's node is", "[board]
         CHECK(own.at(both ? "6" : "4") == "VEE");
         ++known;
       }
-      for (const CurrentSource& i : circuit.sources) {
-        CHECK(pads.at(i.name).at("1") == net_of(circuit, i.into));
-        ++known;
-      }
+      // A pin of each reading and output, in order, each beside one of ground.
+      std::vector<std::string> readings;
+      for (const CurrentSource& i : circuit.sources) readings.push_back(net_of(circuit, i.into));
+      std::vector<std::string> outputs;
+      for (const Node node : circuit.outputs) outputs.push_back(net_of(circuit, node));
+      CHECK(signals_of(pads, "inputs", 1) == readings);
+      CHECK(signals_of(pads, "outputs", 2) == outputs);
+      CHECK(pads.at("supply") == Pads{{"1", "GND"}, {"2", "VCC"}, {"3", "VEE"}});
+      for (const auto& [element, own] : pads)
+        if (element.starts_with("inputs") || element.starts_with("outputs") || element == "supply")
+          ++known;
       // Each supply of each amplifier, and each supply, has a capacitor to ground.
       for (const Instance& x : circuit.instances) {
         CHECK(pads.at("Cp" + x.name) == Pads{{"1", "VCC"}, {"2", "GND"}});
@@ -166,7 +194,7 @@ TEST_CASE("every pad of the board has the net that the deck's node is", "[board]
           ++known;
         }
       for (const char* screw : {"H1", "H2", "H3", "H4"}) CHECK(pads.at(screw) == Pads{{"", ""}});
-      CHECK(pads.size() == known + circuit.outputs.size() + 3 + 4);
+      CHECK(pads.size() == known + 4);
     }
 }
 
@@ -193,7 +221,7 @@ TEST_CASE("designators are a letter and a number, each once, in the deck's order
       CHECK(one.value == "fully differential amplifier");
     } else if (one.kind == Footprint::Kind::capacitor) {
       CHECK(one.reference().front() == 'C');
-    } else if (one.kind == Footprint::Kind::pin) {
+    } else if (one.kind == Footprint::Kind::header) {
       CHECK(one.reference().front() == 'J');
     } else {
       CHECK(one.reference().front() == (one.kind == Footprint::Kind::screw ? 'H' : 'T'));
@@ -242,8 +270,11 @@ TEST_CASE("nothing stands upon another part, or beyond the board's edge", "[boar
     const bool upright = one.angle == 90.0 || one.angle == 270.0;
     const double x = 0.5 * (upright ? one.height : one.width);
     const double y = 0.5 * (upright ? one.width : one.height);
-    const bool beside = one.is_bought() || one.kind == Footprint::Kind::test_point;
-    const Box box{one.x - x, one.x + x + (beside ? 0.89 : 0.0), one.y - y, one.y + y};
+    // Of a header it stands left.
+    const bool left = one.kind == Footprint::Kind::header;
+    const bool beside = !left && one.kind != Footprint::Kind::screw;
+    const Box box{one.x - x - (left ? 0.89 : 0.0), one.x + x + (beside ? 0.89 : 0.0), one.y - y,
+                  one.y + y};
     for (const BoardPad& pad : one.pads) {
       CHECK(std::abs(pad.x) + 0.5 * pad.width < 0.5 * one.width);
       CHECK(std::abs(pad.y) + 0.5 * pad.height < 0.5 * one.height);
@@ -271,6 +302,48 @@ TEST_CASE("better parts are larger and say so", "[board]") {
   CHECK(kinds == std::set<std::string>{"Resistor_SMD:R_0603_1608Metric"});
   CHECK(by_name.at("R2_3")->tolerance == "1 %");
   CHECK(file_of(board) == file_of(board));
+}
+
+TEST_CASE("a machine places parts where the board's file has their pads", "[board]") {
+  const Board board = board_of(soldered_network(Realization::lattice, true));
+  const LaidBoard laid = read_kicad_board(file_of(board), "board.kicad_pcb");
+  std::map<std::string, const LaidBoard::Part*> parts;
+  for (const LaidBoard::Part& one : laid.parts) parts[one.reference] = &one;
+  std::ostringstream out;
+  write_positions(out, board);
+  std::istringstream lines(out.str());
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "Designator,Val,Package,Mid X,Mid Y,Rotation,Layer");
+  std::size_t placed = 0;
+  while (std::getline(lines, line)) {
+    CAPTURE(line);
+    std::vector<std::string> row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
+    REQUIRE(row.size() == 7);
+    const LaidBoard::Part& part = *parts.at(row[0]);
+    CHECK(row[1] == part.value);
+    CHECK(row[6] == "top");
+    // Every package has its origin in the middle of its pads, and pin 1 to the left of it.
+    double x = 0.0;
+    double y = 0.0;
+    for (const LaidBoard::Pad& pad : part.pads) {
+      x += pad.x / static_cast<double>(part.pads.size());
+      y += pad.y / static_cast<double>(part.pads.size());
+    }
+    CHECK_THAT(std::stod(row[3]), WithinAbs(x, 1e-6));
+    CHECK_THAT(std::stod(row[4]), WithinAbs(-y, 1e-6));
+    const double turn = std::stod(row[5]) * std::numbers::pi / 180.0;
+    const double back_x =
+        (part.pads[0].x - x) * std::cos(turn) - (part.pads[0].y - y) * std::sin(turn);
+    CHECK(back_x < -0.1);
+    ++placed;
+  }
+  std::size_t bought = 0;
+  for (const Footprint& one : board.footprints)
+    if (one.is_bought() && one.kind != Footprint::Kind::header) ++bought;
+  CHECK(placed == bought);
 }
 
 TEST_CASE("a board is of resistors and op-amps", "[board]") {

@@ -64,15 +64,45 @@ class Reader {
   [[nodiscard]] const std::map<std::string, Drawn>& parts() const { return parts_; }
   [[nodiscard]] std::size_t sheets() const { return sheets_; }
 
+  /// What KiCad's check of electrical rules looks at, of pins and nets.
+  void check_rules() const {
+    for (const auto& [net, types] : types_) {
+      CAPTURE(net);
+      const auto count = [&](const char* type) {
+        return std::count(types.begin(), types.end(), type);
+      };
+      if (net.empty()) {  // marked as joined to nothing
+        CHECK(count("no_connect") + count("passive") == static_cast<long>(types.size()));
+        continue;
+      }
+      CHECK(types.size() > 1);
+      CHECK(count("no_connect") == 0);
+      CHECK(count("output") + count("power_out") <= 1);
+      if (count("power_in") > 0) CHECK(count("power_out") == 1);
+      if (count("input") > 0) CHECK(count("output") + count("power_out") + count("passive") > 0);
+    }
+  }
+  [[nodiscard]] std::size_t pins_of(const std::string& type) const {
+    std::size_t sum = 0;
+    for (const auto& [net, types] : types_)
+      sum += static_cast<std::size_t>(std::count(types.begin(), types.end(), type));
+    return sum;
+  }
+
  private:
   void read(const SExpression::Item& sheet, const std::string& path) {
     REQUIRE(sheet.get("version").part(0).text() == "20211123");
-    std::map<std::string, std::vector<std::pair<std::string, Place>>> symbols;
+    struct Pin {
+      std::string number, type;
+      Place at;
+    };
+    std::map<std::string, std::vector<Pin>> symbols;
     sheet.get("lib_symbols").each("symbol", [&](const SExpression::Item& symbol) {
       auto& pins = symbols[symbol.part(0).text()];
       symbol.each("symbol", [&](const SExpression::Item& unit) {
         unit.each("pin", [&](const SExpression::Item& pin) {
-          pins.emplace_back(pin.get("number").part(0).text(), place_of_item(pin.get("at")));
+          pins.push_back(
+              {pin.get("number").part(0).text(), pin.part(0).text(), place_of_item(pin.get("at"))});
         });
       });
     });
@@ -97,8 +127,9 @@ class Reader {
       CHECK_FALSE(parts_.contains(reference));
       Drawn& part = parts_[reference];
       const Place at = place_of_item(symbol.get("at"));
-      for (const auto& [number, offset] : symbols.at(symbol.get("lib_id").part(0).text())) {
-        part.pins[number] = nets.at({at.first + offset.first, at.second - offset.second});
+      for (const Pin& pin : symbols.at(symbol.get("lib_id").part(0).text())) {
+        part.pins[pin.number] = nets.at({at.first + pin.at.first, at.second - pin.at.second});
+        types_[part.pins[pin.number]].push_back(pin.type);
         ++joined;
       }
       symbol.each("property", [&](const SExpression::Item& field) {
@@ -136,8 +167,9 @@ class Reader {
   }
 
   std::map<std::string, std::string> texts_;
-  std::map<std::string, std::string> references_;  // by the paths of symbols
-  std::map<std::string, Drawn> parts_;             // by their designators
+  std::map<std::string, std::string> references_;          // by the paths of symbols
+  std::map<std::string, Drawn> parts_;                     // by their designators
+  std::map<std::string, std::vector<std::string>> types_;  // of pins, by their nets
   std::set<std::string> identifiers_;
   std::size_t sheets_ = 0;
 };
@@ -166,9 +198,10 @@ TEST_CASE("the schematic's netlist is the board's", "[schematic]") {
     CAPTURE(name(realization), inverters);
     const SolderedCircuit built = soldered_as(realization, inverters);
     const Board board = board_of(built);
-    const Reader drawn(kicad_schematic(board, built.circuit, "THS4551"));
+    const Reader drawn(kicad_schematic(board, "THS4551"));
     CHECK(drawn.sheets() == 12);
-    CHECK(drawn.parts().size() == board.footprints.size());
+    CHECK(drawn.parts().size() == board.footprints.size() + 3);  // a flag of each supply
+    drawn.check_rules();
     for (const Footprint& one : board.footprints) {
       CAPTURE(one.reference());
       const Drawn& part = drawn.parts().at(one.reference());
@@ -189,14 +222,14 @@ TEST_CASE("the schematic's netlist is the board's", "[schematic]") {
 TEST_CASE("an amplifier's pins are named by what they are for", "[schematic]") {
   const SolderedCircuit built = soldered_as(Realization::lattice);
   const Board board = board_of(built);
-  const std::vector<SchematicFile> files = kicad_schematic(board, built.circuit);
+  const std::vector<SchematicFile> files = kicad_schematic(board);
   CHECK(files[1].name == "board-row0.kicad_sch");
-  for (const std::string name : {"IN+", "IN-", "OUT+", "OUT-", "VCC", "VEE"})
+  for (const std::string name : {"IN+", "IN-", "OUT+", "OUT-", "V+", "V-", "VOCM", "PD"})
     CHECK_THAT(files[1].text, ContainsSubstring("(name \"" + name + "\""));
   CHECK_THAT(files[1].text, ContainsSubstring("(text \"K transposed\"") &&
                                 ContainsSubstring("(text \"stabiliser\""));
   // Equal boards, equal bytes.
-  const std::vector<SchematicFile> again = kicad_schematic(board_of(built), built.circuit);
+  const std::vector<SchematicFile> again = kicad_schematic(board_of(built));
   for (std::size_t k = 0; k < files.size(); ++k) CHECK(files[k].text == again.at(k).text);
 }
 
@@ -205,6 +238,6 @@ TEST_CASE("pads of one name are of one net", "[schematic][bad]") {
   Board board = board_of(built);
   Footprint& first = board.footprints.front();
   first.pads[1].name = first.pads[0].name;
-  CHECK_THROWS_WITH(kicad_schematic(board, built.circuit),
+  CHECK_THROWS_WITH(kicad_schematic(board),
                     ContainsSubstring("pads 1 of R1 are of different nets"));
 }

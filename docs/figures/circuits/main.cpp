@@ -89,11 +89,12 @@ the resistors' part is equipartition and holds for any D. More siemens lower it 
 
 ## From a scene to a board
 
-Four commands lead from `scenes/circuits/board.toml` to parts, board, schematic and datasheet, then to ngspice with the board's copper, to a deck of the parts that are soldered, and, once it is built, to what is wrong with it:
+Five commands lead from `scenes/circuits/board.toml` to parts, board, schematic and datasheet, to the files that a maker takes, then to ngspice with the board's copper, to a deck of the parts that are soldered, and, once it is built, to what is wrong with it:
 
 <!-- not run: minutes of ngspice, and a board that is measured -->
 ```sh no-run
 tactile-net certify scenes/circuits/board.toml --budget 0.3% --datasheet --out out
+/usr/bin/python3 out/fabricate.py
 tactile-net relax out/board.ordered.toml --board out/board.kicad_pcb
 tactile-net gen out/board.ordered.toml --budget 0.3% --board out/board.kicad_pcb -o out/board.cir
 tactile-net bench out/board.ordered.toml measured.csv --out bench
@@ -142,16 +143,22 @@ is for assemblers, a part a row: `Comment` (its value such as `4.99k` or `499R`)
 one of a resistor's pair, and a note if the scene's contacts put more power into it than its size carries (0402 62.5 mW, 0603 0.1 W). `board.kicad_pcb` opens in KiCad 6 and newer, with designators, values, tolerances, courtyards and nets; resistors
 are 0402 and, of better classes, 0603. An op-amp is in its part's own package, SO-8, VSSOP-8 or VQFN-16 with the pad below it, with the part's own pins (the table below); where the scene names no part, an SO-8 with the usual ones. Of a
 fully differential amplifier VOCM is at ground, which is the middle of VCC and VEE, and power-down, active low, at VCC; of two op-amps in a package one is used, and the other is a follower at ground. Beside each op-amp stand 100 nF from VCC and from
-VEE to ground, beside the supply 10 uF each. A pin for each reading is along the upper edge, those of outputs and supply along the lower one, all in steps of 2.54 mm with their net's name; each residual and each op-amp's output has a test point.
+VEE to ground, beside the supply 10 uF each. Readings come in by pin headers of two rows along the upper edge, 2.54 mm, for ribbon cables: at most 20 a header, each with a pin of GND beside it, the odd pins the readings, pin 1 square; outputs leave by the same along the lower edge,
+the even pins the outputs. Beside them three pins have GND, VCC and VEE. Silk names the net of every pin; each residual and each op-amp's output has a test point.
 
 The board is routed, on four layers: a net that many resistors have is a track along their row on `F.Cu`, whose name stands left of it; those that share another net stand in one column, which a track on `B.Cu` joins, its name above; GND is a plane
-on `In1.Cu`, VCC on `In2.Cu`, VEE a wide track. Rows and columns are by construction as far apart as their tracks need, so every net of every realisation is joined at any size: what grows is the board (`lattice` of 11 taxels 101 by 174 mm, of 41
+on `In1.Cu`, VCC on `In2.Cu`. VEE is a bus of 3 mm between a row of op-amps and their capacitors, and from there a track of 1.2 mm to its pin; `certify` says how far it falls on them to the farthest op-amp, each of which takes what its data sheet says: of 10 mA each less than 10 mV, of any realisation of 11 taxels and of `lattice` of 41. Rows and columns are by construction as far apart as their tracks need, so every net of every realisation is joined at any size: what grows is the board (`lattice` of 11 taxels 101 by 174 mm, of 41
 taxels 321 by 394 mm, more than most makers take). `board.kicad_pro` has the design rules that are kept, those of most makers of such boards: tracks 0.15 mm, clearance 0.127 mm, vias 0.45 on 0.2 mm. KiCad 6's own check finds no violation
-and nothing unconnected once its planes are filled (Edit, Fill All Zones; before it writes fabrication files it asks for that). `gen SCENE.ordered.toml --budget 0.3%`
+and nothing unconnected once its planes are filled. `gen SCENE.ordered.toml --budget 0.3%`
 writes the deck of the same parts, with each tolerance as a comment.
 
-`board.kicad_sch` is the schematic of that board, for KiCad 6 and newer: the supply, and a sheet for each row of the arrays, `board-row0.kicad_sch` and so on, with the row's resistors array by array, its amplifier with its capacitors, and its pins. Nets are global labels. Symbols are in the files, and
-carry designator, value, tolerance, footprint, the amplifier's order number (MPN) and, hidden, the name in the deck. Its netlist is the board's: tests compare both, pin by pin, with a reader of their own. In KiCad open `board.kicad_pro`; *Update PCB from Schematic* relinks footprints by their designators.
+`fabricate.py` makes of the board what a maker takes: run by the Python that KiCad 6 or newer belongs to (of Debian and Ubuntu `/usr/bin/python3`) it fills the planes, runs KiCad's check, and writes `fabrication/`, with a Gerber file of each layer, the holes as Excellon files, and all of
+them as `board-gerbers.zip`. If a rule is broken or a net is not joined it says where, and writes nothing. It takes a board that you have changed too: `fabricate.py routed.kicad_pcb`. `board.pos.csv` says where a machine places each part: designator, value, package, middle (mm, from the same corner
+as the Gerbers, y up), rotation (degrees against the clock, as KiCad counts it: compare the assembler's preview, some count others for a package) and layer. Headers are soldered by hand: they are in `BOM.csv` and `parts.csv`, and not there.
+
+`board.kicad_sch` is the schematic of that board, for KiCad 6 and newer: headers, the supply, and a sheet for each row of the arrays, `board-row0.kicad_sch` and so on, with the row's resistors array by array, its amplifier with its capacitors, and its test points. Nets are global labels. Symbols are in the files, and
+carry designator, value, tolerance, footprint, the amplifier's order number (MPN) and, hidden, the name in the deck. Its netlist is the board's: tests compare both, pin by pin, with a reader of their own. KiCad's check of electrical rules has nothing to report: pins have types, open ones are marked, GND, VCC and VEE have a PWR_FLAG (tests, by those rules). That symbols and footprints stand in no library of yours, or differ from KiCad's,
+`board.kicad_pro` lets pass. In KiCad open `board.kicad_pro`; *Update PCB from Schematic* relinks footprints by their designators.
 
 ## On its board
 
@@ -177,7 +184,8 @@ what 95 of 100 of all builds are within (max), over tolerances, op-amps and temp
 With `--out` the folder has `SCENE.datasheet.json`. With `--budget`, or `--board`, the builds have the siemens and the capacitances of that board.
 
 Error and offset are of 200 to 1000 builds of the reduced equations; settling and noise of 75 to 200 builds with all their poles, each op-amp with an offset, bias currents and, with `bandwidth = 0.2` in `tolerance`, a bandwidth of its own.
-The supply current is each op-amp's own, typical of its data sheet, and what its outputs give off at rest. ngspice has the same error, settling time and noise of each build, and over 1,000 builds of its own, of eleven taxels, median and 95th percentile of error, offset and settling time within 2.5 % of the datasheet's.
+The supply current is each op-amp's own, typical of its data sheet, and what its outputs give off at rest; that op-amps differ in their own, and take more warm, is not in it. ngspice has the same error, settling time and noise of each build, and over 1,000 builds of its own, of eleven taxels, median and 95th percentile of error, offset and
+settling time within 2.5 % of the datasheet's.
 
 ## Offsets, and the answer at rest
 

@@ -16,6 +16,7 @@
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/network/copper_capacitance.hpp"
 #include "tactile_net/network/phase_margin.hpp"
+#include "tactile_net/network/supply_drop.hpp"
 
 namespace tactile_net::lab {
 
@@ -53,7 +54,9 @@ struct BoardCertificate {
   bool has_planes = false;          ///< false: capacitance is as if the board's other side were one
   double to_plane = 0.0;            ///< of the top layer's copper [mm]
   std::vector<NetCopper> copper{};  ///< of every net but the supply
-  std::vector<NodeCapacitance> nodes{};  ///< of the circuit's own, in its order
+  std::vector<NodeCapacitance> nodes{};    ///< of the circuit's own, in its order
+  std::optional<SupplyDrop> supply{};      ///< of VEE, by its tracks
+  std::optional<double> supply_current{};  ///< of an op-amp, typical of its part [A]
   /// At the scene's siemens, and at those that are used: the least that were found to bring the
   /// margin, or of those that were tried the ones with the largest; equal: nothing was changed. Of
   /// a board from a file the latter would be other resistors on the same copper.

@@ -12,6 +12,7 @@
 
 #include "tactile_net/lab/scene_circuit.hpp"
 #include "tactile_net/network/allocation.hpp"
+#include "tactile_net/network/board.hpp"
 #include "tactile_net/network/part_values.hpp"
 #include "tactile_net/network/static_errors.hpp"
 
@@ -69,8 +70,9 @@ struct PartsList {
   /// The chosen candidate as it is soldered.
   struct Choice {
     SolderedCircuit soldered{};
-    std::vector<OrderedPart> order{};    ///< equal ones together, by tolerance and value
-    std::vector<PartsOfArray> arrays{};  ///< of resistors as they are wanted, a pair counted once
+    std::shared_ptr<const Board> board{};  ///< that it stands on
+    std::vector<OrderedPart> order{};      ///< equal ones together, by tolerance and value
+    std::vector<PartsOfArray> arrays{};    ///< of resistors as they are wanted, a pair counted once
     std::shared_ptr<const NetworkCircuit> network{};  ///< whose resistors they are
     BoughtParts bought;                               ///< for these: values, and what they are off
   };

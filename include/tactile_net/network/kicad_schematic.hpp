@@ -1,7 +1,7 @@
 /// @file
 /// A board's circuit as a schematic of KiCad 6 and newer, a sheet a row.
 ///
-///     for (const SchematicFile& file : kicad_schematic(board, circuit))
+///     for (const SchematicFile& file : kicad_schematic(board))
 ///       frames::write_file(file.name, file.text);   // "board.kicad_sch" first
 #pragma once
 
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "tactile_net/network/board.hpp"
-#include "tactile_net/network/circuit.hpp"
 
 namespace tactile_net {
 
@@ -18,18 +17,19 @@ struct SchematicFile {
   std::string text{};
 };
 
-/// board.kicad_sch, which has the supply and a sheet for each row of the arrays, and those sheets,
-/// board-row0.kicad_sch and so on. In a row's sheet stand the resistors of its entries, array by
-/// array, its amplifier with its capacitors and its pins. Every part of the board stands on one of
-/// them once, with its designator, value, footprint, tolerance and name in the deck; the net of
-/// each of its pins is a global label there, and a pin without a net is marked as such. Symbols are
-/// in the files: no library is needed.
+/// board.kicad_sch, which has headers, the supply and a sheet for each row of the arrays, and those
+/// sheets, board-row0.kicad_sch and so on. In a row's sheet stand the resistors of its entries,
+/// array by array, its amplifier with its capacitors and its test points. Every part of the board
+/// stands on one of them once, with its designator, value, footprint, tolerance and name in the
+/// deck; the net of each of its pins is a global label there, and a pin without a net is marked as
+/// such. Symbols are in the files: no library is needed. KiCad's check of electrical rules has
+/// nothing to find: pins have types, GND, VCC and VEE a PWR_FLAG, and every other net two pins or
+/// more.
 ///
-/// @param circuit         whose board it is: its amplifiers' pins have names by it
 /// @param amplifier_part  what amplifiers are ordered by; empty: not known
 /// @return                equal boards, equal bytes
 /// @throw std::invalid_argument  pads of one name of a footprint are of different nets
-[[nodiscard]] std::vector<SchematicFile> kicad_schematic(const Board& board, const Circuit& circuit,
+[[nodiscard]] std::vector<SchematicFile> kicad_schematic(const Board& board,
                                                          const std::string& amplifier_part = {});
 
 }  // namespace tactile_net

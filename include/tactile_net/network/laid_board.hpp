@@ -50,6 +50,7 @@ struct LaidBoard {
     std::size_t net = 0;
     double x = 0.0, y = 0.0;
     double size = 0.0;
+    double hole = 0.0;  ///< its diameter
   };
   /// Copper of a filled zone of a net that is no supply.
   struct Area {

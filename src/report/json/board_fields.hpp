@@ -57,6 +57,15 @@ struct Fields<lab::BoardCertificate> {
       field("wanted", &Board::wanted, "The phase margin that is asked for, in degrees."),
       field("has_planes", &Board::has_planes,
             "Whether a zone of GND, VCC or VEE covers half of the board."),
+      field(
+          "vee_ohm",
+          [](const Board& one) {
+            return one.supply ? std::optional(one.supply->ohm) : std::nullopt;
+          },
+          Measure::resistance,
+          "By how much VEE falls on its tracks to the farthest op-amp, over what each op-amp "
+          "takes; "
+          "null: tracks do not join it, or it has no header \"supply\"."),
       field("stated", &Board::stated, "With the scene's siemens."),
       field("used", &Board::used,
             "With the siemens of the parts and the board; of a board from a file with those that "

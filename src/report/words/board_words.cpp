@@ -49,6 +49,18 @@ std::string copper_in_words(const lab::BoardCertificate& board) {
   return text;
 }
 
+/// How far VEE falls on its tracks.
+std::string supply_in_words(const SupplyDrop& drop, std::optional<double> each) {
+  const std::string count = std::to_string(drop.amplifiers);
+  const std::string falls = "VEE falls by ";
+  if (each)
+    return falls + brief(1e3 * drop.ohm * *each) + " mV on its tracks to the farthest op-amp, " +
+           drop.amplifier + ", where each of the " + count + " takes the " + brief(1e3 * *each) +
+           " mA of its data sheet";
+  return falls + brief(drop.ohm) + " mV on its tracks to the farthest op-amp, " + drop.amplifier +
+         ", for each mA that each of the " + count + " takes";
+}
+
 std::string judged_in_words(const lab::BoardCertificate::Judged& one) {
   std::string text;
   switch (one.stability.stability) {
@@ -80,6 +92,7 @@ std::string siemens_in_words(const lab::BoardCertificate& board, double siemens)
 
 std::vector<std::string> in_words(const lab::BoardCertificate& board) {
   std::vector<std::string> lines = {copper_in_words(board)};
+  if (board.supply) lines.push_back(supply_in_words(*board.supply, board.supply_current));
   const std::string circuit = circuit_in_words(board.realization, board.ladder);
   lines.push_back(circuit + " on that board, " + siemens_in_words(board, board.stated.siemens) +
                   ": " + judged_in_words(board.stated));

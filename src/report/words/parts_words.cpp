@@ -15,9 +15,9 @@
 namespace tactile_net::report {
 namespace {
 
-/// Parts that are bought: what is on the board but pins.
+/// Parts that are bought: what is on the board but test points and holes.
 std::vector<Footprint> bought_parts(const lab::PartsList& list) {
-  std::vector<Footprint> parts = board_of(list.choice->soldered).footprints;
+  std::vector<Footprint> parts = list.choice->board->footprints;
   std::erase_if(parts, [](const Footprint& one) { return !one.is_bought(); });
   std::sort(parts.begin(), parts.end(), [](const Footprint& a, const Footprint& b) {
     return std::pair(a.kind, a.number) < std::pair(b.kind, b.number);
@@ -34,11 +34,6 @@ std::map<std::string, std::string> designators_of(const std::vector<Footprint>& 
   std::map<std::string, std::string> designators;  // by the deck's names
   for (const Footprint& one : parts) designators[one.element] = one.reference();
   return designators;
-}
-
-/// KiCad's name without that of the library it is in.
-std::string package_of(const Footprint& one) {
-  return one.library.substr(one.library.find(':') + 1);
 }
 
 std::string watts_in_words(const Footprint& one) {
@@ -213,6 +208,7 @@ std::string order_csv(const lab::PartsList& list) {
           one.reference());
     if (one.kind == Footprint::Kind::capacitor)
       others["capacitor " + one.value].push_back(one.reference());
+    if (one.kind == Footprint::Kind::header) others[one.value].push_back(one.reference());
   }
   for (const auto& [value, references] : others)
     text +=
@@ -233,7 +229,7 @@ std::string bill_csv(const lab::PartsList& list) {
       if (other != resistor) partner = designators.at(soldered.circuit.resistors[other].name);
       ++resistor;
     }
-    text += one.value + ',' + one.reference() + ',' + package_of(one) + ',' +
+    text += one.value + ',' + one.reference() + ',' + one.package() + ',' +
             order_number(list, one) + ',' + one.tolerance + ',' + one.element + ',' + partner +
             ',' + (one.overloaded() ? watts_in_words(one) : "") + '\n';
   }
@@ -242,14 +238,19 @@ std::string bill_csv(const lab::PartsList& list) {
 
 std::string board_text(const lab::PartsList& list) {
   std::ostringstream text;
-  write_kicad_board(text, board_of(list.choice->soldered));
+  write_kicad_board(text, *list.choice->board);
+  return std::move(text).str();
+}
+
+std::string positions_csv(const lab::PartsList& list) {
+  std::ostringstream text;
+  write_positions(text, *list.choice->board);
   return std::move(text).str();
 }
 
 std::vector<std::pair<std::string, std::string>> schematic_texts(const lab::PartsList& list) {
-  const SolderedCircuit& soldered = list.choice->soldered;
   std::vector<std::pair<std::string, std::string>> texts;
-  for (SchematicFile& file : kicad_schematic(board_of(soldered), soldered.circuit, list.opamp_part))
+  for (SchematicFile& file : kicad_schematic(*list.choice->board, list.opamp_part))
     texts.emplace_back(std::move(file.name), std::move(file.text));
   return texts;
 }

@@ -29,6 +29,9 @@ namespace tactile_net::report {
 /// The board of the chosen circuit, as KiCad reads it. @pre  there is a choice
 [[nodiscard]] std::string board_text(const lab::PartsList& list);
 
+/// Where a machine places each of its parts, `write_positions`. @pre  there is a choice
+[[nodiscard]] std::string positions_csv(const lab::PartsList& list);
+
 /// Its schematic, the root's file first: name and text of each. @pre  there is a choice
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> schematic_texts(
     const lab::PartsList& list);
