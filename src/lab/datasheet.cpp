@@ -58,6 +58,10 @@ Circuit build_of(const BuiltCircuit& source, const ToleranceOptions& drawn, std:
                        of_datasheet, build);
 }
 
+double kelvin_of(const BuiltCircuit& source, std::size_t build) {
+  return room_kelvin + source.bought.errors.kelvin(of_datasheet, build);
+}
+
 /// What builds do over time.
 struct OverTime {
   std::vector<double> settling{}, noise{};
@@ -100,8 +104,7 @@ OverTime seen_over_time(const BuiltCircuit& source, const Datasheet& sheet, bool
     }
     result.settling.push_back(settling_of(system, sheet.settling_accuracy, slowest));
     if (!noisy) continue;
-    const double kelvin = room_kelvin + source.bought.errors.kelvin(of_datasheet, build);
-    if (const auto noise = relative_noise_of(circuit, system, kelvin))
+    if (const auto noise = relative_noise_of(circuit, system, kelvin_of(source, build)))
       result.noise.push_back(*noise);
   }
   return result;
@@ -140,6 +143,10 @@ DatasheetFigure figure_of(FigureKind kind, std::vector<double> values,
 Circuit datasheet_build(const SceneCircuit& circuit, const PartsList* parts, std::size_t build,
                         const BoardCertificate* board) {
   return build_of(source_of(circuit, parts, board), circuit.tolerance(), build);
+}
+
+double datasheet_kelvin(const SceneCircuit& circuit, const PartsList* parts, std::size_t build) {
+  return kelvin_of(source_of(circuit, parts, nullptr), build);
 }
 
 Datasheet datasheet(const SceneCircuit& circuit, const PartsList* parts,

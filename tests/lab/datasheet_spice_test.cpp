@@ -8,6 +8,7 @@
 #include "tactile_net/lab/datasheet.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/numeric/comparison.hpp"
+#include "tactile_net/scene/opamp_part.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 #include "tactile_net/simulator/step_response.hpp"
 #include "tests/catch.hpp"
@@ -28,6 +29,35 @@ constexpr const char* tolerance =
 struct Seen {
   double error = 0.0, offset = 0.0, settling = 0.0;
 };
+
+/// Of all outputs, over the answer.
+double noise_seen(const lab::SceneCircuit& circuit, std::size_t build) {
+  const Circuit built = lab::datasheet_build(circuit, nullptr, build);
+  const double kelvin = lab::datasheet_kelvin(circuit, nullptr, build);
+  double square = 0.0;
+  for (const std::string& output : output_names(built))
+    square += std::pow(noise_in_ngspice(built, output, kelvin), 2);
+  return std::sqrt(square) / l2_norm(at_rest(built));
+}
+
+/// What amplifiers' outputs give off at rest, by ngspice's voltages of all nodes [A].
+double sourced_in_ngspice(Circuit built) {
+  built.outputs.clear();
+  for (Node node = 1; node < built.nodes.size(); ++node) built.outputs.push_back(node);
+  std::vector<double> volts = at_rest(built);
+  volts.insert(volts.begin(), 0.0);
+  std::vector<double> leaving(built.nodes.size());
+  for (const Resistor& one : built.resistors) {
+    const double ampere = one.siemens * (volts[one.from] - volts[one.to]);
+    leaving[one.from] += ampere;
+    leaving[one.to] -= ampere;
+  }
+  double sum = 0.0;
+  for (const Instance& one : built.instances)
+    for (std::size_t pin = 2; pin < one.pins.size(); ++pin)
+      if (one.pins[pin] != 0) sum += std::max(leaving[one.pins[pin]], 0.0);
+  return sum;
+}
 
 /// A load's sources, and the answer of exact parts.
 struct Place {
@@ -124,19 +154,47 @@ TEST_CASE("each figure of a datasheet is within 10 % of builds that ngspice has 
   std::vector<double> error;
   std::vector<double> offset;
   std::vector<double> settling;
+  std::vector<double> noise;
   for (std::size_t build = 0; build < builds; ++build) {
     // Others than the datasheet's own.
     const Seen seen = seen_in_ngspice(circuit, 10'000 + build, places);
     error.push_back(seen.error);
     offset.push_back(seen.offset);
     settling.push_back(seen.settling);
+    noise.push_back(noise_seen(circuit, 10'000 + build));
   }
   // Of few builds a quantile is as uncertain as their number says; of a thousand 10 % decide.
   const double allowed = builds >= 1000 ? 0.1 : 0.1 + 1.5 / std::sqrt(static_cast<double>(builds));
-  for (const auto& [kind, values] :
-       {std::pair(Kind::error, error), {Kind::offset, offset}, {Kind::settling, settling}}) {
+  for (const auto& [kind, values] : {std::pair(Kind::error, error),
+                                     {Kind::offset, offset},
+                                     {Kind::settling, settling},
+                                     {Kind::noise, noise}}) {
     CAPTURE(static_cast<int>(kind));
-    CHECK_THAT(figure(sheet, kind).typical, WithinRel(quantile(values, 0.5), allowed));
-    CHECK_THAT(figure(sheet, kind).p95, WithinRel(quantile(values, 0.95), allowed));
+    // Builds differ little in their noise.
+    const double off = kind == Kind::noise ? 0.1 : allowed;
+    CHECK_THAT(figure(sheet, kind).typical, WithinRel(quantile(values, 0.5), off));
+    CHECK_THAT(figure(sheet, kind).p95, WithinRel(quantile(values, 0.95), off));
   }
+}
+
+TEST_CASE("a datasheet's supply current is what ngspice's outputs give off, and the op-amps' own",
+          "[spice][datasheet]") {
+  // That an op-amp takes more where it gives off more, or as it gets warm, neither has.
+  constexpr std::size_t builds = 24;
+  const lab::SceneCircuit circuit = datasheet_circuit(
+      tolerance, "", "{ part = \"THS4551\", gain = 1e5, second_pole = 270e6 }", 8);
+  const lab::Datasheet sheet = lab::datasheet(circuit);
+  REQUIRE(circuit.options().opamp_part != nullptr);
+  const double own =
+      static_cast<double>(sheet.opamps) * *circuit.options().opamp_part->supply_current;
+  std::vector<double> given;
+  for (std::size_t build = 0; build < builds; ++build) {
+    const Circuit built = lab::datasheet_build(circuit, nullptr, 10'000 + build);
+    given.push_back(sourced_in_ngspice(built));
+    CHECK_THAT(sourced_current(FlatCircuit(built)), WithinRel(given.back(), 1e-3));
+  }
+  const lab::DatasheetFigure current = figure(sheet, Kind::supply_current);
+  CHECK_THAT(current.typical - own, WithinRel(quantile(given, 0.5), 0.1));
+  CHECK_THAT(current.p95 - own, WithinRel(quantile(given, 0.95), 0.1));
+  CHECK(quantile(given, 0.5) > 0.05 * own);  // not lost beside them
 }

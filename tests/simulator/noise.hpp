@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tactile_net/network/deck.hpp"
+#include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/simulator/ngspice.hpp"
 
 namespace tactile_net {
@@ -24,10 +25,16 @@ inline double noise_of(const Simulation& seen) {
 }
 
 /// `noise_of` a node, from 1 Hz on.
-inline double noise_in_ngspice(const Circuit& circuit, const std::string& node) {
+///
+/// @param kelvin  of the circuit's resistors; op-amps have the noise of their figures at any
+inline double noise_in_ngspice(const Circuit& circuit, const std::string& node,
+                               double kelvin = 300.15) {
   std::ostringstream out;
   write_deck(out, circuit, {.title = "noise"}, Answer::raw_file);
   std::string deck = out.str();
+  for (const Resistor& one : circuit.resistors)
+    deck.insert(deck.find('\n', deck.find('\n' + one.name + ' ') + 1),
+                " temp=" + shortest(kelvin - 273.15));
   const std::string source = circuit.sources.front().name;
   deck.replace(deck.find(".op\n"), 4, ".noise v(" + node + ") " + source + " dec 40 1 1e11\n");
   deck.insert(deck.find('\n', deck.find('\n' + source + ' ') + 1), " AC 1");

@@ -185,7 +185,7 @@ With `--out` the folder has `SCENE.datasheet.json`. With `--budget`, or `--board
 
 Error and offset are of 200 to 1000 builds of the reduced equations; settling and noise of 75 to 200 builds with all their poles, each op-amp with an offset, bias currents and, with `bandwidth = 0.2` in `tolerance`, a bandwidth of its own.
 The supply current is each op-amp's own, typical of its data sheet, and what its outputs give off at rest; that op-amps differ in their own, and take more warm, is not in it. ngspice has the same error, settling time and noise of each build, and over 1,000 builds of its own, of eleven taxels, median and 95th percentile of error, offset and
-settling time within 2.5 % of the datasheet's.
+settling time within 2.5 % of the datasheet's, over 24 builds noise within 3 %; of each build the current that its outputs give off within 0.1 %.
 
 ## Offsets, and the answer at rest
 

@@ -89,4 +89,10 @@ inline constexpr std::size_t most_datasheet_states = 400;
 [[nodiscard]] Circuit datasheet_build(const SceneCircuit& circuit, const PartsList* parts,
                                       std::size_t build, const BoardCertificate* board = nullptr);
 
+/// The temperature of that build, whose noise is of it [K].
+///
+/// @throw std::invalid_argument  as `datasheet`
+[[nodiscard]] double datasheet_kelvin(const SceneCircuit& circuit, const PartsList* parts,
+                                      std::size_t build);
+
 }  // namespace tactile_net::lab
