@@ -24,7 +24,8 @@ class DrawnConverters {
     if (!parts.options.converters) return;
     wanted_ = *parts.options.converters;
     exact_ = false;
-    offset_ = OpAmpDraws(parts.reduction, parts.opamps, 0.0).of_inputs(seed_, build) / parts.range;
+    offset_ =
+        OpAmpDraws(parts.reduction, parts.opamps, 0.0).of_inputs(seed_, build, 0.0) / parts.range;
   }
 
   [[nodiscard]] Eigen::VectorXd to_circuit(const Eigen::VectorXd& values) const {

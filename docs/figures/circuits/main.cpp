@@ -148,7 +148,7 @@ the even pins the outputs. Beside them three pins have GND, VCC and VEE. Silk na
 
 The board is routed, on four layers: a net that many resistors have is a track along their row on `F.Cu`, whose name stands left of it; those that share another net stand in one column, which a track on `B.Cu` joins, its name above; GND is a plane
 on `In1.Cu`, VCC on `In2.Cu`. VEE is a bus of 3 mm between a row of op-amps and their capacitors, and from there a track of 1.2 mm to its pin; `certify` says how far it falls on them to the farthest op-amp, each of which takes what its data sheet says: of 10 mA each less than 10 mV, of any realisation of 11 taxels and of `lattice` of 41. Rows and columns are by construction as far apart as their tracks need, so every net of every realisation is joined at any size: what grows is the board (`lattice` of 11 taxels 101 by 182 mm, of 41
-taxels 321 by some 400 mm, more than most makers take). `board.kicad_pro` has the design rules that are kept, those of most makers of such boards: tracks 0.15 mm, clearance 0.127 mm, vias 0.45 on 0.2 mm. KiCad 6's own check finds no violation
+taxels 321 by 392 mm, more than most makers take). `board.kicad_pro` has the design rules that are kept, those of most makers of such boards: tracks 0.15 mm, clearance 0.127 mm, vias 0.45 on 0.2 mm. KiCad 6's own check finds no violation
 and nothing unconnected once its planes are filled. `gen SCENE.ordered.toml --budget 0.3%`
 writes the deck of the same parts, with each tolerance as a comment.
 
