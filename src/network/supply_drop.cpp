@@ -1,6 +1,5 @@
 #include "tactile_net/network/supply_drop.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <map>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "network/copper_shapes.hpp"
+#include "numeric/sparse_elimination.hpp"
 
 namespace tactile_net {
 namespace {
@@ -61,8 +61,8 @@ class SupplyNet {
           taken(at->second) += 1.0 / static_cast<double>(points.size());
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
-    if (solver.info() != Eigen::Success) return std::nullopt;
+    const SparseLdl solver(matrix);
+    if (!solver.regular()) return std::nullopt;
     const Eigen::VectorXd fall = solver.solve(taken);
     SupplyDrop result{.amplifiers = taking_.size()};
     for (const auto& [name, points] : taking_)
