@@ -1,6 +1,5 @@
 #include "tactile_net/network/supply_drop.hpp"
 
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <map>
 #include <numbers>
