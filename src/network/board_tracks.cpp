@@ -100,7 +100,7 @@ class ChannelOrder {
     std::iota(left_.begin(), left_.end(), std::size_t{0});
     std::vector<std::size_t> covers(runs_.size(), 0);
     for (std::size_t a = 0; a < runs_.size(); ++a)
-      for (std::size_t b = 0; b < runs_.size(); ++b) covers[a] += stubs_covered(runs_[a], runs_[b]);
+      for (const ChannelRun& run : runs_) covers[a] += stubs_covered(runs_[a], run);
     while (!left_.empty()) {
       const auto next = std::min_element(left_.begin(), left_.end(), [&](auto a, auto b) {
         const auto key = [&](std::size_t k) {

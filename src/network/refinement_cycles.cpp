@@ -111,7 +111,7 @@ class Residual {
     if (!std::isfinite(w)) return 0.0;  // nothing is left
     f_ += w * way.d;
     left_ -= w * way.seen;
-    const double length = static_cast<double>(std::abs(w) * way.d.norm());
+    const auto length = static_cast<double>(std::abs(w) * way.d.norm());
     if (step == RefinementStep::conjugate) gone_.push_back(std::move(way));
     return length;
   }

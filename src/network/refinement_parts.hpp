@@ -22,7 +22,7 @@ struct SeenBuild {
 };
 
 struct Refinement::Parts {
-  Parts(const NetworkCircuit& of, ToleranceOptions within, const RefinementOptions& wanted);
+  Parts(const NetworkCircuit& of, ToleranceOptions among, const RefinementOptions& wanted);
 
   [[nodiscard]] SeenMatrix seen(std::span<const double> siemens) const;
   [[nodiscard]] SeenBuild built(std::span<const double> siemens) const;

@@ -68,9 +68,9 @@ class LoadedNetwork {
   /// does it, and the op-amps as `OpAmpErrors` says; infinite: unstable.
   ///
   /// @param printed  [S], as `Reduction::siemens()`
-  /// @param errors   as many
+  /// @param of_resistors  as many
   [[nodiscard]] std::vector<double> builds(std::span<const double> printed,
-                                           const ResistorErrors& errors, std::size_t count,
+                                           const ResistorErrors& of_resistors, std::size_t count,
                                            std::uint64_t seed) const;
 
  private:
