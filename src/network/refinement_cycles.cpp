@@ -145,10 +145,6 @@ double floor_of(const Refinement::Parts& parts, const SeenBuild& build) {
   return most;
 }
 
-}  // namespace
-
-namespace {
-
 /// The largest singular value, from below.
 double stretch_of(const Eigen::MatrixXd& a) {
   constexpr int most_steps = 300;
