@@ -62,6 +62,26 @@ AdverseBuild adverse_build(const Refinement::Parts& parts) {
   return best;
 }
 
+void check_sent(const Refinement::Parts& parts, std::span<const double> sent) {
+  if (!sent.empty() && sent.size() != parts.reduction.outputs())
+    throw std::invalid_argument("a cycle sends one current to each summing node");
+}
+
+/// A current out of the summing node of an output's amplifier; where both inputs are nodes half of
+/// their difference, and what they have in common stays.
+void send(const Refinement::Parts& parts, std::size_t output, double ampere,
+          std::vector<CurrentSource>& sources) {
+  const FlatCircuit& flat = parts.circuit.flat();
+  const Node out = flat.circuit().outputs[output];
+  const auto all = flat.amplifiers();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const FlatCircuit::Amplifier& one) {
+    return one.out == out || one.inverse == out;
+  });
+  const std::string name = "Irefine" + std::to_string(output);
+  if (found->plus != 0) sources.push_back({name + 'p', found->plus, ampere});
+  sources.push_back({name + 'n', found->minus, -ampere});
+}
+
 RefinementTrials::Cycle quantiles(const std::vector<double>& errors, double adverse) {
   return {quantile(errors, 0.5), quantile(errors, 0.95),
           *std::max_element(errors.begin(), errors.end()), adverse};
@@ -132,7 +152,43 @@ Refined Refinement::build(std::size_t trial) const {
 }
 
 Refined Refinement::build(std::span<const double> siemens, std::size_t trial) const {
-  return refined(*parts_, parts_->built(siemens), trial);
+  const SeenBuild one = parts_->built(siemens);
+  return refined(*parts_, one, trial, one);
+}
+
+Refined Refinement::build(std::span<const double> siemens, std::size_t trial,
+                          const Answers& answers) const {
+  return refined(*parts_, parts_->built(siemens), trial, answers);
+}
+
+std::vector<double> Refinement::answer(std::span<const double> siemens,
+                                       std::span<const double> sent) const {
+  check_sent(*parts_, sent);
+  return parts_->built(siemens)(sent);
+}
+
+Circuit Refinement::circuit(std::span<const double> siemens, std::span<const double> sent,
+                            double size) const {
+  check_sent(*parts_, sent);
+  Circuit built = perturbed(parts_->circuit.flat(), siemens);
+  for (AmplifierModel& model : built.amplifiers) {
+    model.opamp.offset.reset();
+    model.opamp.offset_limit.reset();
+    model.opamp.bias_current.reset();
+    model.opamp.bias_limit.reset();
+  }
+  if (sent.empty()) return built;
+  for (CurrentSource& source : built.sources) {
+    source.ampere = 0.0;
+    if (source.volts) source.volts = 0.0;
+  }
+  const std::size_t n = sent.size();
+  std::vector<CurrentSource> units;
+  for (std::size_t j = 0; j < n; ++j) send(*parts_, j, 1.0, units);
+  const std::vector<double> driven = parts_->reduction.right_side(units);
+  for (std::size_t j = 0; j < n; ++j)
+    send(*parts_, j, size * sent[j] * parts_->unit * parts_->volts / driven[j], built.sources);
+  return built;
 }
 
 std::vector<double> Refinement::adverse_siemens() const { return adverse_build(*parts_).siemens; }

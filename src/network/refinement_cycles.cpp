@@ -157,7 +157,8 @@ double stretch_of(const Eigen::MatrixXd& a) {
 
 }  // namespace
 
-Refined refined(const Refinement::Parts& parts, const SeenBuild& build, std::uint64_t trial) {
+Refined refined(const Refinement::Parts& parts, const SeenBuild& build, std::uint64_t trial,
+                const Refinement::Answers& answers) {
   Refined result{.stable = build.stable, .deviation = stretch_of(parts.deviation(build.matrix))};
   if (!build.stable) {
     result.errors.assign(parts.options.cycles, std::numeric_limits<double>::infinity());
@@ -165,8 +166,12 @@ Refined refined(const Refinement::Parts& parts, const SeenBuild& build, std::uin
   }
   const DrawnConverters converters(parts, trial);
   const double whole = parts.energy(parts.direct);
+  const auto answered = [&](std::span<const double> sent, std::uint64_t cycle) {
+    const std::vector<double> d = answers(sent);
+    return converters.from_circuit(as_eigen(std::span(d)), cycle);
+  };
   Residual<double> residual(parts);
-  residual.begin(converters.from_circuit(build.answer, 0));
+  residual.begin(answered({}, 0));
   for (std::size_t cycle = 1;; ++cycle) {
     const Eigen::VectorXd f = residual.tractions();
     const Eigen::VectorXd error = f - parts.direct;
@@ -175,8 +180,7 @@ Refined refined(const Refinement::Parts& parts, const SeenBuild& build, std::uin
     result.energies.push_back(parts.energy(error) / whole);
     if (cycle == parts.options.cycles) return result;
     const Eigen::VectorXd sent = converters.to_circuit(residual.next());
-    const Eigen::VectorXd answer = converters.from_circuit(build.inverse * sent, cycle);
-    const double length = residual.go(answer, parts.options.step);
+    const double length = residual.go(answered(as_span(sent), cycle), parts.options.step);
     result.steps.push_back(length / residual.tractions().norm());
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "network/seen_matrix.hpp"
@@ -19,6 +20,12 @@ struct SeenBuild {
   Eigen::MatrixXd matrix;   // P^
   Eigen::MatrixXd inverse;  // of it
   Eigen::VectorXd answer;   // to the readings, without offsets
+
+  /// `Refinement::answer`
+  [[nodiscard]] std::vector<double> operator()(std::span<const double> sent) const {
+    const Eigen::VectorXd d = sent.empty() ? answer : inverse * as_eigen(sent);
+    return {d.begin(), d.end()};
+  }
 };
 
 struct Refinement::Parts {
@@ -60,8 +67,9 @@ struct LargestSingular {
 [[nodiscard]] LargestSingular largest_singular(const Eigen::MatrixXd& a);
 
 /// How a build goes, by its seed and number.
+/// @param answers  as `Refinement::Answers`
 [[nodiscard]] Refined refined(const Refinement::Parts& parts, const SeenBuild& build,
-                              std::uint64_t trial);
+                              std::uint64_t trial, const Refinement::Answers& answers);
 
 /// Where the error ends with residuals in single or double precision and exact converters.
 [[nodiscard]] double single_floor(const Refinement::Parts& parts, const SeenBuild& build);

@@ -240,6 +240,49 @@ TEST_CASE("certify refines a circuit in numbers, and says whether that pays", "[
              ContainsSubstring("refinement is of crossbar, least_squares and lattice"));
 }
 
+TEST_CASE("relax and gen refine a build in ngspice, a deck a cycle", "[cli][spice]") {
+  const Folder folder;
+  const std::string path =
+      folder.write("s.toml", small_circuit +
+                                 "realization = \"lattice\"\n"
+                                 "tolerance = { relative = 0.01 }\nrefine = { bits = 14 }\n");
+  const ProcessResult result = run_tool({"relax", path, "--refine", "cycles=3", "--json", "-"});
+  CHECK(result.code == 0);
+  const Json refined = Json::parse(result.output);
+  CHECK(refined.at("kind") == "refinement");
+  CHECK(refined.at("agrees") == true);
+  CHECK(refined.at("bits") == 14);
+  REQUIRE(refined.at("cycles").size() == 3);
+  for (const Json& cycle : refined.at("cycles")) CHECK(cycle.at("difference").get<double>() < 1e-9);
+  CHECK(refined.at("cycles").back().at("simulated_error").get<double>() <
+        1e-2 * refined.at("cycles").front().at("simulated_error").get<double>());
+  CHECK_THAT(run_tool({"relax", path, "--refine", "cycles=2"}).output,
+             ContainsSubstring("as in numbers") && ContainsSubstring("error in ngspice"));
+
+  for (const std::string cycle : {"1", "2", "6"}) {
+    const std::string deck = folder / "cycle.cir";
+    CHECK(run_tool({"gen", path, "--refine", cycle, "-o", deck}).code == 0);
+    CHECK_THAT(read_text(deck), ContainsSubstring("in cycle " + cycle + " of a refinement"));
+    const ProcessResult relaxed = run_tool({"relax", deck});
+    CHECK(relaxed.code == 0);
+    CHECK_THAT(relaxed.output, ContainsSubstring("agrees"));
+    std::filesystem::remove(deck);
+  }
+  const std::pair<std::vector<std::string>, std::string> refused[] = {
+      {{"gen", path, "--refine", "0"}, "from 1 to 64"},
+      {{"gen", path, "--refine", "2", "--budget", "1%"}, "leave out --budget"},
+      {{"gen", scene("nic.toml"), "--refine", "2"}, "refinement is of crossbar"},
+      {{"relax", scene("nic.toml"), "--refine", "bits=12"}, "refinement is of crossbar"},
+      {{"relax", path, "--refine", "bits=12,bits=13"}, "bits is given twice"},
+      {{"relax", path, "--refine", "bits=12", "--tolerance", "1"}, "is for decks"}};
+  for (const auto& [command, why] : refused) {
+    CAPTURE(why);
+    const ProcessResult bad = run_tool(command);
+    CHECK(bad.code == 2);
+    CHECK_THAT(bad.errors, ContainsSubstring(why));
+  }
+}
+
 TEST_CASE("certify lists what to order for an accuracy", "[cli]") {
   const Folder folder;
   const std::string path = folder.write("s.toml", small_circuit);

@@ -173,6 +173,7 @@ def check_all(place):
     # Another op-amp than the scene's may settle otherwise: either way it is told.
     text = subprocess.run([tool, "relax", bench, "--model", model, "--json", "-", "-q"], capture_output=True, text=True)
     check("macromodel", text.stdout, "a macromodel")
+    check("refinement", written("relax", scenes / "circuits/crossbar.toml", "--refine", "cycles=3"), "a refinement")
     for faults in ((), ("--fault", "swapped:Rk1_2p/Rt3_4n")):
         subprocess.run([tool, "bench", bench, "--simulate", place / "board.csv", *faults], check=True)
         check("bench", written("bench", bench, place / "board.csv", status=1 if faults else 0), "a board")

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include "tactile_net/network/board_bench.hpp"
+#include "tactile_net/network/circuit.hpp"
 #include "tactile_net/network/refinement_options.hpp"
 #include "tactile_net/network/tolerance.hpp"
 #include "tactile_net/numeric/fields.hpp"
@@ -154,6 +156,22 @@ class Refinement {
   [[nodiscard]] Refined build(std::size_t trial) const;
   /// One with these conductances [S], as `Reduction::siemens`.
   [[nodiscard]] Refined build(std::span<const double> siemens, std::size_t trial = 0) const;
+
+  /// What a circuit answers: f to its readings where nothing is sent; else d, the readings' inputs
+  /// at rest, to currents at its summing nodes. In units of P f = b.
+  using Answers = std::function<std::vector<double>(std::span<const double> sent)>;
+  /// A build that answers by itself, such as one in a simulator; converters and their offset are
+  /// added as to any other.
+  [[nodiscard]] Refined build(std::span<const double> siemens, std::size_t trial,
+                              const Answers& answers) const;
+  /// Those of `build` without them, in numbers.
+  [[nodiscard]] std::vector<double> answer(std::span<const double> siemens,
+                                           std::span<const double> sent = {}) const;
+  /// The circuit that answers so, its op-amps without offsets and bias currents.
+  ///
+  /// @param size  what is sent is so many times as large, so that voltages are of any size; > 0
+  [[nodiscard]] Circuit circuit(std::span<const double> siemens, std::span<const double> sent = {},
+                                double size = 1.0) const;
 
   /// Conductances within the tolerances that make |X| large: signs of all errors and singular
   /// vectors of X in turn, from several starts.

@@ -21,6 +21,7 @@ inline constexpr DocumentKind explain{"explain"};  ///< run --explain
 inline constexpr DocumentKind relax{"relax"};
 inline constexpr DocumentKind deck{"deck"};              ///< relax FILE.cir
 inline constexpr DocumentKind macromodel{"macromodel"};  ///< relax SCENE --model FILE
+inline constexpr DocumentKind refinement{"refinement"};  ///< relax SCENE --refine KEYS
 inline constexpr DocumentKind bench{"bench"};
 inline constexpr DocumentKind certify{"certify"};
 inline constexpr DocumentKind datasheet{"datasheet"};  ///< certify --datasheet

@@ -553,6 +553,10 @@ std::string macromodel_json(const AnyScene& scene, const lab::MacromodelComparis
   return document_text(kind::macromodel, scene_told(scene), comparison);
 }
 
+std::string refinement_json(const AnyScene& scene, const lab::SimulatedRefinement& refinement) {
+  return document_text(kind::refinement, scene_told(scene), refinement);
+}
+
 std::string certificate_json(const lab::Certification& certification) {
   return document_text(kind::certify, scene_told(certification.scene()), certification);
 }
@@ -579,6 +583,10 @@ Json relax_schema() {
 Json macromodel_schema() {
   return document_schema<SceneFrameTold, lab::MacromodelComparison>(
       kind::macromodel, "What relaxing with a vendor's macromodel has found");
+}
+Json refinement_schema() {
+  return document_schema<SceneFrameTold, lab::SimulatedRefinement>(
+      kind::refinement, "A build refined through the simulator, beside numbers");
 }
 Json deck_schema() {
   return document_schema<DeckFileTold, decks::DeckAnswer>(kind::deck,

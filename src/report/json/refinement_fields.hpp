@@ -104,39 +104,74 @@ struct Fields<lab::CircuitRefinement::Way> {
       field("cycles", &One::cycles, "How many cycles; 0: it is not refined.")};
 };
 
+/// How it is refined.
+template <typename One>
+constexpr auto refinement_options_fields = std::tuple{
+    field(
+        "accuracy", [](const One& one) { return one.options.accuracy; },
+        "The relative error to come to."),
+    field(
+        "step", [](const One& one) { return one.options.step; },
+        "How far a cycle goes along the circuit's answer."),
+    field(
+        "bits",
+        [](const One& one) { return static_cast<std::size_t>(one.options.converters->bits); },
+        "Of the converters."),
+    field(
+        "gain", [](const One& one) { return one.options.converters->gain; },
+        "How far the gain of each channel is off, within +-."),
+    field(
+        "noise", [](const One& one) { return one.options.converters->noise; },
+        "Of the circuit's answer, standard deviation over the range."),
+    field(
+        "conversion_seconds", [](const One& one) { return one.options.converters->conversion; },
+        Measure::time, "How long a conversion takes.")};
+
 template <>
 struct Fields<lab::CircuitRefinement> {
   using One = lab::CircuitRefinement;
+  static constexpr auto all = std::tuple_cat(
+      std::tuple{field("verdict", &One::verdict, "What is proven."),
+                 field("proven_cycles", &One::proven_cycles,
+                       "After how many cycles every build that the verdict speaks of has the "
+                       "accuracy; null: "
+                       "refused."),
+                 field(
+                     "text", [](const One& one) { return report::verdict_in_words(one); },
+                     "The same in a sentence.")},
+      refinement_options_fields<One>,
+      std::tuple{
+          field("bound", &One::bound, "What tolerances alone say of X = P^-1/2 (P^ - P) P^-1/2."),
+          field("trials", &One::trials, "What builds do."),
+          field("ways", &One::ways, "Whether it pays: the ways to an answer beside each other.")});
+};
+
+template <>
+struct Fields<lab::SimulatedRefinement::Cycle> {
+  using One = lab::SimulatedRefinement::Cycle;
   static constexpr auto all = std::tuple{
-      field("verdict", &One::verdict, "What is proven."),
-      field("proven_cycles", &One::proven_cycles,
-            "After how many cycles every build that the verdict speaks of has the accuracy; null: "
-            "refused."),
-      field(
-          "text", [](const One& one) { return report::verdict_in_words(one); },
-          "The same in a sentence."),
-      field(
-          "accuracy", [](const One& one) { return one.options.accuracy; },
-          "The relative error to come to."),
-      field(
-          "step", [](const One& one) { return one.options.step; },
-          "How far a cycle goes along the circuit's answer."),
-      field(
-          "bits",
-          [](const One& one) { return static_cast<std::size_t>(one.options.converters->bits); },
-          "Of the converters."),
-      field(
-          "gain", [](const One& one) { return one.options.converters->gain; },
-          "How far the gain of each channel is off, within +-."),
-      field(
-          "noise", [](const One& one) { return one.options.converters->noise; },
-          "Of the circuit's answer, standard deviation over the range."),
-      field(
-          "conversion_seconds", [](const One& one) { return one.options.converters->conversion; },
-          Measure::time, "How long a conversion takes."),
-      field("bound", &One::bound, "What tolerances alone say of X = P^-1/2 (P^ - P) P^-1/2."),
-      field("trials", &One::trials, "What builds do."),
-      field("ways", &One::ways, "Whether it pays: the ways to an answer beside each other.")};
+      field("simulated_error", &One::simulated,
+            "|f - f*|_2 / |f*|_2 after this cycle, the circuit's answers by ngspice."),
+      field("error", &One::numbers, "The same in numbers alone."),
+      field("difference", &One::difference,
+            "How far ngspice's answer is from the numbers' to the same currents, relative: what "
+            "the build's equations leave out.")};
+};
+
+template <>
+struct Fields<lab::SimulatedRefinement> {
+  using One = lab::SimulatedRefinement;
+  static constexpr auto all = std::tuple_cat(
+      std::tuple{
+          field(
+              "agrees", [](const One& one) { return one.agrees(); },
+              "Whether the errors after every cycle are within three times of each other."),
+          field(
+              "text", [](const One& one) { return report::in_words(one); }, "In sentences."),
+          field("cycles", &One::cycles, "Errors after each cycle; empty: the build is not stable."),
+          field("ngspice_seconds", &One::simulator_seconds, Measure::time,
+                "How long ngspice took.")},
+      refinement_options_fields<One>);
 };
 
 }  // namespace tactile_net

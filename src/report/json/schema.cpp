@@ -16,16 +16,25 @@ struct DescribedKind {
   Json (*schema)();
 };
 /// By their names.
-constexpr DescribedKind described_kinds[] = {
-    {kind::bench.name, bench_schema},         {kind::calibrate.name, calibrate_schema},
-    {kind::certify.name, certify_schema},     {kind::check.name, check_schema},
-    {kind::datasheet.name, datasheet_schema}, {kind::deck.name, deck_schema},
-    {kind::explain.name, explain_schema},     {kind::grasp.name, grasp_schema},
-    {kind::identify.name, identify_schema},   {kind::macromodel.name, macromodel_schema},
-    {kind::plan.name, plan_schema},           {kind::relax.name, relax_schema},
-    {kind::report.name, recordings_schema},   {kind::run.name, run_schema},
-    {kind::simulate.name, simulate_schema},   {kind::solve.name, solve_schema},
-    {kind::sweep.name, sweep_schema},         {kind::tradeoff.name, tradeoff_schema}};
+constexpr DescribedKind described_kinds[] = {{kind::bench.name, bench_schema},
+                                             {kind::calibrate.name, calibrate_schema},
+                                             {kind::certify.name, certify_schema},
+                                             {kind::check.name, check_schema},
+                                             {kind::datasheet.name, datasheet_schema},
+                                             {kind::deck.name, deck_schema},
+                                             {kind::explain.name, explain_schema},
+                                             {kind::grasp.name, grasp_schema},
+                                             {kind::identify.name, identify_schema},
+                                             {kind::macromodel.name, macromodel_schema},
+                                             {kind::plan.name, plan_schema},
+                                             {kind::refinement.name, refinement_schema},
+                                             {kind::relax.name, relax_schema},
+                                             {kind::report.name, recordings_schema},
+                                             {kind::run.name, run_schema},
+                                             {kind::simulate.name, simulate_schema},
+                                             {kind::solve.name, solve_schema},
+                                             {kind::sweep.name, sweep_schema},
+                                             {kind::tradeoff.name, tradeoff_schema}};
 
 Json schema_named(std::string_view kind) {
   const auto* found = std::ranges::find(described_kinds, kind, &DescribedKind::name);

@@ -18,6 +18,7 @@ namespace tactile_net::report {
 [[nodiscard]] Json recordings_schema();
 [[nodiscard]] Json relax_schema();
 [[nodiscard]] Json macromodel_schema();
+[[nodiscard]] Json refinement_schema();
 [[nodiscard]] Json bench_schema();
 [[nodiscard]] Json run_schema();
 [[nodiscard]] Json simulate_schema();

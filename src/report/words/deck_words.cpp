@@ -128,6 +128,9 @@ std::optional<double> bound(const lab::SceneCircuit& circuit, double moved) {
   return within;
 }
 
+/// What an op-amp's rails and slew, bent as a simulator has them, take from an answer within them.
+double leaks_of(const OpAmp& opamp) { return opamp.rail || opamp.slew ? 1e-6 : 0.0; }
+
 }  // namespace
 
 std::string deck_text(const lab::SceneCircuit& circuit, tactile_net::Answer answer,
@@ -151,6 +154,27 @@ std::string deck_text(const lab::SceneCircuit& circuit, const lab::PartsList& li
   std::ostringstream text;
   write_deck(text, deck.circuit, deck.header, tactile_net::Answer::printed, DirectCurrent{},
              {.dialect = dialect, .parts = deck.parts});
+  return std::move(text).str();
+}
+
+std::string deck_text(const lab::SceneCircuit& circuit, const lab::RefinementDeck& cycle,
+                      Dialect dialect) {
+  DeckHeader header = header_of(circuit, circuit.options().realization);
+  header.comments.pop_back();
+  header.comments.push_back(
+      "A build whose parts are off, in cycle " + std::to_string(cycle.cycle) +
+      " of a refinement in numbers: " +
+      (cycle.cycle == 1
+           ? "its answer to the readings."
+           : "its answer to r = b - P f, f " + brief(cycle.error) +
+                 " off the exact one; the currents at the summing nodes (Irefine) are " +
+                 brief(cycle.size) + " times as large as r, so that voltages are as an answer's."));
+  header.comments.push_back("Expected below: what the build's nodes come to, in volts.");
+  header.expected = cycle.expected;
+  header.within = circuit.explained().limit + leaks_of(circuit.options().parts.opamp);
+  std::ostringstream text;
+  write_deck(text, cycle.circuit, header, tactile_net::Answer::printed, DirectCurrent{},
+             {.dialect = dialect});
   return std::move(text).str();
 }
 

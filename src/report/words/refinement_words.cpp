@@ -30,12 +30,13 @@ std::string way_in_words(const Way& way) {
   return {};
 }
 
+constexpr std::string_view steadier =
+    "take better parts, a larger alpha, or lattice or least_squares, which never form P";
+
 std::string what_to_do(const lab::CircuitRefinement& one) {
   if (one.trials.stable < one.trials.builds)
     return std::to_string(one.trials.builds - one.trials.stable) + " of " +
-           std::to_string(one.trials.builds) +
-           " builds are unstable; take better parts, a larger alpha, or lattice or least_squares, "
-           "which never form P";
+           std::to_string(one.trials.builds) + " builds are unstable; " + std::string(steadier);
   if (one.bound.contraction_of_most() >= 1.0)
     return "nothing is proven of builds: their deviation |X| may reach " + brief(one.bound.parts) +
            ", of all but one in a million " + brief(one.bound.parts_of_most) +
@@ -126,6 +127,26 @@ std::vector<std::vector<std::string>> way_cells(const lab::CircuitRefinement& on
     rows.push_back({way_in_words(way), error_size_in_words(way.error),
                     way.price ? brief(*way.price) : "-", way.seconds ? duration(*way.seconds) : "-",
                     std::to_string(way.products)});
+  return rows;
+}
+
+std::vector<std::string> in_words(const lab::SimulatedRefinement& one) {
+  const std::string build = "the first build of " + kinds_of_errors(one.drawn);
+  if (one.cycles.empty())
+    return {"NOT REFINED: " + build + " is not stable; " + std::string(steadier)};
+  return {(one.agrees() ? "as in numbers: " : "OTHERWISE THAN IN NUMBERS: ") + build +
+              " comes to " + brief(one.cycles.back().simulated, 2) + " of the exact answer after " +
+              std::to_string(one.cycles.size()) + (one.cycles.size() == 1 ? " cycle" : " cycles") +
+              " in ngspice, to " + brief(one.cycles.back().numbers, 2) + " in numbers",
+          converters_in_words(one.options), "ngspice took " + duration(one.simulator_seconds)};
+}
+
+std::vector<std::vector<std::string>> cycle_cells(const lab::SimulatedRefinement& one) {
+  std::vector<std::vector<std::string>> rows = {
+      {"cycle", "error in ngspice", "error in numbers", "the circuit's answer, off its equations"}};
+  for (std::size_t k = 0; k < one.cycles.size(); ++k)
+    rows.push_back({std::to_string(k + 1), brief(one.cycles[k].simulated, 3),
+                    brief(one.cycles[k].numbers, 3), brief(one.cycles[k].difference, 2)});
   return rows;
 }
 

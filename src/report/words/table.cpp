@@ -163,6 +163,11 @@ void print_relaxation(std::ostream& out, const lab::Relaxation& relaxation) {
   for (const std::string& line : in_words(relaxation)) out << "  " << line << '\n';
 }
 
+void print_refinement(std::ostream& out, const lab::SimulatedRefinement& refinement) {
+  for (const std::string& line : in_words(refinement)) out << line << '\n';
+  if (!refinement.cycles.empty()) print_cells(out, cycle_cells(refinement));
+}
+
 void print_certificate(std::ostream& out, const lab::Certification& c) {
   std::string indent;
   for (const std::string& line : in_words(c.certificate())) {

@@ -25,6 +25,10 @@ void add_gen(AllCommands& all) {
                      "builds is at most this, such as 0.3%; a comment has the tolerance of each");
   command.add_option("--board", options.board, file("FILE", {"kicad_pcb"}),
                      "Load every node with the capacitance of this board's copper");
+  command.add_option("--refine", options.refine, text("CYCLE"),
+                     "Write the first build that `certify --refine` draws as it answers in this "
+                     "cycle of the refinement: in the first to the readings, later to what the "
+                     "cycles before have left");
   command.add_option("--subcircuit", options.subcircuit, text("NAME"),
                      "Write a sub-circuit of that name instead of a deck: its pins are the nodes "
                      "into which the readings' currents flow, then the outputs");
@@ -54,6 +58,10 @@ void add_relax(AllCommands& all) {
   command.add_option("--model", options.model, file("FILE", {"lib", "cir", "txt", "mod"}),
                      "For a scene: a vendor's PSpice macromodel in place of its op-amps; settling "
                      "and stability are compared with the certificate");
+  command.add_option("--refine", options.refine, text("KEY=VALUE,..."),
+                     "For a scene: refine the first build that `certify --refine` draws, a deck a "
+                     "cycle, as the keys of the scene's refine say, such as bits=12,cycles=4; "
+                     "compared with the same build in numbers");
   add_network(command, options.network);
   add_simulator(command, options.simulator);
 }

@@ -1,7 +1,5 @@
 #include "commands/certify.hpp"
 
-#include <variant>
-
 #include "commands/board_file.hpp"
 #include "commands/budget.hpp"
 #include "commands/input.hpp"
@@ -33,13 +31,7 @@ void run(const CertifyOptions& options, const Streams& streams) {
   decks::refuse_deck(options.scene);
   const InputText text = input_text(options.scene, streams.in);
   AnyScene scene = circuit_scene(text, options.network, streams);
-  if (!options.refine.empty())
-    std::visit(
-        [&](auto& one) {
-          one.network.refine =
-              refine_options(options.refine, one.network.refine.value_or(RefinementOptions{}));
-        },
-        scene);
+  refine_as(options.refine, scene);
   Results results(options.results, streams);
   Progress progress(streams);
   lab::CertificationOptions wanted{.accuracy = share_of(options.budget),

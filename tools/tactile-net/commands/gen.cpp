@@ -1,6 +1,10 @@
 #include "commands/gen.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <variant>
 
 #include "commands/board_file.hpp"
 #include "commands/budget.hpp"
@@ -12,12 +16,44 @@
 #include "tactile_net/lab/beyond_curves.hpp"
 #include "tactile_net/lab/board_certificate.hpp"
 #include "tactile_net/lab/parts_list.hpp"
-#include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/simulated_refinement.hpp"
 #include "tactile_net/report/words/deck_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
 #include "tactile_net/report/words/parts_words.hpp"
 
 namespace tactile_net::tool {
+
+namespace {
+
+/// The scene's refinement, or the usual one, as far as this cycle.
+void refine_to(std::size_t cycle, AnyScene& scene) {
+  std::visit(
+      [&](auto& one) {
+        RefinementOptions refine = one.network.refine.value_or(RefinementOptions{});
+        refine.cycles = std::max(refine.cycles, cycle);
+        one.network.refine = refine;
+      },
+      scene);
+}
+
+void run_cycle(const GenOptions& options, AnyScene scene, const Streams& streams) {
+  const std::size_t cycle = *options.refine;
+  if (cycle == 0 || cycle > most_refinement_cycles)
+    throw WrongUsage("--refine",
+                     "names a cycle, from 1 to " + std::to_string(most_refinement_cycles));
+  if (options.budget || !options.board.empty() || !options.subcircuit.empty())
+    throw WrongUsage("--refine",
+                     "writes a build of the scene's own resistors at rest: leave out --budget, "
+                     "--board and --subcircuit");
+  refine_to(cycle, scene);
+  frames::OutputFile output(options.output, &streams.out);
+  const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
+  output.stream() << report::deck_text(circuit, lab::refinement_deck(circuit, cycle),
+                                       options.dialect);
+  output.commit();
+}
+
+}  // namespace
 
 void run(const GenOptions& options, const Streams& streams) {
   decks::refuse_deck(options.scene);
@@ -28,6 +64,7 @@ void run(const GenOptions& options, const Streams& streams) {
     throw WrongUsage(
         "--symbol",
         "names the sub-circuit's file in the symbol: give that file, --output FILE.lib");
+  if (options.refine) return run_cycle(options, scene, streams);
   const std::optional<double> budget = share_of(options.budget);
   frames::OutputFile output(options.output, &streams.out);
   const auto symbol = output_if(options.symbol, streams);

@@ -2,6 +2,7 @@
 /// The command `gen`: a scene's circuit as a SPICE deck.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,7 @@ struct GenOptions {
   std::string output{};
   NetworkOptions network{};
   std::optional<Share> budget{};
+  std::optional<std::size_t> refine{};  ///< its cycle; absent: the circuit as it is
   std::string board{};  ///< a file of KiCad, whose copper the circuit has; empty: none
   Dialect dialect = Dialect::ngspice;
   std::string subcircuit{};  ///< its name; empty: a deck

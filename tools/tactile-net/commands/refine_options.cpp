@@ -1,7 +1,9 @@
 #include "commands/refine_options.hpp"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
+#include <variant>
 
 #include "failure.hpp"
 #include "tactile_net/numeric/number_text.hpp"
@@ -36,9 +38,11 @@ RefinementStep step_of(const std::string& value) {
 
 RefinementOptions refine_options(const std::vector<std::string>& keys, RefinementOptions over) {
   Converters converters = over.converters.value_or(Converters{});
+  std::set<std::string> given;
   for (const std::string& one : keys) {
     const std::size_t equals = one.find('=');
     const std::string key = one.substr(0, equals);
+    if (!given.insert(key).second) throw WrongUsage("--refine", key + " is given twice");
     const std::string value = equals == std::string::npos ? "" : one.substr(equals + 1);
     if (key == "bits")
       converters.bits = static_cast<int>(std::min<std::size_t>(whole_of(key, value), 99));
@@ -64,6 +68,15 @@ RefinementOptions refine_options(const std::vector<std::string>& keys, Refinemen
     throw WrongUsage("--refine", wrong.what());
   }
   return over;
+}
+
+void refine_as(const std::vector<std::string>& keys, AnyScene& scene) {
+  if (keys.empty()) return;
+  std::visit(
+      [&](auto& one) {
+        one.network.refine = refine_options(keys, one.network.refine.value_or(RefinementOptions{}));
+      },
+      scene);
 }
 
 }  // namespace tactile_net::tool

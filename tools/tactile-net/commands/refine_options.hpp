@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tactile_net/network/refinement_options.hpp"
+#include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net::tool {
 
@@ -15,5 +16,8 @@ namespace tactile_net::tool {
 /// @throw WrongUsage  there is no such key, or its value is out of range
 [[nodiscard]] RefinementOptions refine_options(const std::vector<std::string>& keys,
                                                RefinementOptions over);
+
+/// The scene with them; without any it is as it says.
+void refine_as(const std::vector<std::string>& keys, AnyScene& scene);
 
 }  // namespace tactile_net::tool

@@ -5,6 +5,7 @@
 
 #include "commands/board_file.hpp"
 #include "commands/input.hpp"
+#include "commands/refine_options.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/decks/deck_file.hpp"
@@ -13,10 +14,12 @@
 #include "tactile_net/lab/macromodel_comparison.hpp"
 #include "tactile_net/lab/relaxation.hpp"
 #include "tactile_net/lab/simulated_frame.hpp"
+#include "tactile_net/lab/simulated_refinement.hpp"
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/json/network_json.hpp"
 #include "tactile_net/report/words/macromodel_words.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/refinement_words.hpp"
 #include "tactile_net/report/words/table.hpp"
 #include "tactile_net/scene/opamp_part.hpp"
 
@@ -67,6 +70,19 @@ void run_scene(const RelaxOptions& options, Simulator& simulator, const Streams&
     throw CheckFailed(report::in_words(*disagreement));
 }
 
+void run_refinement(const RelaxOptions& options, Simulator& simulator, const Streams& streams) {
+  AnyScene scene = read_circuit_scene(options.scene, options.network, streams);
+  refine_as(options.refine, scene);
+  Results results({.json = options.json}, streams);
+  Progress progress(streams);
+  const lab::SimulatedRefinement refined =
+      lab::refine(lab::simulated_circuit(scene), simulator, progress);
+  results.write({.print = [&](std::ostream& out) { report::print_refinement(out, refined); },
+                 .json = [&] { return report::refinement_json(scene, refined); }},
+                progress);
+  if (!refined.agrees()) throw CheckFailed(report::in_words(refined).front());
+}
+
 /// Between its supply pins.
 double supply_of(const tactile_net::NetworkOptions& network) {
   if (network.macromodel.supply) return *network.macromodel.supply;
@@ -111,9 +127,17 @@ void run(const RelaxOptions& options, const Streams& streams) {
   if (!options.model.empty()) {
     if (deck) throw WrongUsage("--model", "is for scenes: a deck has the op-amps that it has");
     if (options.tolerance) throw WrongUsage("--tolerance", "is for decks");
+    if (!options.refine.empty()) throw WrongUsage("--model", "is run by itself, without --refine");
     return run_macromodel(options, streams);
   }
   const std::unique_ptr<Simulator> simulator = lab::make_simulator(options.simulator);
+  if (!options.refine.empty()) {
+    if (deck) throw WrongUsage("--refine", "is for scenes: gen --cycle writes a cycle's deck");
+    if (options.tolerance) throw WrongUsage("--tolerance", "is for decks");
+    if (!options.board.empty())
+      throw WrongUsage("--board", "changes nothing of a refinement, whose answers are at rest");
+    return run_refinement(options, *simulator, streams);
+  }
   if (deck)
     run_deck(options, *simulator, streams);
   else

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/network_options.hpp"
 #include "streams.hpp"
@@ -17,6 +18,7 @@ struct RelaxOptions {
   std::optional<double> tolerance{};  ///< for a deck
   std::string model{};                ///< a vendor's macromodel for a scene's op-amps; empty: ours
   std::string board{};                ///< a file of KiCad, whose copper a scene's circuit has
+  std::vector<std::string> refine{};  ///< keys over the scene's; empty: no refinement
   NetworkOptions network{};
   lab::SimulatorChoice simulator{};
 };

@@ -8,6 +8,7 @@
 #include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/macromodel_comparison.hpp"
 #include "tactile_net/lab/relaxation.hpp"
+#include "tactile_net/lab/simulated_refinement.hpp"
 #include "tactile_net/scene/scene.hpp"
 
 namespace tactile_net::report {
@@ -17,6 +18,9 @@ namespace tactile_net::report {
 
 [[nodiscard]] std::string macromodel_json(const AnyScene& scene,
                                           const lab::MacromodelComparison& comparison);
+
+[[nodiscard]] std::string refinement_json(const AnyScene& scene,
+                                          const lab::SimulatedRefinement& refinement);
 
 [[nodiscard]] std::string certificate_json(const lab::Certification& certification);
 

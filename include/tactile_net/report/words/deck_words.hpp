@@ -6,6 +6,7 @@
 
 #include "tactile_net/lab/parts_list.hpp"
 #include "tactile_net/lab/scene_circuit.hpp"
+#include "tactile_net/lab/simulated_refinement.hpp"
 #include "tactile_net/network/dialect.hpp"
 
 namespace tactile_net::report {
@@ -19,6 +20,11 @@ namespace tactile_net::report {
 /// The same circuit of the parts that a list of its own realisation chose, `own_parts_list`.
 /// @pre  there is a choice
 [[nodiscard]] std::string deck_text(const lab::SceneCircuit& circuit, const lab::PartsList& list,
+                                    Dialect dialect = Dialect::ngspice);
+
+/// A build as it answers in a cycle of a refinement, with the voltages that it comes to.
+[[nodiscard]] std::string deck_text(const lab::SceneCircuit& circuit,
+                                    const lab::RefinementDeck& cycle,
                                     Dialect dialect = Dialect::ngspice);
 
 /// The circuit as a sub-circuit with pins for the readings' currents, and its symbol for LTspice.

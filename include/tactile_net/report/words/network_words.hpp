@@ -40,11 +40,11 @@ namespace tactile_net::report {
 /// One fact a line: stability and theorem, poles, settling, tolerance margin, parts, voltages.
 [[nodiscard]] std::vector<std::string> in_words(const Certificate& certificate);
 
-/// How many random draws of component values stayed stable, and how far they moved the answer; one
-/// fact a line.
 /// What makes a build differ from the exact network: "parts within 1 %".
 [[nodiscard]] std::string kinds_of_errors(const ToleranceOptions& options);
 
+/// How many random draws of component values stayed stable, and how far they moved the answer; one
+/// fact a line.
 [[nodiscard]] std::vector<std::string> in_words(const ToleranceOptions& options,
                                                 const ToleranceResult& result);
 

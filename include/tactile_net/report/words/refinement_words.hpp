@@ -2,10 +2,12 @@
 /// A refinement as sentences and tables.
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include "tactile_net/lab/circuit_refinement.hpp"
+#include "tactile_net/lab/simulated_refinement.hpp"
 
 namespace tactile_net::report {
 
@@ -22,5 +24,12 @@ namespace tactile_net::report {
 /// Ways to an answer: error, price, time, multiplications.
 [[nodiscard]] std::vector<std::vector<std::string>> way_cells(
     const lab::CircuitRefinement& refinement);
+
+/// Whether the simulator does as the numbers, and what it was asked.
+[[nodiscard]] std::vector<std::string> in_words(const lab::SimulatedRefinement& refinement);
+
+/// Errors after each cycle, in numbers and in the simulator.
+[[nodiscard]] std::vector<std::vector<std::string>> cycle_cells(
+    const lab::SimulatedRefinement& refinement);
 
 }  // namespace tactile_net::report

@@ -9,6 +9,7 @@
 #include "tactile_net/decks/deck_file.hpp"
 #include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/run.hpp"
+#include "tactile_net/lab/simulated_refinement.hpp"
 #include "tactile_net/report/words/remark_words.hpp"
 
 namespace tactile_net::report {
@@ -46,6 +47,8 @@ void print_cells(std::ostream& out, const std::vector<std::vector<std::string>>&
 /// Of a line or a skin.
 void print_experiment(std::ostream& out, const lab::Experiment& experiment);
 void print_relaxation(std::ostream& out, const lab::Relaxation& relaxation);
+
+void print_refinement(std::ostream& out, const lab::SimulatedRefinement& refinement);
 void print_certificate(std::ostream& out, const lab::Certification& certification);
 /// With the five nodes that are furthest off, if the difference is more than is allowed.
 void print_deck_answer(std::ostream& out, const std::string& file, const decks::DeckAnswer& answer);
