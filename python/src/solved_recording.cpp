@@ -172,7 +172,7 @@ std::vector<std::optional<Distribution>> SolvedRecording::distributions(const st
     return {what == "centre" ? found.centre : found.tangential};
   }
   const lab::WrenchDistributions found =
-      lab::wrench_distributions(*mixture, std::get<lab::SkinSceneProblem>(problem_).problem());
+      lab::wrench_distributions(*mixture, std::get<lab::SkinSceneProblem>(problem_));
   if (what == "normal_force") return {found.normal};
   if (what == "centre") return {found.centre_y, found.centre_z};
   return {found.tangential_y, found.tangential_z};

@@ -55,15 +55,21 @@ LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& 
   require(noise.degrees > 0.0, "the noise's degrees", "be > 0", noise.degrees);
   require(noise.model_share >= 0.0 && std::isfinite(noise.model_share), "the model's share",
           "be >= 0 and finite", noise.model_share);
+  require(noise.reading_share >= 0.0 && std::isfinite(noise.reading_share), "the reading's share",
+          "be >= 0 and finite", noise.reading_share);
 
   LoadMixture mixture(tables_);
   Eigen::VectorXd g = tables.weighting(readings);
   const double largest = g.cwiseAbs().maxCoeff();
-  mixture.sigma_ = std::max(noise.rms.value_or(largest), least_sigma * largest);
+  const double certain = noise.rms ? noise.reading_share * largest : 0.0;
+  mixture.sigma_ =
+      std::max(std::hypot(noise.rms.value_or(largest), certain), least_sigma * largest);
   if (!(mixture.sigma_ > 0.0)) mixture.sigma_ = 1.0;  // nothing was read, of an unknown noise
   g /= mixture.sigma_;
   const auto rows = static_cast<double>(tables.weighting.rows());
-  const double known = noise.rms ? noise.degrees : 0.0;  // nu
+  // Nu; of a sum of two variances of which one is certain as Satterthwaite (1946) has it.
+  const double known =
+      noise.rms ? noise.degrees * std::pow(std::hypot(*noise.rms, certain) / *noise.rms, 4) : 0.0;
   mixture.degrees_ = known + rows;
   mixture.model_share_ = noise.model_share;
   auto parts = std::make_shared<const std::vector<Part>>(likely_parts(

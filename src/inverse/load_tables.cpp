@@ -134,8 +134,8 @@ void LoadPrior::Tables::find_reflections(const LinearProblem& problem) {
 }
 
 void LoadPrior::Tables::add_windows(const LinearProblem& problem, const LoadPriorOptions& options) {
-  const auto levels =
-      window_levels(problem.grid, options.narrowest * options.depth, problem.is_line);
+  const auto levels = window_levels(problem.grid, options.narrowest * options.depth, options.depth,
+                                    problem.is_line);
   const auto key = [](const WindowPlace& place) {
     return std::tuple(place.rows.first, place.rows.count, place.columns.first, place.columns.count);
   };

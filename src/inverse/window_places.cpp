@@ -10,6 +10,7 @@ namespace {
 using Eigen::Index;
 
 constexpr std::size_t most_widths = 9;  // what is wider takes most of the time
+constexpr double rounding = 1e-9;
 
 /// One of a grid's two.
 struct WindowAxis {
@@ -22,7 +23,9 @@ struct WindowAxis {
     return static_cast<double>(hats ? values + 1 : values) * spacing;
   }
   [[nodiscard]] Index count(double width) const {
-    return std::clamp<Index>(std::lround(width / spacing) - (hats ? 1 : 0), 1, values);
+    // The same in any unit, also where it is halfway between two.
+    return std::clamp<Index>(std::lround(width / spacing * (1.0 + rounding)) - (hats ? 1 : 0), 1,
+                             values);
   }
 };
 
@@ -31,7 +34,8 @@ std::vector<AxisRange> places_on(const WindowAxis& axis, Index count, double apa
   const Index n = axis.values;
   if (count == n) return {{0, n}};
   const double step = std::max(apart / axis.spacing, 1.0);
-  Index places = static_cast<Index>(std::ceil(static_cast<double>(n - count) / step)) + 1;
+  const double steps = static_cast<double>(n - count) / step;
+  Index places = static_cast<Index>(std::ceil(steps * (1.0 - rounding))) + 1;
   // No window lies in the very middle where the values left over are odd: two are beside it.
   if (places % 2 == 1 && (n - count) % 2 == 1) ++places;
   const auto to_array = static_cast<double>(axis.margin);
@@ -49,7 +53,7 @@ std::vector<AxisRange> places_on(const WindowAxis& axis, Index count, double apa
 }  // namespace
 
 std::vector<std::vector<WindowPlace>> window_levels(const SurfaceGrid& grid, double narrowest,
-                                                    bool is_line) {
+                                                    double depth, bool is_line) {
   const auto axis = [](std::size_t values, double spacing, std::size_t margin, Boundary boundary) {
     return WindowAxis{.values = static_cast<Index>(values),
                       .spacing = spacing,
@@ -60,17 +64,25 @@ std::vector<std::vector<WindowPlace>> window_levels(const SurfaceGrid& grid, dou
   const WindowAxis z = axis(grid.columns, grid.spacing_z, grid.margin_columns, grid.boundary_z);
   const double whole = is_line ? y.length() : std::max(y.length(), z.length());
   const double share = is_line ? 0.25 : 1.0 / 3.0;
+  const double wide = is_line ? 0.0 : 3.5 * depth;
+  const double fine = std::max({0.5 * depth, y.spacing, z.spacing});
   std::vector<std::vector<WindowPlace>> levels;
-  for (double width = narrowest; width < whole && levels.size() < most_widths;
-       width *= std::sqrt(2.0)) {
+  std::size_t widths = 0;
+  for (double width = narrowest; width < whole && widths < most_widths;) {
+    const bool is_narrow = width < wide * (1.0 - rounding);
     const Index rows = y.count(width);
     const Index columns = is_line ? 1 : z.count(width);
     if (rows == y.values && columns == z.values) break;
+    const double apart = is_narrow ? fine : share * width;
     std::vector<WindowPlace> level;
-    const std::vector<AxisRange> across = places_on(z, columns, share * width);
-    for (const AxisRange& down : places_on(y, rows, share * width))
+    const std::vector<AxisRange> across = places_on(z, columns, apart);
+    for (const AxisRange& down : places_on(y, rows, apart))
       for (const AxisRange& range : across) level.push_back({down, range});
-    if (!level.empty()) levels.push_back(std::move(level));
+    if (!level.empty()) {
+      levels.push_back(std::move(level));
+      widths += is_narrow ? 0 : 1;
+    }
+    width = is_narrow ? std::min(width + fine, wide) : width * std::sqrt(2.0);
   }
   levels.push_back({{{0, y.values}, {0, z.values}}});
   return levels;

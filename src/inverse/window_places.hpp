@@ -25,9 +25,15 @@ struct WindowPlace {
 /// quarter of the width apart, of a skin squares a third apart, with their middles between the
 /// first and the last taxel; then the whole surface.
 ///
+/// A skin's squares narrower than 3.5 depths are half a depth, or where that is more a cell, wider
+/// than those before, and as far apart: a contact as wide as a square is cut off by all of them
+/// where none has an edge at its own.
+///
 /// @param narrowest  [m], > 0
+/// @param depth      [m], > 0; of a line without effect
 /// @param is_line    the grid is a line's: its one column is no width
 [[nodiscard]] std::vector<std::vector<WindowPlace>> window_levels(const SurfaceGrid& grid,
-                                                                  double narrowest, bool is_line);
+                                                                  double narrowest, double depth,
+                                                                  bool is_line);
 
 }  // namespace tactile_net

@@ -238,17 +238,10 @@ class SkinFrameMethod final : public FrameMethod {
   static std::shared_ptr<const LoadMixture> mixture_of(const SkinSceneProblem& problem,
                                                        std::span<const double> readings) {
     LoadNoise noise = load_noise(problem.scene());
-    noise.model_share = std::hypot(noise.model_share, share_of_cells(problem));
+    const double share = share_of_cells(problem);
+    noise.model_share = std::hypot(noise.model_share, share);
+    noise.reading_share = share;
     return std::make_shared<const LoadMixture>(problem.load_prior().given(readings, noise));
-  }
-  /// How much of a load's force its cells may be off by, as they cannot have its shape. By the
-  /// square of their size: measured of contacts of a tenth of a depth to two of them
-  /// (docs/internals/mixture.md).
-  static double share_of_cells(const SkinSceneProblem& problem) {
-    constexpr double of_depth = 0.016;  // of cells as large as the taxels are deep
-    const double size = std::max(problem.grid().spacing_y, problem.grid().spacing_z) /
-                        least_depth(problem.scene().sensor);
-    return of_depth * size * size;
   }
   /// Whether tractions are the mixture's mean.
   [[nodiscard]] bool is_mean(const SkinSceneProblem& problem) const {

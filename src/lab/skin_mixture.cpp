@@ -84,7 +84,7 @@ std::vector<Cells> contacts_in(const LinearProblem& problem, std::span<const dou
 
 /// What the readings leave possible of what presses in some cells.
 WrenchDistributions distributions_in(std::span<const std::size_t> cells, const LoadMixture& mixture,
-                                     const LinearProblem& problem) {
+                                     const LinearProblem& problem, double misplaced) {
   const SurfaceGrid& grid = problem.grid;
   std::vector<std::vector<double>> weights{force_in(cells, problem, 0)};
   for (std::size_t u = 1; u < problem.components; ++u)
@@ -98,9 +98,13 @@ WrenchDistributions distributions_in(std::span<const std::size_t> cells, const L
     weights[sum + 2][cell] = grid.z(cell % grid.columns);
   }
   const LoadSums sums = mixture.sums(weights);
-  WrenchDistributions known{.normal = sums.of(0),
-                            .centre_y = sums.ratio(sum + 1, sum),
-                            .centre_z = sums.ratio(sum + 2, sum)};
+  const auto centre = [&](std::size_t moment) {
+    std::optional<Distribution> known = sums.ratio(moment, sum);
+    if (known) known = known->moved_by(misplaced);
+    return known;
+  };
+  WrenchDistributions known{
+      .normal = sums.of(0), .centre_y = centre(sum + 1), .centre_z = centre(sum + 2)};
   if (problem.components == 1) return known;
   known.tangential_y = sums.of(1);
   known.tangential_z = sums.of(2);
@@ -110,17 +114,21 @@ WrenchDistributions distributions_in(std::span<const std::size_t> cells, const L
 /// The intervals of what presses in some cells.
 class Intervals {
  public:
-  Intervals(const LoadMixture& mixture, const LinearProblem& problem, double level)
-      : mixture_(mixture), problem_(problem), level_(level) {}
+  /// @param misplaced  how far a centre may be off beside what the mixture says, a deviation [m]
+  Intervals(const LoadMixture& mixture, const LinearProblem& problem, double level,
+            double misplaced)
+      : mixture_(mixture), problem_(problem), level_(level), misplaced_(misplaced) {}
 
   void add(UncertainWrench& wrench, std::span<const std::size_t> cells) const {
-    const WrenchDistributions known = distributions_in(cells, mixture_, problem_);
+    const WrenchDistributions known = distributions_in(cells, mixture_, problem_, misplaced_);
     const auto of = [&](std::optional<Uncertain>& one, const std::optional<Distribution>& of_it) {
       if (one && of_it) one->interval = of_it->interval(level_);
     };
     wrench.normal.interval = known.normal.interval(level_);
     of(wrench.tangential_y, known.tangential_y);
     of(wrench.tangential_z, known.tangential_z);
+    for (std::optional<Uncertain>* const centre : {&wrench.centre_y, &wrench.centre_z})
+      if (*centre) (*centre)->deviation = std::hypot((*centre)->deviation, misplaced_);
     of(wrench.centre_y, known.centre_y);
     of(wrench.centre_z, known.centre_z);
   }
@@ -149,7 +157,14 @@ class Intervals {
   const LoadMixture& mixture_;
   const LinearProblem& problem_;
   double level_;
+  double misplaced_;
 };
+
+/// How far cells may misplace a centre, a deviation [m]: their share of the force may lie a depth
+/// away.
+double misplaced_by_cells(const SkinSceneProblem& problem) {
+  return share_of_cells(problem) * least_depth(problem.scene().sensor);
+}
 
 Cells all_of(const SurfaceGrid& grid) {
   Cells all(grid.count());
@@ -159,8 +174,20 @@ Cells all_of(const SurfaceGrid& grid) {
 
 }  // namespace
 
+double share_of_cells(const SkinSceneProblem& problem) {
+  constexpr double of_depth = 0.016;  // of cells as large as the taxels are deep
+  const double size = std::max(problem.grid().spacing_y, problem.grid().spacing_z) /
+                      least_depth(problem.scene().sensor);
+  return of_depth * size * size;
+}
+
+WrenchDistributions wrench_distributions(const LoadMixture& mixture,
+                                         const SkinSceneProblem& problem) {
+  return distributions_in(all_of(problem.grid()), mixture, problem.problem(),
+                          misplaced_by_cells(problem));
+}
 WrenchDistributions wrench_distributions(const LoadMixture& mixture, const LinearProblem& problem) {
-  return distributions_in(all_of(problem.grid), mixture, problem);
+  return distributions_in(all_of(problem.grid), mixture, problem, 0.0);
 }
 
 void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
@@ -182,7 +209,7 @@ void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
   answer.high = std::move(bands.high);
 
   const LoadCovariance covariance(mixture, mean, rms);
-  const Intervals intervals(mixture, solved, level);
+  const Intervals intervals(mixture, solved, level, misplaced_by_cells(problem));
   const Cells all = all_of(grid);
   answer.wrench = resultant_of(grid, mean, all, covariance, rms);
   intervals.add(answer.wrench, all);

@@ -17,4 +17,9 @@ namespace tactile_net::lab {
 void add_mixture_bands(FrameAnswer& answer, const SkinSceneProblem& problem,
                        std::span<const double> readings, double smoothed);
 
+/// How much of a load's force its cells may be off by, as they cannot have its shape, and how much
+/// of the largest reading they miss in each. By the square of their size: measured of contacts of a
+/// tenth of a depth to two of them (docs/internals/mixture.md).
+[[nodiscard]] double share_of_cells(const SkinSceneProblem& problem);
+
 }  // namespace tactile_net::lab

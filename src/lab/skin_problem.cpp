@@ -48,7 +48,7 @@ bool is_too_large(const SkinScene& scene, std::size_t most_dense) noexcept {
 }
 
 LoadPriorOptions prior_options(const SkinScene& scene) {
-  return {.depth = least_depth(scene.sensor), .narrowest = 3.5};
+  return {.depth = least_depth(scene.sensor)};
 }
 
 // Cores did 5 to 10 billion in a second of the set-up, and a billion of a frame, whose numbers come

@@ -110,6 +110,16 @@ Distribution Distribution::at_least(double least) const {
   return bounded;
 }
 
+Distribution Distribution::moved_by(double deviation) const {
+  require(deviation >= 0.0 && std::isfinite(deviation), "deviation", "be >= 0 and finite",
+          deviation);
+  Distribution moved = *this;
+  for (Component& one : moved.components_)
+    one.scale = std::hypot(one.scale, deviation * one.divisor);
+  moved.find_moments();
+  return moved;
+}
+
 void Distribution::find_moments() {
   const double spread = std::isinf(degrees_) ? 1.0
                         : degrees_ > 2.0     ? std::sqrt(degrees_ / (degrees_ - 2.0))

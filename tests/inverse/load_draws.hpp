@@ -24,8 +24,8 @@ class LoadDraws {
       : components_(static_cast<Eigen::Index>(problem.components)),
         count_(static_cast<Eigen::Index>(problem.grid.count())),
         power_(options.prior_power) {
-    const auto levels =
-        window_levels(problem.grid, options.narrowest * options.depth, problem.is_line);
+    const auto levels = window_levels(problem.grid, options.narrowest * options.depth,
+                                      options.depth, problem.is_line);
     const auto share = [&](double spacing) { return std::pow(0.5 * options.depth / spacing, 2); };
     const double y = share(problem.grid.spacing_y);
     const double z = problem.is_line ? 0.0 : share(problem.grid.spacing_z);

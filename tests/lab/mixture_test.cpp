@@ -319,7 +319,7 @@ TEST_CASE("a skin is answered by its mixture where that is asked for", "[lab][mi
   CHECK(answer.low.size() == answer.tractions.size());
   for (std::size_t i = 0; i < answer.low.size(); ++i) CHECK(answer.low[i] <= answer.high[i]);
   // At any level what presses is in an interval, at the scene's in the answer's.
-  const WrenchDistributions known = wrench_distributions(*answer.mixture, problem.problem());
+  const WrenchDistributions known = wrench_distributions(*answer.mixture, problem);
   const UncertainWrench& wrench = answer.wrench;
   for (const auto& [of, told] :
        {std::pair{std::optional(known.normal), std::optional(wrench.normal)},

@@ -70,11 +70,15 @@ struct LoadNoise {
   /// >= 0: each component of the tractions may be off by a common factor, which no reading shows,
   /// with this standard deviation. A pad is never quite what its formula says.
   double model_share = 0.0;
+  /// >= 0: each reading is off by noise of this share of the largest one, for certain, beside a
+  /// stated rms: values cannot have a load's shape. Without it windows would be as likely as they
+  /// fit what no values can have.
+  double reading_share = 0.0;
 };
 
 struct LoadPriorOptions {
   double depth = 0.0;      ///< d [m], > 0: the taxels' least one
-  double narrowest = 2.5;  ///< window, in depths, > 0; of skins 3.5 holds more often
+  double narrowest = 2.5;  ///< window, in depths, > 0
   /// Of alpha, >= 0. 0: each size of loads is as likely as another. 1/4: large ones are less
   /// likely, which is for coarse arrays, between whose taxels they would hide; 1/2 is a
   /// half-Cauchy of the load's size.
@@ -101,8 +105,8 @@ class LoadPrior {
   /// and of a line's two components for each of six tangential weights, of a skin's three for each
   /// of three; one for all windows that are each other's images on an array that mirrors itself or
   /// whose y and z may be exchanged. Of a line
-  /// windows of up to nine widths a quarter apart, of a skin squares a third apart; and the whole
-  /// surface.
+  /// windows of up to nine widths a quarter apart, of a skin squares a third apart, those narrower
+  /// than 3.5 depths half a depth; and the whole surface.
   ///
   /// @throw std::invalid_argument  an option is out of range, no reading depends on the tractions
   LoadPrior(const LinearProblem& problem, const LoadPriorOptions& options);

@@ -4,7 +4,7 @@
 ///
 ///     const lab::FrameAnswer answer = lab::solve(problem, readings);
 ///     if (answer.mixture)
-///       lab::wrench_distributions(*answer.mixture, problem.problem()).normal.interval(0.5);
+///       lab::wrench_distributions(*answer.mixture, problem).normal.interval(0.5);
 #pragma once
 
 #include <optional>
@@ -24,7 +24,12 @@ struct WrenchDistributions {
   std::optional<Distribution> centre_y{}, centre_z{};
 };
 
-/// @param problem  that the mixture is of, of a skin
+class SkinSceneProblem;
+
+/// As the answer's intervals have them. @param problem  whose answer has the mixture
+[[nodiscard]] WrenchDistributions wrench_distributions(const LoadMixture& mixture,
+                                                       const SkinSceneProblem& problem);
+/// As the mixture's model alone has them. @param problem  that the mixture is of, of a skin
 [[nodiscard]] WrenchDistributions wrench_distributions(const LoadMixture& mixture,
                                                        const LinearProblem& problem);
 

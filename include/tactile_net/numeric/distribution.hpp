@@ -57,6 +57,10 @@ class Distribution {
   /// @throw std::invalid_argument  x is a ratio; least is not finite
   [[nodiscard]] Distribution at_least(double least) const;
 
+  /// Of the number and an independent error of this deviation, which has the distribution's form.
+  /// @throw std::invalid_argument  the deviation is not >= 0 and finite
+  [[nodiscard]] Distribution moved_by(double deviation) const;
+
   /// Of a ratio the mean numerator over the mean denominator, since it has no other.
   [[nodiscard]] double mean() const noexcept { return mean_; }
   /// Standard deviation; of a ratio to first order. Infinite of up to two degrees of freedom.
