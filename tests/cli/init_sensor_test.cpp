@@ -50,6 +50,12 @@ TEST_CASE("init writes the lattice of a flat sensor", "[cli][init-sensor]") {
   CHECK(xela.sensor.reads.size() == 3);
   CHECK(xela.material.youngs_modulus == 0.3e6);
   CHECK(run_tool({"run", scene}).code == 0);
+  // Larger than a matrix of all its cells.
+  const ProcessResult large = run_tool({"init", "--sensor", "flexitac", "--model", "64x64",
+                                        "--pitch", "2", "--layer", "3", "-o", scene, "--force"});
+  CAPTURE(large.errors);
+  CHECK(large.code == 0);
+  CHECK(std::get<SkinScene>(read_any_scene(scene)).sensor.rows == 64);
 }
 
 TEST_CASE("init says what a sensor's scene lacks, and writes nothing", "[cli][init-sensor]") {
@@ -68,6 +74,10 @@ TEST_CASE("init says what a sensor's scene lacks, and writes nothing", "[cli][in
       {{"--sensor", "paxini", "--model", "PXSR-STDDP03A"}, "no terminal to ask on: --layer"},
       {{"--sensor", "paxini", "--model", "PXSR-STDDP03A", "--layer", "3", "--length-unit", "m"},
        "the places of its taxels are in mm"},
+      {{"--sensor", "paxini", "--model", "PXSR-STDDP03A", "--layer", "0"}, "--layer: must be > 0"},
+      {{"--sensor", "paxini", "--model", "PXSR-STDDP03A", "--layer", "3", "--depth", "nan"},
+       "--depth: must be > 0"},
+      {{"--sensor", "flexitac", "--layer", "3", "--pitch", "-2"}, "--pitch: must be > 0"},
       {{"--sensor", "xela"}, "rows and columns of taxels, each from 1 to 256: --model 4x6"},
       {{"--sensor", "flexitac"}, "no terminal to ask on: --layer, --pitch"},
       {{"--sensor", "flexitac", "--from-csv", "a.csv"}, "--sensor NAME, is needed"},

@@ -1,5 +1,6 @@
 #include "commands/init_sensor.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -58,8 +59,16 @@ std::pair<std::size_t, std::size_t> rows_and_columns(const KnownSensor& sensor,
   throw WrongUsage("--model", "rows and columns of taxels, each from 1 to 256: --model 4x6");
 }
 
+void require_length(const char* option, std::optional<double> value) {
+  if (value && !(*value > 0.0 && std::isfinite(*value)))
+    throw WrongUsage(option, "must be > 0 and finite");
+}
+
 /// Everything but where the taxels are.
 SceneSketch sketch_of(const KnownSensor& sensor, const InitOptions& options, Questions& questions) {
+  require_length("--layer", options.layer);
+  require_length("--pitch", options.pitch);
+  for (const double depth : options.depths) require_length("--depth", depth);
   SceneSketch sketch{.title = sensor.name + (options.model.empty() ? "" : " " + options.model),
                      .reads = sensor.reads,
                      .poisson_ratio = options.poisson,
@@ -91,7 +100,9 @@ std::string text_that_holds(SceneSketch sketch, const std::string& place) {
     sketch.frames = frames;
     std::string text = scene_text(sketch);
     try {
-      (void)lab::SkinSceneProblem(std::get<SkinScene>(parse_any_scene(text, place))).problem();
+      // Flat ones need no frames, and may be larger than a matrix of all their cells.
+      const SkinScene scene = std::get<SkinScene>(parse_any_scene(text, place));
+      if (scene.sensor.curved) (void)lab::SkinSceneProblem(scene).problem();
       return text;
     } catch (const InputError& error) {
       why = error.diagnostics().front().message;
