@@ -322,8 +322,12 @@ def numbers_of(where: str, name: str, texts: Sequence[str]) -> Floats:
 
 def _triples(where: str, what: str, values: ArrayLike) -> Floats:
     array = plain(values, what)
-    if array.ndim != 2 or array.shape[1] != 3 or not np.isfinite(array).all():
-        raise refused(where, f"has {what} of the shape {array.shape}, not (taxels, 3) of finite numbers")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise refused(where, f"has {what} of the shape {array.shape}, not (taxels, 3)")
+    wrong = np.flatnonzero(~np.isfinite(array).all(axis=1))
+    if wrong.size > 0:
+        hint = "leave the taxel out, of its readings too, or restore its numbers"
+        raise refused(where, f"has {what} that are not finite at taxel {wrong[0]}, counted from 0", hint)
     return array
 
 

@@ -84,6 +84,19 @@ def test_paxinis_modules_and_midnight(tmp_path: Path) -> None:
         tn.load(path, name="1-2", **PAD)
 
 
+def test_counts_beyond_paxinis_range_are_refused(tmp_path: Path) -> None:
+    counts = np.zeros(9, dtype=int)
+    taken = tn.load(recorded(tmp_path / "still.csv", counts), sensor="paxini", **PAD)
+    assert not any("end of their range" in one for one in taken.notes)
+    counts[4] = 255
+    taken = tn.load(recorded(tmp_path / "hard.csv", counts), sensor="paxini", **PAD)
+    assert any(one.startswith("1 frame with counts at the end of their range") for one in taken.notes)
+    for wrong in (256, -1):
+        counts[4] = wrong
+        with pytest.raises(tn.InputError, match=f"has {wrong} in a column of Z, where counts are from 0 to 255"):
+            tn.load(recorded(tmp_path / "wrong.csv", counts), sensor="paxini", **PAD)
+
+
 def test_a_flat_paxini_is_solved(tmp_path: Path) -> None:
     """The palm's nine points, 4.1 mm apart: the answer is that of a skin of the same rows and columns."""
     path = tmp_path / "palm.csv"
@@ -135,7 +148,7 @@ def pressed(recording: sensors.SensorRecording, force: float) -> tuple[NDArray[n
     pressure = made.truth[0, 0].ravel()
     flat = np.broadcast_to(skin.cell_area * recording.local_frames[0, 0], (pressure.size, 3))
     vectors = flat if skin.surface is None else skin.surface.forces[:, 0]
-    return np.rint(10 * stress * recording.geometry.areas).astype(int), np.asarray(pressure @ vectors)
+    return np.rint(10 * stress * recording.geometry.areas).clip(0, 255).astype(int), np.asarray(pressure @ vectors)
 
 
 @pytest.mark.parametrize("model", sorted(MODELS))

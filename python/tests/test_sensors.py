@@ -166,7 +166,7 @@ def test_units_of_a_file_are_those_of_its_header_or_given(tmp_path: Path) -> Non
         ("name,x,y,z\na,0,0,0\na,0.01,0,0\nb,0,0.01,0\n", "3 taxels and 2 names"),
         ("x,y,z,reads\n0,0,0,force_x\n0.01,0,0,force_y\n0,0.01,0,force_x\n", "read different quantities"),
         ("x [parsec],y [parsec],z [parsec]\n0,0,0\n1,0,0\n0,1,0\n", "'parsec': units of length that are known"),
-        ("x,y,z\n0,0,nan\n0.01,0,0\n0,0.01,0\n", "not (taxels, 3) of finite numbers"),
+        ("x,y,z\n0,0,nan\n0.01,0,0\n0,0.01,0\n", "that are not finite at taxel 0"),
     ],
 )
 def test_bad_files_of_taxels_are_refused(text: str, said: str, tmp_path: Path) -> None:
@@ -320,6 +320,43 @@ def test_what_is_missing_is_asked_for(skin: tn.Skin, tmp_path: Path) -> None:
     assert deep.scene().to_dict()["noise"]["rms"] == dict.fromkeys(DISPLACEMENTS, 2e-7)
     with pytest.raises(tn.InputError, match="30 taxels, and the geometry has 3"):
         tn.load(file, sensor="points", geometry=tn.Geometry(places[[0, 1, 7]]), **PAD)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"thickness": -3e-3}, r"a pad of thickness=-0.003[\s\S]*in metres"),
+        ({"thickness": 3.0}, r"a pad of thickness=3.0[\s\S]*in metres"),
+        ({"thickness": float("nan")}, "a pad of thickness=nan"),
+        ({"thickness": "3 mm"}, "a pad of thickness='3 mm'"),
+        ({"poisson_ratio": 0.7}, "a pad of poisson_ratio=0.7"),
+        ({"youngs_modulus": 0.0}, "a pad of youngs_modulus=0.0"),
+        ({"depth": 5e-3}, r"at depth=0.005 in a pad of thickness=0.004"),
+        ({"noise": -1.0}, "a pad of noise=-1.0"),
+        ({"reference": (0.0, 0.0, 0.0)}, r"along reference=\(0.0, 0.0, 0.0\)"),
+        ({"reference": (0.0, 1.0)}, r"along reference=\(0.0, 1.0\)"),
+        ({"base": "frictionless"}, r"base='frictionless'[\s\S]*of a curved pad"),
+    ],
+)
+def test_what_no_pad_has_is_refused_by_its_name(given: dict[str, Any], said: str) -> None:
+    places, normals = sphere(20e-3)
+    frames = tn.Frames(np.zeros((1, len(places), 3)), None, "m", file="run")
+    with pytest.raises(tn.InputError, match=rf"^run: error: cannot have .*{said}"):
+        sensors.SensorRecording("points", "run", tn.Geometry(places, normals), frames, sensors.Pad(**(PAD | given)))
+
+
+def test_one_channel_says_that_it_tells_of_no_drag() -> None:
+    places, normals = sphere(20e-3)
+    for channels, told in ((1, True), (3, False)):
+        frames = tn.Frames(np.zeros((1, len(places), channels)), None, "N", "local")
+        notes = sensors.SensorRecording("points", "run", tn.Geometry(places, normals), frames, sensors.Pad(**PAD)).notes
+        assert any("tells of no drag" in one for one in notes) == told
+
+
+def test_a_file_that_is_not_there_is_said_to_be_none(tmp_path: Path) -> None:
+    for name in ("paxini", "lerobot", "tac3d"):
+        with pytest.raises(FileNotFoundError, match="none.csv"):
+            tn.load(tmp_path / "none.csv", sensor=name, **PAD)
 
 
 def test_readings_that_are_missing_are_estimated(skin: tn.Skin) -> None:

@@ -9,6 +9,7 @@ docs/sensors.md lists them, with what each asks for. An adapter is a module of t
 from __future__ import annotations
 
 import dataclasses
+import os
 import pkgutil
 from collections.abc import Mapping, Sequence
 from importlib import import_module
@@ -104,9 +105,11 @@ def sniffed(path: str | PathLike[str]) -> dict[str, float]:
 
 
 def chosen(path: str, sensor: str | None) -> str:
-    """The sensor that is named, or else the only one whose file this looks like. Raises InputError."""
+    """The sensor that is named, or else the only one whose file this looks like. Raises InputError, FileNotFoundError."""
     if sensor is not None:
         adapter(sensor)
+    os.stat(path)
+    if sensor is not None:
         return sensor
     found = sniffed(path)
     if len(found) == 1:

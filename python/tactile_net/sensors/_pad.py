@@ -33,6 +33,10 @@ _Y = (0.0, 1.0, 0.0)
 _Z = (0.0, 0.0, 1.0)
 _FACES_Y = "e_y follows z, as the middle of the taxels faces y: reference= states another direction"
 _CARRIED = "e_y is carried from the middle of the taxels, as the surface comes near its reference"
+_ONE_CHANNEL = (
+    "one channel tells of no drag: forces are those of what presses, and along the surface as good as the normals, "
+    "of which 3 degrees are 5 % of the force, which no band holds"
+)
 _OF = {"m": "displacement", "N": "force", "Pa": "stress"}
 
 
@@ -65,6 +69,40 @@ class Pad:
             )
         return cls(**values)
 
+    def _check(self, where: str, flat: bool) -> None:
+        """Raises InputError that names what no pad has."""
+        metres = "a length above 0 and up to 1, in metres"
+        ranges = {
+            "thickness": (1.0, metres),
+            "depth": (1.0, metres),
+            "youngs_modulus": (np.finfo(float).max, "above 0 [Pa]"),
+            "noise": (np.finfo(float).max, "above 0 [m, N or Pa]"),
+        }
+        for name, (most, what) in ranges.items():
+            value = getattr(self, name)
+            if value is not None and not 0.0 < _number(value) <= most:
+                raise refused(where, f"cannot have a pad of {name}={value!r}", f"{name}= {what}")
+        if not 0.0 <= _number(self.poisson_ratio) <= 0.5:
+            hint = "poisson_ratio= from 0 to 0.5; rubber and gels: 0.48 to 0.5"
+            raise refused(where, f"cannot have a pad of poisson_ratio={self.poisson_ratio!r}", hint)
+        if self.depth is not None and self.depth > self.thickness:
+            hint = "depth= at most the thickness: taxels lie in the pad or on its core"
+            raise refused(where, f"cannot have taxels at depth={self.depth!r} in a pad of thickness={self.thickness!r}", hint)
+        if self.reference is not None and not (len(self.reference) == 3 and 0.0 < np.linalg.norm(self.reference) < np.inf):
+            hint = "reference= three numbers along the sensor's x, y and z, not all 0"
+            raise refused(where, f"cannot have frames along reference={self.reference!r}", hint)
+        if self.base not in (("bonded", "frictionless") if flat else ("bonded",)):
+            hint = 'base="bonded"' + (' or "frictionless"' if flat else ": no other is known of a curved pad")
+            raise refused(where, f"cannot have a pad of base={self.base!r}", hint)
+
+
+def _number(value: Any) -> float:
+    """nan: it is none."""
+    try:
+        return np.nan if isinstance(value, str) else float(value)
+    except (TypeError, ValueError):
+        return np.nan
+
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class SensorRecording:
@@ -78,6 +116,7 @@ class SensorRecording:
 
     def __post_init__(self) -> None:
         frames, geometry = self.frames, self.geometry
+        self.pad._check(self.path, geometry.flat)
         if frames.units not in _OF:
             raise refused(
                 self.path,
@@ -123,6 +162,8 @@ class SensorRecording:
             )
         if self.pad.youngs_modulus is None:
             notes.append("no modulus was given, nor is one needed: stresses under a layer do not depend on it")
+        if self.frames.readings.shape[2] == 1 and not self.geometry.flat:
+            notes.append(_ONE_CHANNEL)
         if self._kind == "force":
             areas = self.geometry.areas
             notes.append(

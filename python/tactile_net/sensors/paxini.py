@@ -14,13 +14,15 @@ import numpy as np
 from .. import _core
 from .._arrays import Floats
 from .._geometry import QUANTITIES, Frames, Geometry, numbers_of, read_table
-from .._refusal import refused
+from .._refusal import counted, refused
 from . import Given
 from ._reading import gains, header_of, one_of, start_of
 
 name = "paxini"
 refusal = ""
 NEWTONS = 0.1
+_RANGES = ((-128, 127), (0, 255))
+"""Of counts along x and y, and of z."""
 _VENDOR = re.compile(r"(\d+-\d+)-NxN-([XYZ])\[(\d+)\]")
 _NATIVE = re.compile(r"(.+)_pt(\d+)_f([xyz])_lsb")
 _MOST = 1 << 30
@@ -65,11 +67,22 @@ def frames(path: str, given: Given) -> Frames:
         ],
         axis=2,
     )
+    for k, axis in enumerate(axes):
+        least, most = _RANGES[axis == "Z"]
+        seen = counts[..., k]
+        if (seen < least).any() or (seen > most).any():
+            wrong = seen[(seen < least) | (seen > most)][0]
+            hint = "the file of the maker's program or of paxini-sdk's recorder, as it was written"
+            raise refused(path, f"has {wrong:g} in a column of {axis}, where counts are from {least} to {most}", hint)
     newtons = NEWTONS * counts * gains(path, given, len(axes))
     notes = ["z counts press along the normal; x and y, whose directions no file tells, are left out: frame="]
     if given.frame == "sensor":
         newtons[..., 2] = -newtons[..., 2]
         notes = ["counts are taken along the axes of the model's points, z into the sensor: gain= turns a sign"]
+    ends = [_RANGES[one == "Z"][1] for one in axes]
+    full = int((np.abs(counts) >= ends).any(axis=(1, 2)).sum())
+    if full > 0:
+        notes.append(f"{counted(full, 'frame')} with counts at the end of their range: forces there are too small")
     noise = NEWTONS / np.sqrt(12.0)
     return Frames(newtons, _times(path, header, rows), "N", given.frame or "local", noise, tuple(notes), path)
 
