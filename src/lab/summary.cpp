@@ -32,6 +32,11 @@ void SolvedFrames::add(const FrameAnswer& answer, bool incomplete) {
     }
   ++frames;
   last = {answer.alpha, answer.condition, answer.remarks};
+  if (!flat_kernel) return;
+  std::erase_if(last.remarks, [](const Remark& remark) {
+    return std::holds_alternative<remark::FlatKernel>(remark);
+  });
+  last.remarks.emplace_back(*flat_kernel);
 }
 
 void SolvedFrames::skip() { skipped.add(frames++); }

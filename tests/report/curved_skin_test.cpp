@@ -214,8 +214,12 @@ TEST_CASE("of frames on a kernel that takes a skin for flat the hardest one's sh
   };
   for (const auto& [force, share] : {std::pair{0.2, 0.3}, {0.5, 0.14}, {0.01, 2.0}})
     add(force, share);
+  solved.add({.wrench = {.normal = {0.0, 0.01}}});  // nothing touches, so that it has no share
   REQUIRE(solved.flat_kernel);
   CHECK(solved.flat_kernel->share == 0.14);
+  // So do result.json and Python, which tell what the last frame's answer says.
+  REQUIRE(solved.last.remarks.size() == 1);
+  CHECK(std::get<lab::remark::FlatKernel>(solved.last.remarks[0]).share == 0.14);
 }
 
 }  // namespace tactile_net::report
