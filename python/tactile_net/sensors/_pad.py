@@ -34,8 +34,8 @@ _Z = (0.0, 0.0, 1.0)
 _FACES_Y = "e_y follows z, as the middle of the taxels faces y: reference= states another direction"
 _CARRIED = "e_y is carried from the middle of the taxels, as the surface comes near its reference"
 _ONE_CHANNEL = (
-    "one channel tells of no drag: forces are those of what presses, and along the surface as good as the normals, "
-    "of which 3 degrees are 5 % of the force, which no band holds"
+    "one channel tells of no drag: forces are those of what presses, along normals of the smooth surface through the taxels, "
+    "which turn them by what they are off: 3 degrees are 5 % of the force, which no band holds"
 )
 _OF = {"m": "displacement", "N": "force", "Pa": "stress"}
 
