@@ -193,6 +193,8 @@ TEST_CASE("a limit alone is all that is known of an offset, and a scene states b
   CHECK(part("OPA1637").opamp.bias_limit == 2e-9);
   CHECK(part("LMP7731").opamp.offset == 6e-6);
   CHECK(part("LMP7731").opamp.offset_limit == 500e-6);
+  CHECK(part("LMP7731").opamp.bias_limit == 30e-9);
+  CHECK(part("TS321").opamp.offset_limit == 4e-3);
   CHECK(part("THS4551").opamp.offset_drift == 1.8e-6);
   CHECK_FALSE(part("OPA192").opamp.offset_limit);
 

@@ -206,7 +206,12 @@ A distributor's *fully differential amplifier* (FDA) is what `crossbar`, `least_
 gain, gain-bandwidth product and slew of the difference of its outputs: each output has half of them, and so has the deck. A stated `bandwidth` or `slew` is of one output. Where a data sheet gives a phase margin at a gain of 1
 the second pole is the one that makes it.
 
-## Voltages as inputs
+Each file's `[pins]` says what each pin of the package is for, and `price` what one costs by a class, of a hundred at distributors: compare both with the data sheet and the offer before you order. Two amplifiers in a package are told by two numbers; `0.006 to 0.5` is a typical value and a maximum, `to 0.2` a maximum alone:
+
+)";
+
+constexpr const char* after_parts =
+    R"(## Voltages as inputs
 
 `inputs = "voltage"` takes each reading as a voltage behind a resistor of the circuit's own, where op-amps drive the nodes (`crossbar`, `least_squares`, `lattice`): sensors' amplifiers give voltages, and ideal currents
 are matched pairs of sources each. An answer of currents is as far off as all resistors together are: a reel 0.4 % high costs 0.4 %. With voltages every node is a ratio of resistors, and what all of them have in common
@@ -223,12 +228,8 @@ Beside what each resistor is off, in [`tolerance`](scene.md#network): `reel`, an
 so many parts tell it) and their spread, in place of `relative`; `temperature = { kelvin = 40, ppm = 50, tracking_ppm = 5 }`, builds that work up to 40 K from where parts have their value, with 50 ppm/K that all of a build
 share and 5 ppm/K of each part beside. All are in the yield, in the draws of `--budget` (the measured reel is that of the coarsest class there) and in the datasheet. Parts of different values are of different reels: what those do not
 share is each part's own.
-The file's `[pins]` says what each pin of the package is for, and `price` what one costs by a class, of a hundred at distributors: compare both with the data sheet and the offer before you order. Two amplifiers in a package are told by two numbers; `0.006 to 0.5` is a typical value and a maximum, `to 0.2` a maximum alone:
 
-)";
-
-constexpr const char* after_parts =
-    R"(## A vendor's macromodel
+## A vendor's macromodel
 
 `tactile-net relax SCENE.toml --model VENDOR.lib` runs the circuit with a vendor's macromodel in PSpice's language in place of our op-amps (ngspice's `ngbehavior=psa`), each with a supply of its own, in the
 [same confinement](strangers.md#macromodels-relax---model). It compares what the certificate says with what ngspice sees: `as_certified` is stable or not as certified, and settles within a fifth of the certified time; `settles_otherwise`, `does_not_settle` and
@@ -242,7 +243,8 @@ about 0 V between the supplies, power-down and common mode are tied as on the bo
 
 `tactile-net bench SCENE.toml MEASURED.csv` finds what is wrong with a board that is built. MEASURED.csv has a pattern a row: a current of each input, `I0`, `I1`, ... (A; of `lattice`, into the node v of a reading's pair and out of u), then the voltage
 of each output, `n0`, `n1`, ... (V; empty where it is not known, as at a converter's end). A row whose currents are 0 is the rest, and is subtracted: op-amps' offsets do not count. Each input by itself is enough, and
-`bench SCENE.toml --simulate board.csv --fault open:Rk3_3p` writes an example: parts within the scene's tolerances, the scene's op-amps, a converter of 12 bits.
+`bench SCENE.toml --simulate board.csv --fault open:Rk3_3p` writes an example: parts within the scene's tolerances, the scene's op-amps, a converter of 12 bits. Parts are told by their names in the deck: column
+`Element` of the board's `BOM.csv` has them beside their designators, two of a resistor that is a pair.
 
 *How*. A resistor adds g l w' to the equations S of the circuit, so another value of it changes the responses by c (C S^-1 l)(w'S^-1 H) exactly, c = -dg/(1 + dg w'S^-1 l), and two that are swapped by Woodbury's formula of rank two. Responses of healthy boards have the covariance
 J T J' + s^2 I, J the sensitivities, T the tolerances' variances (uniform), s the converter's noise. Each part is tried open, bridged, with ten times and a tenth of its resistance, with another value (whose likelihood is integrated over), and swapped with every
