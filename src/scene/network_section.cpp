@@ -145,7 +145,8 @@ void read_opamp(Table table, NetworkOptions& network) {
   OpAmp& opamp = network.parts.opamp;
   const auto kind = table.value("class");
   if (kind) opamp = opamp_of_class(*kind);
-  if (const auto part = table.value("part")) {
+  const auto part = table.value("part");
+  if (part) {
     network.opamp_part = part_named(*part);
     if (network.opamp_part != nullptr)
       opamp = network.opamp_part->opamp;
@@ -153,7 +154,9 @@ void read_opamp(Table table, NetworkOptions& network) {
       opamp.bandwidth = 1e6;  // as above
     if (kind) part->problem("stands beside a class", "one of the two");
   }
-  if (const auto supply = table.value("supply")) read_supply(*supply, network);
+  // Of a part that there is not nothing more is said.
+  if (const auto supply = table.value("supply"); supply && (network.opamp_part != nullptr || !part))
+    read_supply(*supply, network);
   if (const auto gain = table.value("gain")) opamp.gain = gain->number(positive);
   if (const auto bandwidth = table.value("bandwidth"))
     opamp.bandwidth = bandwidth->number(positive, in_hertz);

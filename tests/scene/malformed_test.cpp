@@ -242,6 +242,8 @@ TEST_CASE("wrong [forward], [reconstruct] and [network] are reported", "[scene]"
        "network.opamp.supply is outside of what THS4551 takes, 2.7 to 5.4 V"},
       {"\"ideal\"", "\"lattice\"\nopamp = { class = \"fast\", supply = 5 }", "37:36",
        "network.opamp.supply is of a part", "rail"},
+      {"\"ideal\"", "\"lattice\"\nopamp = { part = \"OPA1638\", supply = 10 }", "37:18",
+       "unknown part \"OPA1638\"", "did you mean \"OPA1632\"?"},
       {"\"ideal\"", "\"lattice\"\nopamp = { part = \"OPA1637\", supply = 1 }", "37:38",
        "is outside of what OPA1637 takes"},
       {"\"ideal\"", "\"nic\"\nopamp = \"THS4551\"", "37:9",
