@@ -84,6 +84,9 @@ BoardFault planted_fault(const Reduction& reduction, std::string_view text) {
       part = part.substr(0, slash);
     }
     fault.part = part_named(reduction, part);
+    if (row.value == PartFault::swapped && fault.part == fault.other)
+      throw std::invalid_argument("'" + std::string(text) +
+                                  "' swaps a part with itself: name two parts");
     if (row.value == PartFault::ten_times) fault.factor = 0.1;
     if (row.value == PartFault::tenth) fault.factor = 10.0;
     if (row.value == PartFault::shorted) fault.factor = 1e6;

@@ -110,6 +110,8 @@ TEST_CASE("a file of responses that is wrong is refused at its line", "[cli][ben
              ContainsSubstring("no resistor 'R99'"));
   CHECK_THAT(usage({"--simulate", folder / "y.csv", "--fault", "bent:Rk3_3p"}),
              ContainsSubstring("is no fault"));
+  CHECK_THAT(usage({"--simulate", folder / "y.csv", "--fault", "swapped:Rk3_3p/Rk3_3p"}),
+             ContainsSubstring("swaps a part with itself"));
   CHECK_FALSE(std::filesystem::exists(folder / "y.csv"));
 }
 

@@ -96,7 +96,6 @@ TEST_CASE("a value stands behind its option or is glued to it", "[cli]") {
   CHECK(gen({"gen", "--", "-q"}).scene == "-q");
   CHECK(gen({"gen", "S", "--output=--json"}).output == "--json");
   CHECK(gen({"gen", "S", "--output=a=b"}).output == "a=b");
-  CHECK(gen({"gen", "S", "--output="}).output.empty());
   CHECK(gen({"gen", "-", "-o", "-"}).output == "-");
   CHECK(gen({"gen", "-5"}).scene == "-5");
   CHECK(tool::parse(Words{"-q", "gen", "S"}).quiet);
@@ -104,6 +103,22 @@ TEST_CASE("a value stands behind its option or is glued to it", "[cli]") {
   CHECK_FALSE(tool::parse(Words{"gen", "S"}).quiet);
   CHECK(std::get<tool::MergeOptions>(tool::parse(Words{"merge", "a", "--force", "b", "c"}).command)
             .files == Words{"a", "b", "c"});
+}
+
+TEST_CASE("no command takes an empty name of a file or a folder", "[cli]") {
+  std::size_t places = 0;
+  for (const tool::CommandTable& command : line().commands)
+    for (const tool::Argument& argument : command.arguments) {
+      if (!argument.is_place()) continue;
+      if (!argument.is_option() && &argument != &command.arguments.front()) continue;
+      ++places;
+      std::vector<std::string> words{command.name};
+      if (argument.is_option()) words.push_back(argument.name());
+      words.emplace_back();
+      usage_refused(words, argument.name() + ": " + argument.value.shown() + " is an empty name");
+    }
+  CHECK(places > 40);
+  usage_refused({"certify", "S", "--out="}, "--out: FOLDER is an empty name; give one, or leave");
 }
 
 TEST_CASE("what is missing, given twice or too much is named", "[cli]") {

@@ -24,7 +24,7 @@ bool is_standard_output(const std::string& path) {
 bool is_file(const Given& given) {
   std::error_code none;  // of what is not there: it may become a file
   return given.argument->value.kind == Value::Kind::file && given.value != "-" &&
-         !given.value.empty() && !fs::is_other(given.value, none);
+         !fs::is_other(given.value, none);
 }
 
 /// One that is there, by whatever names and links; one that is not yet, by its path.
@@ -41,14 +41,14 @@ bool are_same(const std::string& one, const std::string& other) {
 /// One document: two would be mixed, line by line.
 void require_one_standard_output(const CommandTable& command, std::span<const Given> given) {
   const bool has_folder = std::any_of(given.begin(), given.end(), [](const Given& one) {
-    return one.argument->value.kind == Value::Kind::folder && !one.value.empty();
+    return one.argument->value.kind == Value::Kind::folder;
   });
   const Argument* first = nullptr;
   for (const Argument& argument : command.arguments) {
     if (!argument.value.is_output) continue;
     const auto found = std::find_if(given.begin(), given.end(),
                                     [&](const Given& one) { return one.argument == &argument; });
-    const bool is_named = found != given.end() && !found->value.empty();
+    const bool is_named = found != given.end();
     const bool goes_there = is_named ? is_standard_output(found->value)
                                      : argument.value.is_standard_output && !has_folder;
     if (!goes_there) continue;

@@ -144,6 +144,10 @@ class Reader {
   void set(const Argument& argument, const std::string& value) {
     if (is_given(argument) && !argument.is_flag() && !argument.many)
       throw WrongUsage(argument.name(), "is given twice; give it once");
+    if (argument.is_place() && value.empty())
+      throw WrongUsage(argument.name(),
+                       argument.value.shown() + " is an empty name; give one, or leave " +
+                           (argument.is_option() ? argument.name() : "it") + " out");
     const std::vector<std::string>& choices = argument.value.choices;
     if (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end())
       throw WrongUsage(argument.name(), "'" + value + "' is none of " + join(choices, ", ") +

@@ -39,6 +39,10 @@ struct Argument {
   [[nodiscard]] const std::string& name() const { return names.back(); }
   [[nodiscard]] bool is_option() const { return name().starts_with('-'); }
   [[nodiscard]] bool is_flag() const { return value.kind == Value::Kind::none; }
+  /// Of a file or a folder.
+  [[nodiscard]] bool is_place() const {
+    return value.kind == Value::Kind::file || value.kind == Value::Kind::folder;
+  }
 };
 
 struct Example {
