@@ -343,8 +343,8 @@ Page certificate_html(const lab::Certification& c, const Made& made) {
             element("p", in_words(*c.parts));
   if (c.board) html += element("h3", "On its board") + html_list(in_words(*c.board));
   if (c.datasheet)
-    html += element("h3", "Datasheet") + html_table(cells(*c.datasheet)) +
-            html_list(in_words(*c.datasheet));
+    html += element("h3", "Datasheet") + "<div class=\"worded\">" +
+            html_table(cells(*c.datasheet)) + "</div>" + html_list(in_words(*c.datasheet));
   html += figures.html("parts");
   if (c.refinement)
     html += element("h2", "Refined in numbers") + html_list(report::in_words(*c.refinement)) +
