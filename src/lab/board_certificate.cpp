@@ -40,8 +40,10 @@ class OnBoard {
     result_.realization = circuit.network().realization();
     result_.ladder = has_ladder(result_.realization, options);
     result_.wanted = wanted;
-    result_.siemens_unit = std::visit(
-        [](const auto& scene) { return scale_units(scene).siemens.to_si(1.0); }, circuit.scene());
+    const ScaleUnits units =
+        std::visit([](const auto& scene) { return scale_units(scene); }, circuit.scene());
+    result_.siemens_unit = units.siemens.to_si(1.0);
+    volts_unit_ = units.volts.to_si(1.0);
     result_.has_planes = board.has_planes;
     result_.to_plane = board.layers.front().to_plane;
     result_.copper = net_copper(board);
@@ -51,6 +53,7 @@ class OnBoard {
     const NetworkCircuit plain(result_.realization, problem_, options);
     result_.nodes = node_capacitances(board, result_.copper, plain.flat().circuit(),
                                       package_of(circuit.options().opamp_part));
+    has_subcircuits_ = plain.flat().had_subcircuits();
     options_ = options;
     result_.circuit = at(options.scale.siemens);
     result_.stated = result_.used = judged(*result_.circuit, true);
@@ -110,6 +113,12 @@ class OnBoard {
         one.damping = certificate.dynamics->damping;
         one.settling_seconds = certificate.dynamics->settling_seconds;
       }
+      if (!has_subcircuits_) one.proposal = certificate.proposal;
+      for (const CircuitRemark& remark : certificate.remarks)
+        if (remark.kind == CircuitRemark::Kind::output_current) {
+          one.overload = remark;
+          one.overload->unit = volts_unit_;
+        }
     } else if (one.stable() || one.oscillates()) {
       one.slowest = circuit.poles().front().real();
     }
@@ -121,6 +130,8 @@ class OnBoard {
 
   std::shared_ptr<const NetworkProblem> problem_;
   double accuracy_;
+  double volts_unit_ = 1.0;
+  bool has_subcircuits_ = false;  // they are opened on a board, and have dividers of their own
   RealizationOptions options_;
   BoardCertificate result_;
 };

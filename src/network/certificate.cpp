@@ -248,7 +248,8 @@ void add_opamp_remarks(Certificate& c, const NetworkCircuit& circuit, const Equa
                          .repair = 0.8 * reach / c.largest_voltage * options.scale.volts});
   if (realization.uses_opamps && has_loaded_outputs(circuit) != o.output_resistance.has_value())
     c.remarks.push_back(
-        {.kind = o.output_resistance ? Kind::outputs_without_load : Kind::capacitance_at_outputs});
+        {.kind = o.output_resistance ? Kind::outputs_without_load : Kind::capacitance_at_outputs,
+         .repair = circuit.capacitances().empty() ? 1e-12 : 0.0});
   if (c.theorem.unmet && c.theorem.unmet->lag.number > 0.0)
     c.remarks.push_back({.kind = c.theorem.unmet->lag.of_nodes ? Kind::node_lag : Kind::summing_lag,
                          .value = c.theorem.unmet->lag.number,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <vector>
 
 namespace tactile_net {
 namespace {
@@ -11,14 +13,25 @@ constexpr double usual_swing = 2.0;  // [V], what most amplifiers with two outpu
 constexpr double least_load = 1e3;   // [ohm], what the outputs of most op-amps still drive
 constexpr double most_delay = 0.2;   // by slewing, over the settling time without it
 
-/// Whether the circuit is known to be stable at other siemens. Without capacitance, and with
+constexpr double little_ringing = 0.7;  // damping, of a loop whose phase margin is 65 degrees
+
+/// Whether the circuit is known to be stable at other siemens, and to ring little, or no more than
+/// it does: fewer siemens wait longer for the same capacitance. Without capacitance, and with
 /// outputs of no resistance, they change no pole.
-bool is_stable_at(double siemens, const NetworkCircuit& circuit) {
+bool settles_at(double siemens, const Certificate& c, const NetworkCircuit& circuit) {
   RealizationOptions options = circuit.options();
-  if (!options.has_capacitance() && !options.opamp.output_resistance) return true;
+  if (!options.has_capacitance() && circuit.capacitances().empty() &&
+      !options.opamp.output_resistance)
+    return true;
   options.scale.siemens = siemens;
-  const NetworkCircuit other(circuit.realization(), circuit.shared_problem(), options);
-  return stability_of(other).stability == Stability::stable;
+  const NetworkCircuit other(circuit.realization(), circuit.shared_problem(), options,
+                             circuit.capacitances());
+  if (stability_of(other).stability != Stability::stable) return false;
+  if (!c.dynamics) return true;
+  const double enough = std::min(little_ringing, c.dynamics->damping);
+  const std::vector<std::complex<double>>& poles = other.poles();
+  return std::all_of(poles.begin(), poles.end(),
+                     [&](const auto& pole) { return -pole.real() >= enough * std::abs(pole); });
 }
 
 }  // namespace
@@ -54,7 +67,7 @@ std::optional<ScaleProposal> scale_proposal(const Certificate& c, const NetworkC
   const double by_load = c.least_ohm / least_load;
   proposal.least_ohm = factor > by_load;
   factor = std::min(factor, by_load);
-  if (factor != 1.0 && !is_stable_at(factor * scale.siemens, circuit)) {
+  if (factor != 1.0 && !settles_at(factor * scale.siemens, c, circuit)) {
     factor = 1.0;
     proposal.least_ohm = false;
   }

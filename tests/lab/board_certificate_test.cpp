@@ -6,8 +6,11 @@
 #include "tactile_net/lab/certification.hpp"
 #include "tactile_net/lab/datasheet.hpp"
 #include "tactile_net/network/board.hpp"
+#include "tactile_net/numeric/text.hpp"
 #include "tactile_net/report/words/board_words.hpp"
 #include "tactile_net/report/words/datasheet_words.hpp"
+#include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/opamp_words.hpp"
 #include "tactile_net/scene/reader.hpp"
 #include "tests/catch.hpp"
 
@@ -37,6 +40,8 @@ LaidBoard own_board(const lab::SceneCircuit& circuit) {
   write_kicad_board(text, board_of(list.choice->soldered));
   return read_kicad_board(text.str(), "board.kicad_pcb");
 }
+
+std::string text(const std::vector<std::string>& lines) { return join(lines, "\n"); }
 
 }  // namespace
 
@@ -105,6 +110,40 @@ TEST_CASE("eleven taxels of the ordered scene meet 0.3 % of parts that are sold,
       CHECK(one.opamps_alone.offset > 5e-4);
       CHECK(one.price > list.chosen().price);
     }
+}
+
+TEST_CASE("what the op-amps cannot give at the siemens that a board asks for is said", "[board]") {
+  const lab::SceneCircuit circuit = lab::simulated_circuit(small_scene(2e-3));
+  lab::PartsList list = lab::own_parts_list(circuit, 0.05);
+  REQUIRE(list.choice);
+  const lab::BoardCertificate enough = lab::close_board(circuit, list, 45.0);
+  REQUIRE(enough.changed());
+  CHECK_FALSE(enough.used.overload);
+
+  // Op-amps that give what the stated siemens draw, and no more.
+  Scene scene = std::get<Scene>(small_scene(2e-3));
+  scene.network.parts.opamp.output_current = 1.0;
+  const double drawn = lab::simulated_circuit(scene).certificate().output_current.value().largest;
+  scene.network.parts.opamp.output_current = 1.1 * drawn;
+  const lab::SceneCircuit weak = lab::simulated_circuit(scene);
+  CHECK_THAT(text(report::in_words(weak.certificate())), !ContainsSubstring("would carry"));
+  lab::PartsList again = lab::own_parts_list(weak, 0.05);
+  const lab::BoardCertificate board = lab::close_board(weak, again, 45.0);
+  REQUIRE(board.changed());
+  REQUIRE(board.used.overload);
+  const double factor = board.used.siemens / board.stated.siemens;
+  CHECK_THAT(board.used.overload->value, WithinRel(factor * drawn, 1e-2));
+  CHECK_THAT(board.used.overload->repair,
+             WithinRel(weak.options().parts.scale.volts * 1.1 / factor, 1e-2));
+  CHECK_THAT(text(report::in_words(board)), ContainsSubstring("would carry"));
+  // Whatever is recommended beside it does not take the board's siemens back.
+  REQUIRE(board.used.proposal);
+  CHECK(board.used.proposal->siemens >= board.used.siemens);
+  CHECK_THAT(text(report::in_words(board)), !ContainsSubstring("times the siemens"));
+  lab::Certification certification{.circuit = weak};
+  CHECK_THAT(text(report::facts_in_words(certification)), ContainsSubstring("recommended scale"));
+  certification.board = board;
+  CHECK_THAT(text(report::facts_in_words(certification)), !ContainsSubstring("recommended scale"));
 }
 
 TEST_CASE("a board from a file is certified as it is, and says which siemens would do", "[board]") {

@@ -403,6 +403,36 @@ TEST_CASE("no scale is proposed at which strays would make the circuit grow",
   CHECK_FALSE(smaller.proposal);
 }
 
+TEST_CASE("fewer siemens are proposed only where the circuit rings no more for them",
+          "[opamp_errors][certificate]") {
+  const ArrayNetwork network = array_network(11, 1e-3);
+  std::size_t fewer = 0;
+  std::size_t kept = 0;
+  for (const double stray : {0.5e-12, 2e-12, 6e-12, 12e-12, 20e-12, 30e-12}) {
+    CAPTURE(stray);
+    RealizationOptions options{.scale = {.siemens = 5e-2},
+                               .opamp = {.gain = 1e6,
+                                         .bandwidth = 5e6,
+                                         .second_pole = 1.8e7,
+                                         .input_capacitance = 0.5 * stray,
+                                         .noise_voltage = 4e-9},
+                               .node_capacitance = stray};
+    const Certificate before = certify(Realization::lattice, network.problem, options);
+    REQUIRE(before.stability == Stability::stable);
+    REQUIRE(before.proposal);
+    if (before.proposal->siemens >= options.scale.siemens) {
+      ++kept;
+      continue;
+    }
+    ++fewer;
+    options.scale.siemens = before.proposal->siemens;
+    const Certificate after = certify(Realization::lattice, network.problem, options);
+    CHECK(after.dynamics.value().damping >= std::min(0.7, before.dynamics.value().damping) - 1e-9);
+  }
+  CHECK(fewer > 0);
+  CHECK(kept > 0);
+}
+
 TEST_CASE("a theorem that does not know output resistances says so", "[opamp_errors][theorem]") {
   const ArrayNetwork network = array_network(7, 1e-3);
   for (const Realization one : {Realization::nic, Realization::rail, Realization::crossbar,

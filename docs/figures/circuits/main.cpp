@@ -170,7 +170,7 @@ Copper loads every node, and enough of it makes any of these circuits oscillate.
 - The node between two resistors in series is none of the circuit's own: each end takes its share of the capacitance, exact to first order in frequency but for what couples the ends.
 - Poles, noise and settling are then computed with each node's own capacitance, which takes the place of `parasitic.node` and `parasitic.input`. The *phase margin* is the least angle by which all amplifiers' inputs, turned alike at one frequency, make the circuit oscillate: of the loops'
   characteristic loci (MacFarlane and Postlethwaite 1977) the one that passes nearest to -1. Of one amplifier it is the usual phase margin. It is computed up to 600 states; beyond, poles alone decide.
-- Below 45 degrees (`--phase-margin` states others) the siemens are raised, as smaller resistors wait less for the same capacitance, and the parts and the board are made for them; no resistor may be below 100 ohm. Isolation resistors at the outputs are not added: every output's copper lies inside
+- Below 45 degrees (`--phase-margin` states others) the siemens are raised, as smaller resistors wait less for the same capacitance, and the parts and the board are made for them; no resistor may be below 100 ohm. More siemens draw more current: if an output would then carry more than its part gives, `certify` says which volts would do. Isolation resistors at the outputs are not added: every output's copper lies inside
   its loop, where a resistor adds lag. Of a board from a file the output says which siemens would do on the same copper.
 - `board.kicad_pcb` is not written if the circuit oscillates on it, unless `--oscillating-board` asks for it. `copper.csv` has every net's pads, tracks and capacitance.
 

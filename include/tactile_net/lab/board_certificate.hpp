@@ -36,6 +36,9 @@ struct BoardCertificate {
     std::optional<double> settling_seconds{};  ///< as `Dynamics::settling_seconds`
     std::optional<PhaseMargin> margin{};       ///< of a circuit that is stable
     double least_ohm = 0.0;
+    /// What the op-amps cannot give at these siemens; absent: nothing, or its limit is not known.
+    std::optional<CircuitRemark> overload{};
+    std::optional<ScaleProposal> proposal{};  ///< as `Certificate::proposal`
 
     [[nodiscard]] bool stable() const noexcept { return stability.stability == Stability::stable; }
     [[nodiscard]] bool oscillates() const noexcept {

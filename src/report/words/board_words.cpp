@@ -4,6 +4,7 @@
 
 #include "tactile_net/numeric/number_text.hpp"
 #include "tactile_net/report/words/network_words.hpp"
+#include "tactile_net/report/words/opamp_words.hpp"
 
 namespace tactile_net::report {
 namespace {
@@ -107,6 +108,13 @@ std::vector<std::string> in_words(const lab::BoardCertificate& board) {
              ? ". The parts and the board are for these siemens, and so is the scene that is "
                "written beside them"
              : ""));
+    if (board.file.empty() && board.used.overload) {
+      const CircuitRemark& overload = *board.used.overload;
+      lines.push_back(
+          "warning: at those siemens the output of " + overload.part + " would carry " +
+          with_unit(overload.value, "A") + ", it gives " + with_unit(overload.limit, "A") +
+          " at most: set volts = " + brief(overload.repair / overload.unit) + " or less");
+    }
     if (!enough)
       lines.push_back("warning: no siemens bring a phase margin of " + wanted +
                       " before a resistor is below " + brief(lab::least_board_ohm) +
@@ -125,6 +133,11 @@ std::vector<std::string> in_words(const lab::BoardCertificate& board) {
                               (board.stated.stability.unknown == UnknownStability::too_many_states
                                    ? "the circuit has too many states for its poles"
                                    : std::string("the op-amps have no bandwidth")));
+  }
+  if (const auto& proposal = board.soldered().proposal) {
+    Scale scale = board.circuit->options().scale;
+    scale.siemens = board.soldered().siemens;
+    lines.push_back(in_words(*proposal, scale) + ", on that board");
   }
   return lines;
 }

@@ -186,8 +186,11 @@ std::string in_words(const CircuitRemark& remark) {
              brief(remark.limit) + " V (rail - 0.6 V): set volts = " + scale;
     case Kind::capacitance_at_outputs:
       return "capacitance at the amplifiers' outputs has no effect, because they have no "
-             "resistance: give the op-amps their output_resistance, or state what loads their "
-             "summing nodes, parasitic = { input = 1e-12 }";
+             "resistance: give the op-amps their output_resistance" +
+             (remark.repair > 0.0 ? ", or state what loads their summing nodes, parasitic = { "
+                                    "input = " +
+                                        brief(remark.repair) + " }"
+                                  : std::string{});
     case Kind::outputs_without_load:
       return "with output_resistance any capacitance at an output makes a pole in its loop, and "
              "none is stated: give what the outputs drive, parasitic = { output = 20e-12 }";

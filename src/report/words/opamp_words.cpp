@@ -43,18 +43,18 @@ std::string bound_in_words(ScaleProposal::Bound bound) {
   return {};
 }
 
-/// In ratios: what the scene writes is in its own units.
-std::string proposal_in_words(const ScaleProposal& proposal, const Scale& scale) {
+}  // namespace
+
+std::string in_words(const ScaleProposal& proposal, const Scale& scale) {
   std::string text = "recommended scale for these op-amps: " + brief(proposal.volts / scale.volts) +
-                     " times the volts (" + bound_in_words(proposal.volts_by) + "), " +
-                     brief(proposal.siemens / scale.siemens) + " times the siemens" +
-                     (proposal.least_ohm ? " (no resistor below 1 kilo-ohm)" : "");
+                     " times the volts (" + bound_in_words(proposal.volts_by) + ")";
+  if (proposal.siemens != scale.siemens)
+    text += ", " + brief(proposal.siemens / scale.siemens) + " times the siemens" +
+            (proposal.least_ohm ? " (no resistor below 1 kilo-ohm)" : "");
   if (proposal.noise > 0.0) text += "; noise then " + percent(proposal.noise);
   if (proposal.offset > 0.0) text += "; offset and bias then " + percent(proposal.offset);
   return text + " of the answer";
 }
-
-}  // namespace
 
 std::vector<std::string> opamps_in_words(const Certificate& c) {
   std::vector<std::string> lines;
@@ -99,8 +99,9 @@ std::string in_words(const lab::ContactMotion& motion, const std::optional<Units
 
 std::vector<std::string> facts_in_words(const lab::Certification& c) {
   std::vector<std::string> lines;
-  if (const auto& proposal = c.certificate().proposal)
-    lines.push_back(proposal_in_words(*proposal, c.circuit.options().parts.scale));
+  // On its board it asks for another.
+  if (const auto& proposal = c.certificate().proposal; proposal && !c.board)
+    lines.push_back(in_words(*proposal, c.circuit.options().parts.scale));
   if (c.motion)
     lines.push_back(
         in_words(*c.motion, std::visit([](const auto& scene) { return scene.units; }, c.scene())));

@@ -15,6 +15,9 @@ namespace tactile_net::report {
 /// Slewing, errors at rest and noise: one fact a line, as far as they are known.
 [[nodiscard]] std::vector<std::string> opamps_in_words(const Certificate& certificate);
 
+/// In ratios of `scale`, since a scene writes its own in its own units.
+[[nodiscard]] std::string in_words(const ScaleProposal& proposal, const Scale& scale);
+
 /// "1.34 m/s", and a bare number where the scene states no units.
 [[nodiscard]] std::string speed_in_words(double speed, const std::optional<Units>& units);
 
