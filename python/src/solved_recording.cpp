@@ -54,17 +54,6 @@ lab::RecordingSolver solver_of(const AnyPointer& shared, const lab::AnyProblem& 
   return lab::RecordingSolver(problem, method, options);
 }
 
-/// What bands take of an answer beside its tractions.
-lab::FrameResult result_of(const lab::FrameAnswer& answer) {
-  return {.alpha = answer.alpha.value > 0.0 ? std::optional(answer.alpha) : std::nullopt,
-          .verdict = answer.verdict,
-          .condition = answer.condition,
-          .remarks = answer.remarks,
-          .constrained = answer.constrained,
-          .by_mixture = answer.mixture != nullptr,
-          .data = answer.data};
-}
-
 }  // namespace
 
 SolvedRecording::SolvedRecording(AnyPointer shared, Method method,
@@ -133,14 +122,15 @@ Bands SolvedRecording::bands(Watcher& watcher) const {
   Bands bands;
   for (std::size_t i = 0; i < frames(); ++i) {
     watcher.frame();
-    lab::FrameUncertainty one;
-    if (const auto& answer = answers_[i])
-      one =
-          lab::uncertainty(lab::SceneFrame(std::get<lab::SceneProblem>(problems_[i]), readings(i)),
-                           answer->tractions, result_of(*answer));
-    else
-      one = {.resultant = {.normal = {unknown, unknown}},
-             .deviation = std::vector<double>(width_, unknown)};
+    lab::FrameUncertainty one{.resultant = {.normal = {unknown, unknown}},
+                              .deviation = std::vector<double>(width_, unknown)};
+    if (const auto& answer = answers_[i]) {
+      lab::FrameAnswer known = lab::with_bands(problems_[i], readings(i), *answer);
+      if (known.bands) one = std::move(*known.bands);
+      bands.verdicts.emplace_back(lab::name(known.verdict));
+    } else {
+      bands.verdicts.emplace_back("missing");
+    }
     bands.deviation.insert(bands.deviation.end(), one.deviation.begin(), one.deviation.end());
     add(bands.normal_force, one.resultant.normal);
     add(bands.tangential_force, one.resultant.tangential);

@@ -31,6 +31,8 @@ struct Bands {
   std::vector<double> centre{};
   /// Of every frame; absent: it has no answer.
   std::vector<std::optional<std::vector<ContactPatch>>> patches{};
+  /// Of every frame the name of its verdict, which knows how sure the force is.
+  std::vector<std::string> verdicts{};
 };
 
 class SolvedRecording {

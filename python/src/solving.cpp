@@ -107,9 +107,10 @@ std::vector<std::string> data(const SolvedRecording& self) {
   });
 }
 
-/// Of a line: deviation, normal force, tangential force, centre, contacts as JSON; None: the method
-/// has none.
-std::optional<std::tuple<Array, Array, Array, Array, std::string>> bands_of(SolvedRecording& self) {
+/// Of a line: deviation, normal force, tangential force, centre, contacts as JSON, verdicts; None:
+/// the method has none.
+std::optional<std::tuple<Array, Array, Array, Array, std::string, std::vector<std::string>>>
+bands_of(SolvedRecording& self) {
   Watcher watcher;
   std::optional<Bands> bands;
   {
@@ -122,7 +123,7 @@ std::optional<std::tuple<Array, Array, Array, Array, std::string>> bands_of(Solv
                     owned(std::move(bands->normal_force), {frames, 2}),
                     owned(std::move(bands->tangential_force), {frames, 2}),
                     owned(std::move(bands->centre), {frames, 2}),
-                    report::contacts_json(bands->patches, false));
+                    report::contacts_json(bands->patches, false), std::move(bands->verdicts));
 }
 
 /// Of a skin, whose answers have them at once, as JSON.

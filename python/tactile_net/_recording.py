@@ -144,8 +144,6 @@ class Solution(Document):
     method: str
     tractions: Floats
     """(T, U, M) [Pa]: normal, then tangential; nan where a frame has no answer."""
-    verdict: NDArray[np.str_]
-    """Of each frame: "ok", or what is wrong with the answer; "missing": there is none."""
     data: NDArray[np.str_]
     """Of each frame's readings: "ok", "noise_unknown", or why no contact can have caused them."""
     alpha: Floats
@@ -167,7 +165,6 @@ class Solution(Document):
     def _know(self, core: _core.SolvedRecording) -> None:
         """What is known of every frame."""
         self.tractions = self._shaped(core.tractions())
-        self.verdict = np.array(core.verdict(), dtype=np.str_)
         self.data = np.array(core.data(), dtype=np.str_)
         self.alpha = core.alpha()
 
@@ -238,12 +235,18 @@ class Solution(Document):
         return self.recording.t
 
     @cached_property
-    def _known(self) -> tuple[Floats, Floats, Floats, Floats, str] | None:
+    def _known(self) -> tuple[Floats, Floats, Floats, Floats, str, list[str]] | None:
         return self._solved().bands()
 
     @property
     def _bands(self) -> tuple[Floats, Floats, Floats, Floats] | None:
         return None if self._known is None else self._known[:4]
+
+    @cached_property
+    def verdict(self) -> NDArray[np.str_]:
+        """Of each frame: "ok", or what is wrong with the answer; "missing": there is none. Where the method has bands it
+        knows how sure the force is: they are computed when it is first asked for."""
+        return np.array(self._solved().verdict() if self._known is None else self._known[5], dtype=np.str_)
 
     @property
     def has_bands(self) -> bool:

@@ -300,3 +300,21 @@ def test_a_mixture_has_intervals_that_hold_the_force() -> None:
     assert by_alpha.has_bands
     with pytest.raises(ValueError, match="one alpha"):
         by_alpha.interval("normal_force")
+
+
+def test_a_verdict_knows_how_sure_the_force_is() -> None:
+    scene = tn.Scene(
+        sensor=tn.Sensor(count=17, pitch=1e-3, depth=1e-3, reads=["stress_x"]),
+        material=tn.Material(youngs_modulus=0.2e6, poisson_ratio=0.45),
+        contacts=[tn.Cylinder(force=5.0, half_width=1e-3)],
+        noise=tn.Noise(rms=20.0),
+    )
+    recording = scene.simulate()
+    assert scene.solve(recording).verdict.tolist() == ["ok"]
+    two_live = scene.replace({"dead_taxels.indices": [i for i in range(17) if i not in (8, 9)]})
+    found = two_live.solve(recording)
+    low, high = found.interval("normal_force")[0]
+    assert high - low > abs(found.normal_force[0])
+    assert found.verdict.tolist() == ["undetermined"]
+    again = pickle.loads(pickle.dumps(found))
+    assert again.verdict.tolist() == ["undetermined"]
