@@ -1,5 +1,6 @@
 #include "solved_recording.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -151,10 +152,6 @@ std::size_t SolvedRecording::directions(const std::string& what) const {
 std::vector<std::optional<Distribution>> SolvedRecording::distributions(const std::string& what,
                                                                         std::size_t frame) const {
   const auto& mixture = answers_[frame]->mixture;
-  if (mixture == nullptr)
-    throw std::invalid_argument(
-        "the answer is one alpha's, of which only deviations are known: state [noise] and, under "
-        "[reconstruct], answer = \"mixture\"");
   if (is_line()) {
     const lab::ResultantDistributions found = lab::resultant_distributions(
         {std::get<lab::SceneProblem>(problems_[frame]), readings(frame), mixture});
@@ -173,10 +170,18 @@ std::vector<double> SolvedRecording::quantiles(const std::string& what,
                                                Watcher& watcher) const {
   const auto locked = lock_of(shared_);
   const std::vector<std::optional<Distribution>> none(directions(what));
+  // A frame of a skin may be one alpha's where others are not.
+  const auto is_known = [](const auto& answer) { return answer && answer->mixture != nullptr; };
+  const auto is_answered = [](const auto& answer) { return answer.has_value(); };
+  if (std::any_of(answers_.begin(), answers_.end(), is_answered) &&
+      std::none_of(answers_.begin(), answers_.end(), is_known))
+    throw std::invalid_argument(
+        "the answer is one alpha's, of which only deviations are known: state [noise] and, under "
+        "[reconstruct], answer = \"mixture\"");
   std::vector<double> all;
   for (std::size_t i = 0; i < frames(); ++i) {
     watcher.frame();
-    for (const auto& known : answers_[i] ? distributions(what, i) : none)
+    for (const auto& known : is_known(answers_[i]) ? distributions(what, i) : none)
       for (const double p : probabilities) all.push_back(known ? known->quantile(p) : unknown);
   }
   return all;

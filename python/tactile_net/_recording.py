@@ -304,9 +304,10 @@ class Solution(Document):
     def interval(self, what: str, level: float = 0.95) -> Floats:
         """The ends of the central interval of "normal_force", "tangential_force" [N/m, of skins N] or "centre" [m] that
         holds it with this probability: (T, 2), of what skins have along y and z (T, 2, 2), as the attribute and the ends
-        behind it. nan where a frame has no answer or it was not solved for, and of the centre where nothing presses.
+        behind it. nan where a frame has no answer, or one alpha's as that of a skin whose load reaches beyond what taxels
+        see, or it was not solved for, and of the centre where nothing presses.
 
-        ValueError where there is no such name, the level is not between 0 and 1, or the answer is one alpha's: the scene
+        ValueError where there is no such name, the level is not between 0 and 1, or every answer is one alpha's: the scene
         states an alpha, nobody knows the noise, or a skin's taxels are not dense and its scene does not say
         `answer = "mixture"`.
         """

@@ -395,3 +395,25 @@ def test_pictures_of_skins(skin: tn.Skin) -> None:
     with pytest.raises(ValueError, match="is of skins"):
         tn.plot.pressure_map(line, np.zeros((1, 3, 3)))
     matplotlib.pyplot.close("all")
+
+
+def test_a_frame_over_the_edge_takes_no_other_frame_its_interval() -> None:
+    def pressed(place: float) -> tn.Skin:
+        return tn.Skin(
+            sensor=tn.Sensor(rows=6, columns=6, pitch=2e-3, depth=2e-3, reads=["stress_x", "shear_xy", "shear_xz"]),
+            material=tn.Material(youngs_modulus=0.25e6, poisson_ratio=0.48),
+            contacts=[tn.Sphere(force=0.3, radius=3e-3, place=[place, 0.0])],
+            noise=tn.Noise(rms=50.0),
+        )
+
+    inside = pressed(0.0)
+    over, within = (pressed(place).simulate().readings for place in (5.5e-3, 0.0))
+    solution = inside.solve(np.concatenate([over, within]))
+    assert solution.verdict.tolist() == ["cut_off", "ok"]
+    assert np.isfinite(solution.normal_force_deviation).all()
+    for what in ("normal_force", "centre"):
+        both = solution.interval(what)
+        assert np.isnan(both[0]).all()
+        assert np.array_equal(both[1], inside.solve(within).interval(what)[0])
+    with pytest.raises(ValueError, match="one alpha's"):
+        inside.solve(over).interval("normal_force")
