@@ -376,6 +376,37 @@ TEST_CASE("a skin's mixture holds contacts that are much narrower than a depth, 
   CHECK(widths[widths.size() / 2] < 0.15);
 }
 
+TEST_CASE("little noise does not make a skin's mixture fit what its cells cannot have",
+          "[lab][mixture][skin][bands]") {
+  // Windows were as likely as they fitted that; beside the array's end, where readings tell a sum
+  // by its shape, the force's interval was a fifth to a half of it, or held nothing.
+  for (const auto& [y, z] : {std::pair(-2.42, 1.91), std::pair(2.1, 2.1), std::pair(0.3, -2.33)}) {
+    CAPTURE(y, z);
+    const SkinScene scene = std::get<SkinScene>(
+        parse_any_scene("[sensor]\nrows = 12\ncolumns = 12\npitch = 1.0\ndepth = 2.0\n"
+                        "reads = [\"stress_x\", \"shear_xy\", \"shear_xz\"]\n"
+                        "[material]\nyoungs_modulus = 1.0\npoisson_ratio = 0.5\n"
+                        "[[contact]]\nshape = \"sphere\"\nplace = [" +
+                            std::to_string(y) + ", " + std::to_string(z) +
+                            "]\nradius = 0.55\nforce = 0.5\nfriction = 0.45\ndirection = 330\n"
+                            "[noise]\nrms = 2.6e-5\nseed = 16\n",
+                        "skin.toml"));
+    const SkinSceneProblem problem(scene);
+    REQUIRE(problem.answers_by_mixture());
+    const FrameAnswer answer = solve(problem, simulate(scene).readings);
+    const UncertainWrench& wrench = answer.wrench;
+    const auto holds = [](const Uncertain& one, double truth) {
+      return one.interval->low <= truth && truth <= one.interval->high;
+    };
+    REQUIRE(wrench.normal.interval);
+    CHECK(holds(wrench.normal, 0.5));
+    CHECK(wrench.normal.interval->high - wrench.normal.interval->low < 0.1 * 0.5);
+    REQUIRE((wrench.centre_y && wrench.centre_z));
+    CHECK(std::abs(wrench.centre_y->value - y) < 0.05);
+    CHECK(std::abs(wrench.centre_z->value - z) < 0.05);
+  }
+}
+
 TEST_CASE("the length of a contact is held, and told to a third of what is wider than the depth",
           "[lab][mixture]") {
   const double pitch = GENERATE(1.0, 0.5, 0.25);

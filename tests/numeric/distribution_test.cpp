@@ -308,3 +308,15 @@ TEST_CASE("a distribution refuses what is none", "[distribution]") {
   CHECK_THROWS_AS(Distribution(Components{{.divisor_scale = 0.1}}).at_least(0.0),
                   std::invalid_argument);
 }
+
+TEST_CASE("an independent error adds its variance, to a ratio too", "[distribution]") {
+  const Distribution plain(Components{{.mean = 2.0, .scale = 0.3}});
+  CHECK_THAT(plain.moved_by(0.4).deviation(), WithinRel(0.5, 1e-12));
+  CHECK(plain.moved_by(0.4).mean() == 2.0);
+  CHECK(plain.moved_by(0.0).interval().high == plain.interval().high);
+  // Of a certain denominator the ratio is the number over it.
+  const Distribution ratio(Components{{.mean = 8.0, .scale = 1.2, .divisor = 4.0}});
+  CHECK_THAT(ratio.moved_by(0.4).interval().high,
+             WithinRel(plain.moved_by(0.4).interval().high, 1e-9));
+  CHECK_THROWS_AS(plain.moved_by(-1.0), std::invalid_argument);
+}

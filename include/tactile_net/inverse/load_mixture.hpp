@@ -42,6 +42,8 @@
 ///     skin of 8 x 8 x 3, two depths apart        0.51 s           9 ms     7 ms
 ///     skin of 16 x 16, normal traction alone     0.13 s           22 ms    12 ms
 ///
+/// Skins from 2.5 depths on, as is usual, take up to twice as long.
+///
 /// What answers need of likely windows is kept, 256 MB at most. A frame of noise alone makes nearly
 /// all windows likely, of which, with 128 readings or more, 64 with a weight stand for all: with
 /// all tractions' intervals the first one takes 0.4 s, those after it 0.15 s, of 8 x 8 x 3
