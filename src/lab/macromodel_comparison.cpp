@@ -1,7 +1,6 @@
 #include "tactile_net/lab/macromodel_comparison.hpp"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -51,10 +50,10 @@ MacromodelComparison compare_macromodel(const SceneCircuit& scene_circuit, Simul
         "the certificate knows no poles of this circuit to compare with: its op-amps need a "
         "bandwidth, and it at most 1500 states");
   observer.step({Step::Kind::operating_point});
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = scene_circuit.file() + ", with " + result.macromodel},
-             Answer::raw_file, scene_circuit.analysis());
-  result.voltages = operating_point(with_model, deck.str(), result.names).voltages;
+  result.voltages =
+      operating_point(with_model, circuit, scene_circuit.file() + ", with " + result.macromodel,
+                      scene_circuit.analysis())
+          .voltages;
   std::vector<double> tractions = result.voltages;
   for (double& one : tractions) one /= scene_circuit.options().parts.scale.volts;
   result.difference = l2_difference(tractions, scene_circuit.direct());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "tactile_net/lab/beyond_curves.hpp"
 #include "tactile_net/lab/workload.hpp"
@@ -16,10 +15,8 @@ using RemarkKind = RelaxationRemark::Kind;
 void find_operating_point(const SceneCircuit& scene_circuit, Simulator& simulator,
                           Relaxation& result) {
   const Circuit& circuit = scene_circuit.network().circuit();
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = scene_circuit.file() + ", operating point"}, Answer::raw_file,
-             scene_circuit.analysis());
-  const OperatingPoint point = operating_point(simulator, deck.str(), output_names(circuit));
+  const OperatingPoint point = operating_point(
+      simulator, circuit, scene_circuit.file() + ", operating point", scene_circuit.analysis());
   result.ngspice_seconds = point.seconds;
   result.names = output_names(circuit);
   result.voltages = point.voltages;
@@ -58,9 +55,7 @@ void replay(const SceneCircuit& circuit, Simulator& simulator, ToleranceStudy& s
     Circuit built = perturbed(circuit.network().flat(), siemens, paths);
     for (AmplifierModel& model : built.amplifiers) model.opamp = {};
     built.capacitors.clear();
-    std::ostringstream deck;
-    write_deck(deck, built, {.title = "one draw of components"}, Answer::raw_file);
-    const OperatingPoint point = operating_point(simulator, deck.str(), output_names(built));
+    const OperatingPoint point = operating_point(simulator, built, "one draw of components");
     study.difference = std::max(study.difference, l2_difference(point.voltages, expected.voltages));
   }
 }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
-#include "tactile_net/network/deck.hpp"
 #include "tactile_net/network/operating_voltages.hpp"
 #include "tactile_net/numeric/comparison.hpp"
 
@@ -69,9 +67,7 @@ SimulatedRefinement refine(const SceneCircuit& circuit, Simulator& simulator, Ob
     const std::vector<double> said = build.refinement.answer(build.siemens, sent);
     const double size = sent.empty() ? 1.0 : build.size(said);
     const Circuit built = build.refinement.circuit(build.siemens, sent, size);
-    std::ostringstream deck;
-    write_deck(deck, built, {.title = circuit.file() + ", refined"}, Answer::raw_file);
-    const OperatingPoint point = operating_point(simulator, deck.str(), output_names(built));
+    const OperatingPoint point = operating_point(simulator, built, circuit.file() + ", refined");
     result.simulator_seconds += point.seconds;
     std::vector<double> seen = point.voltages;
     for (double& one : seen) one /= build.volts * size;
@@ -101,9 +97,8 @@ RefinementDeck refinement_deck(const SceneCircuit& circuit, std::size_t cycle) {
   };
   const Refined refined = build.refinement.build(build.siemens, first_build, answered);
   if (!refined.stable)
-    throw std::invalid_argument(
-        "the build that would be refined is not stable: take better parts, a larger alpha, or "
-        "lattice or least_squares, which never form P");
+    throw std::invalid_argument("the build that would be refined is not stable: " +
+                                std::string(steadier_builds));
   if (cycle > 1) result.error = refined.errors[cycle - 2];
   return result;
 }

@@ -1,5 +1,7 @@
 #include "tactile_net/simulator/simulator.hpp"
 
+#include <sstream>
+
 namespace tactile_net {
 
 OperatingPoint operating_point(Simulator& simulator, const std::string& deck,
@@ -20,6 +22,13 @@ OperatingPoint operating_point(Simulator& simulator, const std::string& deck,
     refuse(std::string("the simulator's answer lacks a node: ") + error.what());
   }
   return point;
+}
+
+OperatingPoint operating_point(Simulator& simulator, const Circuit& circuit,
+                               const std::string& title, const Analysis& analysis) {
+  std::ostringstream deck;
+  write_deck(deck, circuit, {.title = title}, Answer::raw_file, analysis);
+  return operating_point(simulator, deck.str(), output_names(circuit));
 }
 
 }  // namespace tactile_net

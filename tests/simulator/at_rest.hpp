@@ -2,7 +2,6 @@
 /// What ngspice says of a circuit at rest.
 #pragma once
 
-#include <sstream>
 #include <vector>
 
 #include "tactile_net/network/deck.hpp"
@@ -13,10 +12,8 @@ namespace tactile_net {
 /// Voltages of the outputs.
 inline std::vector<double> at_rest(const Circuit& circuit,
                                    const Analysis& analysis = DirectCurrent{}) {
-  std::ostringstream deck;
-  write_deck(deck, circuit, {.title = "test"}, Answer::raw_file, analysis);
   Ngspice ngspice;
-  return operating_point(ngspice, deck.str(), output_names(circuit)).voltages;
+  return operating_point(ngspice, circuit, "test", analysis).voltages;
 }
 
 }  // namespace tactile_net

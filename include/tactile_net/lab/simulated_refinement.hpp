@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "tactile_net/lab/observer.hpp"
@@ -11,6 +12,10 @@
 #include "tactile_net/simulator/simulator.hpp"
 
 namespace tactile_net::lab {
+
+/// What to do where builds are not stable.
+inline constexpr std::string_view steadier_builds =
+    "take better parts, a larger alpha, or lattice or least_squares, which never form P";
 
 /// The first build that `certify --refine` draws.
 struct SimulatedRefinement {

@@ -2,9 +2,7 @@
 /// What can run a deck.
 ///
 ///     Ngspice ngspice;                                       // ngspice.hpp
-///     std::ostringstream deck;
-///     write_deck(deck, circuit, {.title = "pad"}, Answer::raw_file);
-///     const OperatingPoint rest = operating_point(ngspice, deck.str(), output_names(circuit));
+///     const OperatingPoint rest = operating_point(ngspice, circuit, "pad");
 ///     rest.voltages[0];                                      // [V], of the first output
 #pragma once
 
@@ -16,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "tactile_net/network/deck.hpp"
 #include "tactile_net/simulator/raw_file.hpp"
 
 namespace tactile_net {
@@ -78,5 +77,11 @@ struct OperatingPoint {
 ///                        missing
 [[nodiscard]] OperatingPoint operating_point(Simulator& simulator, const std::string& deck,
                                              std::span<const std::string> nodes);
+/// Of a circuit's outputs. @param title  of its deck
+/// @throw SimulatorError         as above
+/// @throw std::invalid_argument  as `write_deck`
+[[nodiscard]] OperatingPoint operating_point(Simulator& simulator, const Circuit& circuit,
+                                             const std::string& title,
+                                             const Analysis& analysis = DirectCurrent{});
 
 }  // namespace tactile_net

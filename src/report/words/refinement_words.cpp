@@ -30,13 +30,11 @@ std::string way_in_words(const Way& way) {
   return {};
 }
 
-constexpr std::string_view steadier =
-    "take better parts, a larger alpha, or lattice or least_squares, which never form P";
-
 std::string what_to_do(const lab::CircuitRefinement& one) {
   if (one.trials.stable < one.trials.builds)
     return std::to_string(one.trials.builds - one.trials.stable) + " of " +
-           std::to_string(one.trials.builds) + " builds are unstable; " + std::string(steadier);
+           std::to_string(one.trials.builds) + " builds are unstable; " +
+           std::string(lab::steadier_builds);
   if (one.bound.contraction_of_most() >= 1.0)
     return "nothing is proven of builds: their deviation |X| may reach " + brief(one.bound.parts) +
            ", of all but one in a million " + brief(one.bound.parts_of_most) +
@@ -133,7 +131,7 @@ std::vector<std::vector<std::string>> way_cells(const lab::CircuitRefinement& on
 std::vector<std::string> in_words(const lab::SimulatedRefinement& one) {
   const std::string build = "the first build of " + kinds_of_errors(one.drawn);
   if (one.cycles.empty())
-    return {"NOT REFINED: " + build + " is not stable; " + std::string(steadier)};
+    return {"NOT REFINED: " + build + " is not stable; " + std::string(lab::steadier_builds)};
   return {(one.agrees() ? "as in numbers: " : "OTHERWISE THAN IN NUMBERS: ") + build +
               " comes to " + brief(one.cycles.back().simulated, 2) + " of the exact answer after " +
               std::to_string(one.cycles.size()) + (one.cycles.size() == 1 ? " cycle" : " cycles") +

@@ -1,14 +1,13 @@
 #include "commands/gen.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "commands/board_file.hpp"
 #include "commands/budget.hpp"
 #include "commands/input.hpp"
+#include "commands/refine_options.hpp"
 #include "commands/results.hpp"
 #include "failure.hpp"
 #include "tactile_net/decks/deck_file.hpp"
@@ -25,27 +24,13 @@ namespace tactile_net::tool {
 
 namespace {
 
-/// The scene's refinement, or the usual one, as far as this cycle.
-void refine_to(std::size_t cycle, AnyScene& scene) {
-  std::visit(
-      [&](auto& one) {
-        RefinementOptions refine = one.network.refine.value_or(RefinementOptions{});
-        refine.cycles = std::max(refine.cycles, cycle);
-        one.network.refine = refine;
-      },
-      scene);
-}
-
 void run_cycle(const GenOptions& options, AnyScene scene, const Streams& streams) {
   const std::size_t cycle = *options.refine;
-  if (cycle == 0 || cycle > most_refinement_cycles)
-    throw WrongUsage("--refine",
-                     "names a cycle, from 1 to " + std::to_string(most_refinement_cycles));
   if (options.budget || !options.board.empty() || !options.subcircuit.empty())
     throw WrongUsage("--refine",
                      "writes a build of the scene's own resistors at rest: leave out --budget, "
                      "--board and --subcircuit");
-  refine_to(cycle, scene);
+  refine_as({"cycles=" + std::to_string(cycle)}, scene);
   frames::OutputFile output(options.output, &streams.out);
   const lab::SceneCircuit circuit = lab::simulated_circuit(scene);
   output.stream() << report::deck_text(circuit, lab::refinement_deck(circuit, cycle),

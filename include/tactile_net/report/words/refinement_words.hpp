@@ -12,24 +12,22 @@
 namespace tactile_net::report {
 
 /// What is proven, or what to do where nothing is.
-[[nodiscard]] std::string verdict_in_words(const lab::CircuitRefinement& refinement);
+[[nodiscard]] std::string verdict_in_words(const lab::CircuitRefinement& one);
 
 /// The verdict, what bounds and builds say, the test of the board by itself, and what it pays for.
-[[nodiscard]] std::vector<std::string> in_words(const lab::CircuitRefinement& refinement);
+[[nodiscard]] std::vector<std::string> in_words(const lab::CircuitRefinement& one);
 
 /// Errors after each cycle: median, 95 of 100, worst, conspiring errors.
-[[nodiscard]] std::vector<std::vector<std::string>> cycle_cells(
-    const lab::CircuitRefinement& refinement);
+[[nodiscard]] std::vector<std::vector<std::string>> cycle_cells(const lab::CircuitRefinement& one);
 
 /// Ways to an answer: error, price, time, multiplications.
-[[nodiscard]] std::vector<std::vector<std::string>> way_cells(
-    const lab::CircuitRefinement& refinement);
+[[nodiscard]] std::vector<std::vector<std::string>> way_cells(const lab::CircuitRefinement& one);
 
 /// Whether the simulator does as the numbers, and what it was asked.
-[[nodiscard]] std::vector<std::string> in_words(const lab::SimulatedRefinement& refinement);
+[[nodiscard]] std::vector<std::string> in_words(const lab::SimulatedRefinement& one);
 
 /// Errors after each cycle, in numbers and in the simulator.
 [[nodiscard]] std::vector<std::vector<std::string>> cycle_cells(
-    const lab::SimulatedRefinement& refinement);
+    const lab::SimulatedRefinement& one);
 
 }  // namespace tactile_net::report
