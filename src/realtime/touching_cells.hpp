@@ -24,7 +24,8 @@ struct TouchedWindows {
 };
 
 /// Marks with 1, among cells that are not marked, the patches of neighbours, by edges or corners,
-/// that are `touched` with a peak that is `certain`. Those without such a peak go to `doubt`.
+/// that are `touched` with a peak that is `certainly_touched`. Those without such a peak go to
+/// `doubt`.
 ///
 /// @return how many patches are marked anew
 inline std::size_t mark_patches(const TouchingLoops& loops, const TouchedGrid& grid,
@@ -47,7 +48,7 @@ inline std::size_t mark_patches(const TouchingLoops& loops, const TouchedGrid& g
     std::size_t size = 0;
     const auto take = [&](std::size_t cell) {
       marks[cell] = 1;
-      is_certain |= values[cell] > certain * deviations[cell];
+      is_certain |= values[cell] > certainly_touched * deviations[cell];
       queue[size++] = static_cast<std::uint32_t>(cell);
     };
     take(static_cast<std::size_t>(static_cast<const std::uint8_t*>(next) - marks));

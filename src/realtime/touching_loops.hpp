@@ -12,7 +12,7 @@ namespace tactile_net {
 
 /// Deviations above which a cell may touch, and of a patch's peak, by which it does.
 inline constexpr double touched = 2.0;
-inline constexpr double certain = 4.0;
+inline constexpr double certainly_touched = 4.0;
 
 /// A grid of cells, row after row, and how far what touches is widened.
 struct TouchedGrid {
