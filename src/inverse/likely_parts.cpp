@@ -17,29 +17,34 @@ namespace {
 /// a billionth.
 constexpr double never_counted = 1e-15;
 constexpr double least_outside = 1e-6;  // of |g|^2, told by a difference
+/// Of a frame of noise, whose loads are of any size, a cell's deviation is that of the rare large
+/// ones: one component of eight answers.
+constexpr std::size_t least_thinned = 8;
 constexpr Index looked_apart = LoadPrior::Tables::looked_apart;
 
 /// At most so many of these probabilities, others 0, that on average say the same: the large ones
-/// are as they are, of the small ones some stand for those about them, all with one probability
-/// (the optimal resampling of Fearnhead and Clifford 2003). Which ones no readings' noise decides:
-/// one of each stretch of that probability, as far along as the golden section's multiples are.
-std::vector<double> few_of(const std::vector<double>& all, std::size_t most) {
+/// are as they are, of the small ones some stand for those about them in this order, all with one
+/// probability (the optimal resampling of Fearnhead and Clifford 2003). Which ones no readings'
+/// noise decides: one of each stretch of that probability, as far along as the golden section's
+/// multiples are.
+std::vector<double> few_of(const std::vector<double>& all, const std::vector<std::size_t>& order,
+                           std::size_t most) {
   const auto some = static_cast<std::size_t>(
       std::count_if(all.begin(), all.end(), [](double p) { return p > 0.0; }));
   if (some <= most) return all;
-  std::vector<double> falling = all;
-  std::sort(falling.begin(), falling.end(), std::greater<>());
-  double rest = std::accumulate(falling.begin(), falling.end(), 0.0);
+  std::vector<double> sorted = all;
+  std::sort(sorted.begin(), sorted.end(), std::greater<>());
+  double rest = std::accumulate(sorted.begin(), sorted.end(), 0.0);
   std::size_t large = 0;
-  while (large + 1 < most && falling[large] * static_cast<double>(most - large) > rest)
-    rest -= falling[large++];
+  while (large + 1 < most && sorted[large] * static_cast<double>(most - large) > rest)
+    rest -= sorted[large++];
   const double each = rest / static_cast<double>(most - large);
   std::vector<double> few(all.size(), 0.0);
   double passed = 0.0;
   double section = 0.5;
   double next = section;
   std::size_t chosen = 0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  for (const std::size_t i : order) {
     if (all[i] > each) {
       few[i] = all[i];
       continue;
@@ -52,6 +57,15 @@ std::vector<double> few_of(const std::vector<double>& all, std::size_t most) {
     }
   }
   return few;
+}
+
+/// Places of values, the largest one's first.
+std::vector<std::size_t> falling(const std::vector<double>& values) {
+  std::vector<std::size_t> places(values.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::stable_sort(places.begin(), places.end(),
+                   [&](std::size_t a, std::size_t b) { return values[a] > values[b]; });
+  return places;
 }
 
 /// Each term of q, alpha beta^2 / (gamma^2 + alpha), rises with alpha and is concave in it: between
@@ -79,12 +93,11 @@ class LikelyParts {
   /// Probabilities that sum to 1, window after window.
   [[nodiscard]] std::vector<LoadPrior::Part> found() {
     std::vector<Look> looks(tables_.windows.size());
+    left_.resize((tables_.alphas.size() - 1) / looked_apart + 1, std::ssize(looks));
     for (const LoadPrior::Tables::Shape& shape : tables_.shapes) look_at(shape, looks);
-    std::vector<std::size_t> order(looks.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return looks[a].most > looks[b].most; });
-    for (const std::size_t w : order) {
+    std::vector<double> most;
+    for (const Look& look : looks) most.push_back(look.most);
+    for (const std::size_t w : falling(most)) {
       if (!(looks[w].most > best_ + std::log(never_counted))) break;
       look_closely(w, std::move(looks[w]));
     }
@@ -95,29 +108,27 @@ class LikelyParts {
   /// A window's readings onto what its tractions make of them.
   struct Look {
     Eigen::VectorXd within{};  // by an outline: before a weight's matrix rotates them
-    Eigen::VectorXd beta{}, square{};
-    double outside = 0.0;    // what of |g|^2 no traction in the window explains
-    Eigen::VectorXd left{};  // q of each alpha, or less
-    double most = 0.0;       // of log p
+    Eigen::VectorXd beta{};    // by an outline: of the least weight
+    double outside = 0.0;      // what of |g|^2 no traction in the window explains
+    double most = 0.0;         // of log p
   };
   struct Found {
     std::size_t window = 0, entry = 0;
     Eigen::VectorXd beta{};
     std::vector<Index> alphas{};
-    std::vector<double> left{}, log{};
+    std::vector<double> left{};
+    std::vector<double> log{};  // p, from `likely` on
   };
 
   [[nodiscard]] const Eigen::VectorXd& readings(std::size_t window) const {
     return reflected_[tables_.windows[window].reflection];
   }
-  void project(const LoadPrior::Tables::Entry& entry, std::size_t window, Look& look) const {
-    const Eigen::VectorXd& g = readings(window);
-    look.beta = entry.u.transpose() * g;
-    look.square = look.beta.cwiseAbs2();
-    look.outside = square_ - look.square.sum();
+  /// |g|^2 less that of beta = U'g.
+  [[nodiscard]] double outside(const LoadPrior::Tables::Entry& entry, const Eigen::VectorXd& g,
+                               const auto& beta) const {
+    const double difference = square_ - beta.squaredNorm();
     // A difference of squares has its own rounding: seen where little is left.
-    if (look.outside < least_outside * square_)
-      look.outside = (g - entry.u * look.beta).squaredNorm();
+    return difference < least_outside * square_ ? (g - entry.u * beta).squaredNorm() : difference;
   }
   /// q of these alphas.
   [[nodiscard]] Eigen::VectorXd left(std::size_t entry, const Look& look,
@@ -128,8 +139,9 @@ class LikelyParts {
       inside = tables_.outline(entry).damped(alphas).left(look.beta);
     } else {
       const Eigen::VectorXd& gamma2 = tables_.entry(entry).gamma2;
+      const Eigen::VectorXd square = look.beta.cwiseAbs2();
       for (Index i = 0; i < inside.size(); ++i)
-        inside(i) = (alphas(i) * look.square.array() / (gamma2.array() + alphas(i))).sum();
+        inside(i) = (alphas(i) * square.array() / (gamma2.array() + alphas(i))).sum();
     }
     return (inside.array() + look.outside).max(least_);
   }
@@ -138,10 +150,7 @@ class LikelyParts {
   }
 
   /// At all windows of a shape.
-  void look_at(const LoadPrior::Tables::Shape& shape, std::vector<Look>& looks) const {
-    const Index count = tables_.alphas.size();
-    for (const std::size_t w : shape.windows) looks[w].left.resize(count);
-    const auto looked_at = Eigen::seq(Index{0}, count - 1, Eigen::fix<looked_apart>);
+  void look_at(const LoadPrior::Tables::Shape& shape, std::vector<Look>& looks) {
     if (tables_.is_long()) {
       Eigen::MatrixXd g(reflected_.front().size(), std::ssize(shape.windows));
       for (Index k = 0; k < g.cols(); ++k)
@@ -151,50 +160,67 @@ class LikelyParts {
       const Eigen::MatrixXd rotated = outline.rotated(seen.within);
       const Eigen::MatrixXd left = outline.looks->left(rotated);
       for (Index k = 0; k < g.cols(); ++k) {
-        Look& look = looks[shape.windows[static_cast<std::size_t>(k)]];
-        look.outside = seen.outside(k);
-        look.within = seen.within.col(k);
-        look.beta = rotated.col(k);
-        look.left(looked_at) = (left.col(k).array() + look.outside).max(least_);
+        const std::size_t w = shape.windows[static_cast<std::size_t>(k)];
+        looks[w].outside = seen.outside(k);
+        looks[w].within = seen.within.col(k);
+        looks[w].beta = rotated.col(k);
+        left_.col(static_cast<Index>(w)) = left.col(k);
       }
     } else {
-      std::vector<Index> at;
-      for (Index a = 0; a < count; a += looked_apart) at.push_back(a);
+      const LoadPrior::Tables::Entry& entry = tables_.entry(shape.first);
+      Eigen::VectorXd beta(entry.u.cols());
       for (const std::size_t w : shape.windows) {
-        project(tables_.entry(shape.first), w, looks[w]);
-        looks[w].left(looked_at) = left(shape.first, looks[w], at);
+        beta.noalias() = entry.u.transpose() * readings(w);
+        looks[w].outside = outside(entry, readings(w), beta);
+        left_.col(static_cast<Index>(w)).noalias() = shape.looks * beta.cwiseAbs2();
       }
     }
     for (const std::size_t w : shape.windows) {
       Look& look = looks[w];
-      for (Index a = looked_apart; a < count; a += looked_apart)
-        for (Index i = a - looked_apart + 1; i < a; ++i) {
-          const double share = (tables_.alphas(i) - tables_.alphas(a)) /
-                               (tables_.alphas(a - looked_apart) - tables_.alphas(a));
-          look.left(i) = (1.0 - share) * look.left(a) + share * look.left(a - looked_apart);
-        }
-      look.most = -std::numeric_limits<double>::infinity();
-      for (Index a = 0; a < count; ++a)
-        look.most = std::max(look.most, shape.most_log_prior(a) + log_likelihood(look.left(a)));
+      auto left = left_.col(static_cast<Index>(w)).array();
+      left = (left + look.outside).max(least_);
+      // Of the alphas between two, which are larger than the second one, q is more than its.
+      look.most = shape.most_log_prior(0) + log_likelihood(left(0));
+      for (Index i = 1; i < left.size(); ++i)
+        look.most = std::max(look.most, shape.most_log_prior(i) + log_likelihood(left(i)));
     }
+  }
+
+  /// q of every alpha, or less.
+  [[nodiscard]] Eigen::VectorXd left_of(std::size_t window) const {
+    const auto looked_at = left_.col(static_cast<Index>(window));
+    Eigen::VectorXd left(tables_.alphas.size());
+    left(0) = looked_at(0);
+    for (Index a = looked_apart; a < left.size(); a += looked_apart) {
+      const double first = looked_at(a / looked_apart - 1);
+      const double last = looked_at(a / looked_apart);
+      const double apart = tables_.alphas(a - looked_apart) - tables_.alphas(a);
+      for (Index i = a - looked_apart + 1; i <= a; ++i)
+        left(i) = last + (tables_.alphas(i) - tables_.alphas(a)) / apart * (first - last);
+    }
+    return left;
   }
 
   void look_closely(std::size_t w, Look look) {
     const LoadPrior::Tables::Shape& shape = tables_.shapes[tables_.windows[w].shape];
+    Eigen::VectorXd left = left_of(w);
     for (std::size_t i = 0; i < tables_.tangential_weights.size(); ++i) {
       const std::size_t entry = shape.first + i;
       const Eigen::VectorXd& log_prior = tables_.entry(entry).log_prior;
       Found found{.window = w, .entry = entry};
       for (Index a = 0; a < tables_.alphas.size(); ++a)
-        if (log_prior(a) + log_likelihood(look.left(a)) > best_ + std::log(never_counted))
+        if (log_prior(a) + log_likelihood(left(a)) > best_ + std::log(never_counted))
           found.alphas.push_back(a);
       if (found.alphas.empty()) continue;
-      if (i > 0 && tables_.is_long())
+      if (!tables_.is_long()) {
+        const LoadPrior::Tables::Entry& one = tables_.entry(entry);
+        look.beta = one.u.transpose() * readings(w);
+        look.outside = outside(one, readings(w), look.beta);
+      } else if (i > 0) {
         look.beta = tables_.outline(entry).rotated(look.within);
-      else if (i > 0)
-        project(tables_.entry(entry), w, look);
-      const Eigen::VectorXd exactly = left(entry, look, found.alphas);
-      look.left(found.alphas) = exactly;
+      }
+      const Eigen::VectorXd exactly = this->left(entry, look, found.alphas);
+      left(found.alphas) = exactly;
       found.left.assign(exactly.begin(), exactly.end());
       for (std::size_t k = 0; k < found.alphas.size(); ++k) {
         found.log.push_back(log_prior(found.alphas[k]) + log_likelihood(found.left[k]));
@@ -205,33 +231,59 @@ class LikelyParts {
     }
   }
 
+  /// Of many readings what a window needs is what takes the time, not how many alphas it has. Of
+  /// windows side by side one stands for the others.
+  void thin_windows() {
+    std::vector<double> all;
+    for (const Found& found : found_)
+      all.push_back(std::accumulate(found.log.begin(), found.log.end(), 0.0));
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const std::vector<double> few = few_of(all, order, most_);
+    for (std::size_t k = 0; k < found_.size(); ++k)
+      for (double& p : found_[k].log) p *= all[k] > 0.0 ? few[k] / all[k] : 0.0;
+  }
+  /// Of components as likely as one another: a mirrored frame's are the mirrored ones.
+  void thin_components() {
+    std::vector<double> all;
+    for (const Found& found : found_) all.insert(all.end(), found.log.begin(), found.log.end());
+    const auto likely = static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](double p) { return p > 0.0; }));
+    const std::vector<double> few =
+        few_of(all, falling(all), std::max(most_, likely / least_thinned));
+    auto next = few.begin();
+    for (Found& found : found_)
+      for (double& p : found.log) p = *next++;
+  }
+
   [[nodiscard]] std::vector<LoadPrior::Part> likely() {
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Found& a, const Found& b) { return a.window < b.window; });
     double all = 0.0;
     for (Found& found : found_)
       for (double& log : found.log) all += log = std::exp(log - best_);
-    std::vector<double> kept;
-    for (const Found& found : found_) {
-      kept.push_back(0.0);
-      for (const double p : found.log)
-        if (p > unlikely * all) kept.back() += p;
-    }
-    const std::vector<double> answering = few_of(kept, most_);
-    const double whole = std::accumulate(answering.begin(), answering.end(), 0.0);
+    for (Found& found : found_)
+      for (double& p : found.log)
+        if (p <= unlikely * all) p = 0.0;
+    if (tables_.is_long())
+      thin_windows();
+    else
+      thin_components();
+    double whole = 0.0;
+    for (const Found& found : found_)
+      whole = std::accumulate(found.log.begin(), found.log.end(), whole);
     std::vector<LoadPrior::Part> parts;
-    for (std::size_t k = 0; k < found_.size(); ++k) {
-      Found& found = found_[k];
-      if (answering[k] == 0.0) continue;
-      LoadPrior::Part part{.window = &tables_.windows[found.window]};
+    for (Found& found : found_) {
+      LoadPrior::Part part{.entry = &tables_.entry(found.entry),
+                           .window = &tables_.windows[found.window]};
       for (std::size_t i = 0; i < found.log.size(); ++i)
-        if (found.log[i] > unlikely * all)
+        if (found.log[i] > 0.0)
           part.sizes.push_back(
               {.at = found.alphas[i],
                .alpha = tables_.alphas(found.alphas[i]),
-               .probability = found.log[i] / kept[k] * (answering[k] / whole),
+               .probability = found.log[i] / whole,
                .scale2 = std::isinf(known_) ? 1.0 : (known_ + found.left[i]) / degrees_});
-      part.entry = &tables_.entry(found.entry);
+      if (part.sizes.empty()) continue;
       if (tables_.is_long()) part.damped = tables_.outline(found.entry).damped(part.alphas());
       part.beta = std::move(found.beta);
       parts.push_back(std::move(part));
@@ -245,7 +297,8 @@ class LikelyParts {
   double degrees_;
   double least_;
   std::size_t most_;
-  std::vector<Eigen::VectorXd> reflected_{};                // g, of each reflection
+  std::vector<Eigen::VectorXd> reflected_{};  // g, of each reflection
+  Eigen::MatrixXd left_{};                    // of each alpha that is looked at and each window: q
   double best_ = -std::numeric_limits<double>::infinity();  // log p
   std::vector<Found> found_{};
 };

@@ -24,6 +24,8 @@ constexpr double deviations_from_zero = 5.0;  // of a ratio's denominator
 void check_options(const LoadPriorOptions& options) {
   require_positive("depth", options.depth);
   require_positive("narrowest", options.narrowest);
+  require(options.most_components > 0, "most_components", "be > 0",
+          static_cast<double>(options.most_components));
   require(options.prior_power >= 0.0 && std::isfinite(options.prior_power), "prior_power",
           "be >= 0 and finite", options.prior_power);
 }
@@ -72,9 +74,9 @@ LoadMixture LoadPrior::given(std::span<const double> readings, const LoadNoise& 
       noise.rms ? noise.degrees * std::pow(std::hypot(*noise.rms, certain) / *noise.rms, 4) : 0.0;
   mixture.degrees_ = known + rows;
   mixture.model_share_ = noise.model_share;
-  auto parts = std::make_shared<const std::vector<Part>>(likely_parts(
-      tables, g, known, noise.rms ? 0.0 : least_sigma * least_sigma,
-      tables.is_long() ? Tables::most_answering : std::numeric_limits<std::size_t>::max()));
+  auto parts = std::make_shared<const std::vector<Part>>(
+      likely_parts(tables, g, known, noise.rms ? 0.0 : least_sigma * least_sigma,
+                   tables.is_long() ? Tables::most_windows : tables.most_components));
   for (const Part& part : *parts)
     for (const Part::Size& size : part.sizes)
       mixture.used_ += size.probability * part.entry->used(size.at);

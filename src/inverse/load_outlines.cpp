@@ -59,7 +59,7 @@ LoadWork LoadPrior::Tables::work() const {
   }
   if (is_long_)
     work.frame *= std::min(
-        1.0, static_cast<double>(most_answering) / (static_cast<double>(windows.size()) * weights));
+        1.0, static_cast<double>(most_windows) / (static_cast<double>(windows.size()) * weights));
   return work;
 }
 

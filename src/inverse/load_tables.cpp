@@ -52,6 +52,14 @@ Eigen::MatrixXd stacked(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 }  // namespace
 
+WindowSteps mixture_steps(const LinearProblem& problem, double depth) {
+  if (!problem.is_line) return {.apart = 1.0 / 3.0, .wide = 3.5 * depth, .step = 0.5 * depth};
+  if (problem.kernel.rows >= LoadPrior::Tables::few_readings) return {};
+  return {.apart = problem.components == 1 ? 0.125 : 0.25,
+          .wider = std::pow(2.0, 0.25),
+          .most_widths = 18};
+}
+
 LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& options,
                           std::size_t least_parted)
     : Tables(problem, options, WindowsAlone{}) {
@@ -68,6 +76,7 @@ LoadPrior::Tables::Tables(const LinearProblem& problem, const LoadPriorOptions& 
     : weighting(problem),
       components(static_cast<Index>(problem.components)),
       block(static_cast<Index>(problem.grid.count())),
+      most_components(options.most_components),
       prior_power_(options.prior_power),
       is_long_(problem.kernel.rows >= few_readings) {
   if (problem.components == 1)
@@ -134,8 +143,8 @@ void LoadPrior::Tables::find_reflections(const LinearProblem& problem) {
 }
 
 void LoadPrior::Tables::add_windows(const LinearProblem& problem, const LoadPriorOptions& options) {
-  const auto levels = window_levels(problem.grid, options.narrowest * options.depth, options.depth,
-                                    problem.is_line);
+  const auto levels = window_levels(problem.grid, options.narrowest * options.depth,
+                                    mixture_steps(problem, options.depth), problem.is_line);
   const auto key = [](const WindowPlace& place) {
     return std::tuple(place.rows.first, place.rows.count, place.columns.first, place.columns.count);
   };
@@ -206,9 +215,20 @@ void LoadPrior::Tables::prepare(std::size_t threads) {
         weigh(entry);
       }
     }
-    shape.most_log_prior = entries_[shape.first].log_prior;
-    for (std::size_t i = 1; i < weights; ++i)
-      shape.most_log_prior = shape.most_log_prior.cwiseMax(entries_[shape.first + i].log_prior);
+    const Index looks = (alphas.size() - 1) / looked_apart + 1;
+    shape.most_log_prior.setConstant(looks, -std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < weights; ++i)
+      for (Index a = 0; a < alphas.size(); ++a) {
+        double& most = shape.most_log_prior((a + looked_apart - 1) / looked_apart);
+        most = std::max(most, entries_[shape.first + i].log_prior(a));
+      }
+    if (is_long_) return;
+    const Eigen::RowVectorXd gamma2 = entries_[shape.first].gamma2.transpose();
+    shape.looks.resize(looks, gamma2.size());
+    for (Index i = 0; i < looks; ++i) {
+      const double alpha = alphas(i * looked_apart);
+      shape.looks.row(i) = alpha / (gamma2.array() + alpha);
+    }
   };
   if (is_long_) outlines_.resize(entries_.size());
   make_all(0);

@@ -32,6 +32,10 @@
 
 namespace tactile_net {
 
+/// Of the windows of a mixture: steps as small as what little noise leaves of where a load ends.
+/// Of two unknowns, of many readings or of a skin, whose frames take longer, they are larger.
+[[nodiscard]] WindowSteps mixture_steps(const LinearProblem& problem, double depth);
+
 /// T of a window, f = T c with |c|^2 the stabiliser: waves that end where the window does, each
 /// over what (1 + (d/2)^2 Q) stretches it by.
 class WindowCoordinates {
@@ -62,7 +66,7 @@ struct LoadPrior::Tables {
   /// Windows with a weight that answer for a frame of many readings. Contacts make fewer likely; of
   /// a frame of noise alone forces' bands are within a tenth of what all windows say, cells' mostly
   /// within a sixth.
-  static constexpr std::size_t most_answering = 64;
+  static constexpr std::size_t most_windows = 64;
 
   /// Of readings and of tractions: y -> -y, z -> -z, both or none, and then y and z exchanged or
   /// not.
@@ -83,7 +87,12 @@ struct LoadPrior::Tables {
     std::vector<std::size_t> own{};       // reflections that leave it where it is
     std::vector<Eigen::Index> columns{};  // of K: the window's values, of each component
     std::size_t first = 0;                // entry of the least weight, those of the others follow
-    Eigen::VectorXd most_log_prior{};     // of the entries, of each alpha
+    /// Of the entries and of the alphas from each that is looked at up to the next, which is
+    /// larger.
+    Eigen::VectorXd most_log_prior{};
+    /// Of few readings and of the least weight alpha / (gamma^2 + alpha), a row for each alpha that
+    /// is looked at.
+    Eigen::MatrixXd looks{};
     std::vector<std::size_t> windows{};
     std::shared_ptr<const Range> range{};  // where there are outlines
   };
@@ -197,6 +206,7 @@ struct LoadPrior::Tables {
   Eigen::Index block;  // values of a component
   Eigen::VectorXd alphas{};
   std::vector<double> tangential_weights{};  // ascending
+  std::size_t most_components;               // that answer, of few readings
   std::vector<Reflection> reflections{};     // none first
   std::vector<Shape> shapes{};
   std::vector<Window> windows{};             // the whole surface first
@@ -291,7 +301,8 @@ inline constexpr double unlikely = 1e-6;
 /// @param g      readings over sigma
 /// @param known  nu
 /// @param least  q is not less
-/// @param most   > 0: windows with a weight; where more are likely so many stand for all
+/// @param most   > 0: components, of many readings windows with a weight; where more are likely so
+///               many stand for all
 [[nodiscard]] std::vector<LoadPrior::Part> likely_parts(
     const LoadPrior::Tables& tables, const Eigen::VectorXd& g, double known, double least,
     std::size_t most = std::numeric_limits<std::size_t>::max());

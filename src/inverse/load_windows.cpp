@@ -40,7 +40,7 @@ struct LoadWindows::Windows {
   Windows(const LinearProblem& problem, double narrowest) : weighting(problem) {
     require_line(problem);
     const auto block = static_cast<Index>(problem.grid.count());
-    const auto levels = window_levels(problem.grid, narrowest, narrowest, true);
+    const auto levels = window_levels(problem.grid, narrowest, {}, true);
     for (auto level = levels.rbegin(); level != levels.rend(); ++level)  // the whole surface first
       for (const auto& [range, column] : *level) {
         Window window;

@@ -9,7 +9,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::size_t most_widths = 9;  // what is wider takes most of the time
 constexpr double rounding = 1e-9;
 
 /// One of a grid's two.
@@ -53,7 +52,7 @@ std::vector<AxisRange> places_on(const WindowAxis& axis, Index count, double apa
 }  // namespace
 
 std::vector<std::vector<WindowPlace>> window_levels(const SurfaceGrid& grid, double narrowest,
-                                                    double depth, bool is_line) {
+                                                    const WindowSteps& steps, bool is_line) {
   const auto axis = [](std::size_t values, double spacing, std::size_t margin, Boundary boundary) {
     return WindowAxis{.values = static_cast<Index>(values),
                       .spacing = spacing,
@@ -63,17 +62,15 @@ std::vector<std::vector<WindowPlace>> window_levels(const SurfaceGrid& grid, dou
   const WindowAxis y = axis(grid.rows, grid.spacing_y, grid.margin_rows, grid.boundary_y);
   const WindowAxis z = axis(grid.columns, grid.spacing_z, grid.margin_columns, grid.boundary_z);
   const double whole = is_line ? y.length() : std::max(y.length(), z.length());
-  const double share = is_line ? 0.25 : 1.0 / 3.0;
-  const double wide = is_line ? 0.0 : 3.5 * depth;
-  const double fine = std::max({0.5 * depth, y.spacing, z.spacing});
+  const double fine = std::max({steps.step, y.spacing, z.spacing});
   std::vector<std::vector<WindowPlace>> levels;
   std::size_t widths = 0;
-  for (double width = narrowest; width < whole && widths < most_widths;) {
-    const bool is_narrow = width < wide * (1.0 - rounding);
+  for (double width = narrowest; width < whole && widths < steps.most_widths;) {
+    const bool is_narrow = width < steps.wide * (1.0 - rounding);
     const Index rows = y.count(width);
     const Index columns = is_line ? 1 : z.count(width);
     if (rows == y.values && columns == z.values) break;
-    const double apart = is_narrow ? fine : share * width;
+    const double apart = is_narrow ? fine : steps.apart * width;
     std::vector<WindowPlace> level;
     const std::vector<AxisRange> across = places_on(z, columns, apart);
     for (const AxisRange& down : places_on(y, rows, apart))
@@ -82,7 +79,7 @@ std::vector<std::vector<WindowPlace>> window_levels(const SurfaceGrid& grid, dou
       levels.push_back(std::move(level));
       widths += is_narrow ? 0 : 1;
     }
-    width = is_narrow ? std::min(width + fine, wide) : width * std::sqrt(2.0);
+    width = is_narrow ? std::min(width + fine, steps.wide) : width * steps.wider;
   }
   levels.push_back({{{0, y.values}, {0, z.values}}});
   return levels;

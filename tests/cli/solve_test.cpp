@@ -143,6 +143,7 @@ TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
   std::size_t inside = 0;  // of intervals
   std::size_t all = 0;
   std::size_t forces_beyond = 0;
+  std::size_t not_explained = 0;
   for (std::size_t frame = 0; frame < truth.size(); ++frame) {
     CAPTURE(pad.name, frame);
     const CsvRow& band = bands[frame];
@@ -173,12 +174,13 @@ TEST_CASE("bands of recorded frames hold what truly pressed", "[cli]") {
       CHECK(band.at(name) < band.at(name + "_high"));
     }
     CHECK(band.at("residual_rms") < 1.25);  // in units of the noise stated
-    CHECK(band.at("model_rms") == 0.0);     // what of it the noise does not explain
+    if (band.at("model_rms") > 0.0) ++not_explained;
   }
   CAPTURE(within, inside, all);
   CHECK(static_cast<double>(within) >= 0.95 * static_cast<double>(all));
   CHECK(static_cast<double>(inside) >= 0.95 * static_cast<double>(all));
   CHECK(forces_beyond <= 1);  // of 10 and of 14
+  CHECK(not_explained <= 1);  // by the noise: of white noise alone one frame of a hundred
 }
 
 TEST_CASE("a recording has a page, with its numbers beside it", "[cli]") {

@@ -1,11 +1,14 @@
-// Which windows answer for a frame that makes more of them likely than may answer.
+// Which windows, or components, answer for a frame that makes more of them likely than may answer.
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
 #include "inverse/load_tables.hpp"
+#include "tactile_net/inverse/line_problem.hpp"
+#include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/pads.hpp"
@@ -38,6 +41,25 @@ struct Covered {
   double all = 0.0, alpha = 0.0;
   std::vector<double> holds;
 };
+
+LinearProblem coarse_line() {
+  return make_problem(coarse_array, pad,
+                      {.unknowns = 1,
+                       .smoothing_length = 1.0,
+                       .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5}});
+}
+
+/// Of a contact on it under noise of a fortieth of the largest reading.
+std::vector<double> pressed_line() {
+  const std::vector<Contact> contacts = {RigidContact{.center = 1.3, .half_width = 1.0}};
+  std::vector<double> readings = exact_readings(coarse_array, pad, contacts);
+  double largest = 0.0;
+  for (const double one : readings) largest = std::max(largest, std::abs(one));
+  std::mt19937 engine(5);
+  std::normal_distribution<double> white;
+  for (double& one : readings) one = 40.0 * one / largest + white(engine);
+  return readings;
+}
 
 double probability(const LoadPrior::Part& part) {
   double sum = 0.0;
@@ -95,10 +117,60 @@ TEST_CASE("all windows that a contact makes likely answer", "[load_mixture]") {
   const Eigen::VectorXd g =
       tables.weighting.projected(Eigen::VectorXd(pressed * 300.0 / pressed.cwiseAbs().maxCoeff()));
   const auto likely = likely_parts(tables, g, 5.0, 0.0);
-  const auto few = likely_parts(tables, g, 5.0, 0.0, LoadPrior::Tables::most_answering);
+  const auto few = likely_parts(tables, g, 5.0, 0.0, LoadPrior::Tables::most_windows);
   REQUIRE(few.size() == likely.size());
   for (std::size_t i = 0; i < few.size(); ++i) {
     CHECK(few[i].window == likely[i].window);
     CHECK_THAT(probability(few[i]), WithinAbs(probability(likely[i]), 1e-14));
   }
+}
+
+TEST_CASE("few components of a line say what all of them say", "[load_mixture]") {
+  const LinearProblem problem = coarse_line();
+  const LoadPriorOptions of_all{.depth = 1.0,
+                                .most_components = std::numeric_limits<std::size_t>::max()};
+  const LoadPrior all(problem, of_all);
+  const LoadPrior few(problem, {.depth = 1.0});
+  const std::vector<double> readings = pressed_line();
+  const LoadMixture whole = all.given(readings, {.rms = 1.0});
+  const LoadMixture some = few.given(readings, {.rms = 1.0});
+  REQUIRE(whole.components() > 2 * LoadPriorOptions{}.most_components);
+  CHECK(some.components() <= LoadPriorOptions{}.most_components);
+  CHECK(3 * some.components() > 2 * LoadPriorOptions{}.most_components);
+
+  const std::vector<double> of_force(problem.grid.count(), problem.grid.spacing_y);
+  const Distribution force = whole.of(of_force);
+  const double deviation = force.deviation();
+  CHECK_THAT(some.of(of_force).mean(), WithinAbs(force.mean(), 0.1 * deviation));
+  CHECK_THAT(some.of(of_force).deviation(), WithinRel(deviation, 0.1));
+  const CentralInterval band = force.interval();
+  CHECK_THAT(some.of(of_force).interval().low, WithinAbs(band.low, 0.25 * deviation));
+  CHECK_THAT(some.of(of_force).interval().high, WithinAbs(band.high, 0.25 * deviation));
+}
+
+TEST_CASE("of a line's frame of noise one component of eight answers", "[load_mixture]") {
+  const LinearProblem problem = coarse_line();
+  const LoadPrior::Tables tables(problem, {.depth = 1.0});
+  REQUIRE(!tables.is_long());
+  std::mt19937 engine(3);
+  std::normal_distribution<double> white;
+  Eigen::VectorXd readings(static_cast<Eigen::Index>(problem.sites.size()));
+  for (double& one : readings) one = white(engine);
+  const Eigen::VectorXd g = tables.weighting.projected(readings);
+  const auto count = [](const std::vector<LoadPrior::Part>& parts) {
+    std::size_t components = 0;
+    for (const LoadPrior::Part& part : parts) components += part.sizes.size();
+    return components;
+  };
+  const auto likely = likely_parts(tables, g, 5.0, 0.0);
+  const auto few = likely_parts(tables, g, 5.0, 0.0, tables.most_components);
+  REQUIRE(count(likely) > 16 * tables.most_components);
+  CHECK(8 * count(few) <= count(likely));
+  CHECK(10 * count(few) > count(likely));
+  const Covered whole(likely, problem.grid.count());
+  const Covered some(few, problem.grid.count());
+  CHECK_THAT(some.all, WithinAbs(1.0, 1e-12));
+  CHECK_THAT(some.alpha, WithinAbs(whole.alpha, 0.2));
+  for (std::size_t cell = 0; cell < whole.holds.size(); ++cell)
+    CHECK_THAT(some.holds[cell], WithinAbs(whole.holds[cell], 0.05));
 }

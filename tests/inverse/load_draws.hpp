@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "inverse/window_places.hpp"
+#include "inverse/load_tables.hpp"
 #include "numeric/eigen.hpp"
 #include "tactile_net/inverse/load_mixture.hpp"
 #include "tactile_net/inverse/tangential_weight.hpp"
@@ -25,7 +25,7 @@ class LoadDraws {
         count_(static_cast<Eigen::Index>(problem.grid.count())),
         power_(options.prior_power) {
     const auto levels = window_levels(problem.grid, options.narrowest * options.depth,
-                                      options.depth, problem.is_line);
+                                      mixture_steps(problem, options.depth), problem.is_line);
     const auto share = [&](double spacing) { return std::pow(0.5 * options.depth / spacing, 2); };
     const double y = share(problem.grid.spacing_y);
     const double z = problem.is_line ? 0.0 : share(problem.grid.spacing_z);

@@ -35,8 +35,8 @@
 /// force and centre of one contact, the first time that its windows are likely, and again:
 ///
 ///                                               set-up   memory   first    again
-///     line of 41 taxels, 1 unknown               8 ms     2 MB    0.4 ms   0.2 ms
-///     line of 41 taxels, 2 unknowns              0.2 s    7 MB    2.4 ms   0.9 ms
+///     line of 41 taxels, 1 unknown               10 ms    4 MB    0.6 ms   0.2 ms
+///     line of 41 taxels, 2 unknowns              0.13 s   16 MB   1.9 ms   0.5 ms
 ///     skin of 8 x 8, normal traction alone       0.02 s   2 MB    1 ms     0.2 ms
 ///     skin of 8 x 8 x 3 readings                 0.14 s           10 ms    4 ms
 ///     skin of 8 x 8 x 3, two depths apart        0.51 s           9 ms     7 ms
@@ -45,7 +45,7 @@
 /// Skins from 2.5 depths on, as is usual, take up to twice as long.
 ///
 /// What answers need of likely windows is kept, 256 MB at most. A frame of noise alone makes nearly
-/// all windows likely, of which, with 128 readings or more, 64 with a weight stand for all: with
+/// all windows likely, of which few answer (`most_components`): with 128 readings or more, with
 /// all tractions' intervals the first one takes 0.4 s, those after it 0.15 s, of 8 x 8 x 3
 /// readings; of 17 x 17 x 3 half a depth apart 2.4 s and 0.6 s.
 #pragma once
@@ -85,6 +85,11 @@ struct LoadPriorOptions {
   /// likely, which is for coarse arrays, between whose taxels they would hide; 1/2 is a
   /// half-Cauchy of the load's size.
   double prior_power = 0.0;
+  /// > 0: components that answer a frame of fewer than 128 readings. Where more are likely, so many
+  /// of them or an eighth, if that is more, stand for all, with probabilities that are on average
+  /// the same: of contacts sums and the ends of their bands are off by up to a thirtieth of a
+  /// deviation. Of 128 readings or more 64 windows with a weight answer.
+  std::size_t most_components = 96;
   /// Most that decompose windows at the same time; 0: as many as run so here. It changes no bit.
   std::size_t threads = 0;
 };
@@ -106,8 +111,9 @@ class LoadPrior {
   /// A decomposition for each window, by singular values or of many readings a bidiagonal matrix,
   /// and of a line's two components for each of six tangential weights, of a skin's three for each
   /// of three; one for all windows that are each other's images on an array that mirrors itself or
-  /// whose y and z may be exchanged. Of a line
-  /// windows of up to nine widths a quarter apart, of a skin squares a third apart, those narrower
+  /// whose y and z may be exchanged. Of a line windows of up to eighteen widths, each 2^(1/4) times
+  /// the one before, an eighth of the width apart, with two unknowns a quarter, with 128 readings
+  /// or more up to nine, a quarter and sqrt 2; of a skin squares a third apart, those narrower
   /// than 3.5 depths half a depth; and the whole surface.
   ///
   /// @throw std::invalid_argument  an option is out of range, no reading depends on the tractions
