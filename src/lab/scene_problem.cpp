@@ -33,6 +33,11 @@ constexpr double power_of_hidden = 0.25;
 
 /// Of a grid in place of taxels: pressure differs that much where one of them has its line load.
 constexpr double finest_of_depth = 0.25;
+/// Taxels that are denser show to a thousandth where a pressure begins, which a grid of theirs
+/// cannot have.
+constexpr double finest_of_dense = 0.125;
+/// Readings of one unknown up to which a grid twice as fine costs less than half of a frame.
+constexpr std::size_t most_of_dense = 128;
 
 /// Tractions over taxels up to which windows of them take less than a second.
 constexpr std::size_t most_of_windows = 384;
@@ -266,9 +271,15 @@ const SceneProblem& SceneProblem::of_mixture() const {
   if (surface().basis == SurfaceBasis::hats) return *this;
   if (!parts_->of_mixture) {
     Scene scene = parts_->scene;
-    scene.reconstruct.surface = {
-        .basis = SurfaceBasis::hats,
-        .spacing = std::min(scene.sensor.pitch, finest_of_depth * least_depth(scene.sensor))};
+    const SensorArray& array = scene.sensor;
+    const bool affords =
+        parts_->options.unknowns == 1 && channel_count(array) * array.count < most_of_dense;
+    const double depth = least_depth(array);
+    const double finest =
+        std::clamp(0.5 * array.pitch, (affords ? finest_of_dense : finest_of_depth) * depth,
+                   finest_of_depth * depth);
+    scene.reconstruct.surface = {.basis = SurfaceBasis::hats,
+                                 .spacing = std::min(array.pitch, finest)};
     parts_->of_mixture = std::make_unique<SceneProblem>(std::move(scene));
   }
   return *parts_->of_mixture;
