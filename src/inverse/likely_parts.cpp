@@ -96,6 +96,7 @@ class LikelyParts {
     left_.resize((tables_.alphas.size() - 1) / looked_apart + 1, std::ssize(looks));
     for (const LoadPrior::Tables::Shape& shape : tables_.shapes) look_at(shape, looks);
     std::vector<double> most;
+    most.reserve(looks.size());
     for (const Look& look : looks) most.push_back(look.most);
     for (const std::size_t w : falling(most)) {
       if (!(looks[w].most > best_ + std::log(never_counted))) break;
