@@ -100,6 +100,7 @@ def computed(
         optional("dask.distributed", "dask")
         count = max(1, sum(client.nthreads().values()))
     size = 4 if client is None else 32
+    tasks = 4 * count  # at the same time
     shuffled = random.Random(0).shuffle
     while left:
         rising = sorted(left)
@@ -107,7 +108,7 @@ def computed(
         parts = [rising[i : i + size] for i in range(0, len(rising), size)]
         if len(rising) < len(missing):
             shuffled(parts)  # so that points that kill, which lie together, do not hide those behind them
-        come = _on_threads(compute, study, parts, count) if client is None else _by_dask(compute, study, parts, client, count)
+        come = _on_threads(compute, study, parts, count) if client is None else _by_dask(compute, study, parts, client, tasks)
         try:
             for part, found in come:
                 left.difference_update(part)
@@ -115,8 +116,10 @@ def computed(
         except _NobodyLeft:
             return
         if len(left) == len(rising):
-            if size == 1:
+            if size == 1 and tasks == 1:
                 return
+            if size == 1:
+                tasks = 1  # a point dies too whose worker was given one that kills
             size = 1
 
 
@@ -163,10 +166,11 @@ def _joined(rest: deque[list[int]], tasks: int, seconds: float) -> list[int]:
 
 
 def _by_dask(
-    compute: Compute, study: StudyHere | StudyCopy, parts: list[list[int]], client: Any, threads: int
+    compute: Compute, study: StudyHere | StudyCopy, parts: list[list[int]], client: Any, tasks: int
 ) -> Iterator[tuple[list[int], Any]]:
     """Without those whose workers died as often as the scheduler allows; ends after eight such in a row.
 
+    tasks: at the same time.
     Raises _NobodyLeft.
     """
     distributed = optional("dask.distributed", "dask")
@@ -175,8 +179,8 @@ def _by_dask(
     deaths, alone, seconds = 0, 0.0, math.inf
     try:
         while True:
-            while len(running) < 4 * threads and rest:
-                part = _joined(rest, 4 * threads, seconds)
+            while len(running) < tasks and rest:
+                part = _joined(rest, tasks, seconds)
                 running[client.submit(_timed, compute, study, part, pure=False)] = part
             if not running:
                 return
