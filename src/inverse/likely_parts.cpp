@@ -93,7 +93,7 @@ class LikelyParts {
   /// Probabilities that sum to 1, window after window.
   [[nodiscard]] std::vector<LoadPrior::Part> found() {
     std::vector<Look> looks(tables_.windows.size());
-    left_.resize((tables_.alphas.size() - 1) / looked_apart + 1, std::ssize(looks));
+    left_.resize(tables_.looked_at().size(), std::ssize(looks));
     for (const LoadPrior::Tables::Shape& shape : tables_.shapes) look_at(shape, looks);
     std::vector<double> most;
     most.reserve(looks.size());

@@ -119,9 +119,7 @@ void LoadPrior::Tables::outline_all(std::size_t of) {
     for (Index a = 0; a < alphas.size(); ++a)
       entry.log_prior(a) += log_prior(shape, entry.tangential_weight, a);
     entry.used = all.traces();
-    if (i == 0)
-      outline.looks =
-          outline.damped(alphas(Eigen::seq(Index{0}, alphas.size() - 1, Eigen::fix<looked_apart>)));
+    if (i == 0) outline.looks = outline.damped(looked_at());
   }
 }
 

@@ -215,8 +215,8 @@ void LoadPrior::Tables::prepare(std::size_t threads) {
         weigh(entry);
       }
     }
-    const Index looks = (alphas.size() - 1) / looked_apart + 1;
-    shape.most_log_prior.setConstant(looks, -std::numeric_limits<double>::infinity());
+    const Eigen::VectorXd looks = looked_at();
+    shape.most_log_prior.setConstant(looks.size(), -std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < weights; ++i)
       for (Index a = 0; a < alphas.size(); ++a) {
         double& most = shape.most_log_prior((a + looked_apart - 1) / looked_apart);
@@ -224,11 +224,9 @@ void LoadPrior::Tables::prepare(std::size_t threads) {
       }
     if (is_long_) return;
     const Eigen::RowVectorXd gamma2 = entries_[shape.first].gamma2.transpose();
-    shape.looks.resize(looks, gamma2.size());
-    for (Index i = 0; i < looks; ++i) {
-      const double alpha = alphas(i * looked_apart);
-      shape.looks.row(i) = alpha / (gamma2.array() + alpha);
-    }
+    shape.looks.resize(looks.size(), gamma2.size());
+    for (Index i = 0; i < looks.size(); ++i)
+      shape.looks.row(i) = looks(i) / (gamma2.array() + looks(i));
   };
   if (is_long_) outlines_.resize(entries_.size());
   make_all(0);

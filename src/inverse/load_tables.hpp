@@ -161,6 +161,10 @@ struct LoadPrior::Tables {
   [[nodiscard]] const Entry& entry(std::size_t at) const { return entries_[at]; }
   /// Whether there are outlines, and no singular vectors.
   [[nodiscard]] bool is_long() const noexcept { return is_long_; }
+  /// The alphas at which every window is looked at.
+  [[nodiscard]] Eigen::VectorXd looked_at() const {
+    return alphas(Eigen::seq(Eigen::Index{0}, alphas.size() - 1, Eigen::fix<looked_apart>));
+  }
   /// @pre  is_long()
   [[nodiscard]] const Outline& outline(std::size_t at) const { return outlines_[at]; }
   [[nodiscard]] std::size_t index_of(const Entry& entry) const {

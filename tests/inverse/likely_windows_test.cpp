@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "inverse/load_tables.hpp"
-#include "tactile_net/inverse/line_problem.hpp"
-#include "tactile_net/sensing/exact.hpp"
 #include "tactile_net/skin/problem.hpp"
 #include "tests/catch.hpp"
 #include "tests/inverse/pads.hpp"
+#include "tests/inverse/pressed_line.hpp"
 
 using namespace tactile_net;
 
@@ -41,25 +40,6 @@ struct Covered {
   double all = 0.0, alpha = 0.0;
   std::vector<double> holds;
 };
-
-LinearProblem coarse_line() {
-  return make_problem(coarse_array, pad,
-                      {.unknowns = 1,
-                       .smoothing_length = 1.0,
-                       .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5}});
-}
-
-/// Of a contact on it under noise of a fortieth of the largest reading.
-std::vector<double> pressed_line() {
-  const std::vector<Contact> contacts = {RigidContact{.center = 1.3, .half_width = 1.0}};
-  std::vector<double> readings = exact_readings(coarse_array, pad, contacts);
-  double largest = 0.0;
-  for (const double one : readings) largest = std::max(largest, std::abs(one));
-  std::mt19937 engine(5);
-  std::normal_distribution<double> white;
-  for (double& one : readings) one = 40.0 * one / largest + white(engine);
-  return readings;
-}
 
 double probability(const LoadPrior::Part& part) {
   double sum = 0.0;
@@ -126,14 +106,14 @@ TEST_CASE("all windows that a contact makes likely answer", "[load_mixture]") {
 }
 
 TEST_CASE("few components of a line say what all of them say", "[load_mixture]") {
-  const LinearProblem problem = coarse_line();
+  const LinearProblem problem = line_of(1);
   const LoadPriorOptions of_all{.depth = 1.0,
                                 .most_components = std::numeric_limits<std::size_t>::max()};
   const LoadPrior all(problem, of_all);
   const LoadPrior few(problem, {.depth = 1.0});
-  const std::vector<double> readings = pressed_line();
-  const LoadMixture whole = all.given(readings, {.rms = 1.0});
-  const LoadMixture some = few.given(readings, {.rms = 1.0});
+  const std::vector<double> readings = pressed(1);
+  const LoadMixture whole = all.given(readings, {.rms = pad_noise});
+  const LoadMixture some = few.given(readings, {.rms = pad_noise});
   REQUIRE(whole.components() > 2 * LoadPriorOptions{}.most_components);
   CHECK(some.components() <= LoadPriorOptions{}.most_components);
   CHECK(3 * some.components() > 2 * LoadPriorOptions{}.most_components);
@@ -149,7 +129,7 @@ TEST_CASE("few components of a line say what all of them say", "[load_mixture]")
 }
 
 TEST_CASE("of a line's frame of noise one component of eight answers", "[load_mixture]") {
-  const LinearProblem problem = coarse_line();
+  const LinearProblem problem = line_of(1);
   const LoadPrior::Tables tables(problem, {.depth = 1.0});
   REQUIRE(!tables.is_long());
   std::mt19937 engine(3);

@@ -24,6 +24,7 @@
 #include "tests/catch.hpp"
 #include "tests/inverse/load_draws.hpp"
 #include "tests/inverse/pads.hpp"
+#include "tests/inverse/pressed_line.hpp"
 
 using namespace tactile_net;
 
@@ -31,15 +32,6 @@ namespace {
 
 constexpr double certain = std::numeric_limits<double>::infinity();
 constexpr std::size_t all_components = std::numeric_limits<std::size_t>::max();
-
-LinearProblem line_of(std::size_t unknowns) {
-  SensorArray array = coarse_array;
-  if (unknowns == 2) array.reads = {Quantity::stress_x, Quantity::shear_xy};
-  return make_problem(array, pad,
-                      {.unknowns = unknowns,
-                       .smoothing_length = 1.0,
-                       .surface = {.basis = SurfaceBasis::hats, .spacing = 0.5}});
-}
 
 /// The posterior by matrices that are inverted, component by component.
 struct DenseModel {
@@ -128,16 +120,6 @@ std::vector<double> weights_of_moment(const LinearProblem& problem) {
   return weights;
 }
 
-std::vector<double> pressed(std::size_t unknowns, double centre = 1.3, std::uint64_t seed = 1) {
-  SensorArray array = coarse_array;
-  if (unknowns == 2) array.reads = {Quantity::stress_x, Quantity::shear_xy};
-  const std::vector<Contact> contacts = {
-      RigidContact{.center = centre, .half_width = 1.0, .friction = unknowns == 2 ? 0.3 : 0.0}};
-  std::vector<double> readings = exact_readings(array, pad, contacts);
-  add_noise(readings, pad_noise, seed, 0);
-  return readings;
-}
-
 }  // namespace
 
 TEST_CASE("the mixture is the posterior of its model, as dense inverses have it",
@@ -174,8 +156,7 @@ TEST_CASE("what a mixture does not look at is not likely", "[load_mixture]") {
   const LoadPriorOptions options{.depth = 1.0, .narrowest = 3.5, .most_components = all_components};
   const DenseModel model(line_of(unknowns), options);
   const LoadPrior prior(model.problem, options);
-  SensorArray array = coarse_array;
-  if (unknowns == 2) array.reads = {Quantity::stress_x, Quantity::shear_xy};
+  const SensorArray array = array_of(unknowns);
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> uniform;
   const std::vector<double> force = weights_of_force(model.problem);
